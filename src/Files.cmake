@@ -1,0 +1,50 @@
+# The module's contents and its target. Lists are sorted; one line a file.
+include("${VTK_DIR}/vtkEncodeString.cmake")
+
+set(classes
+  vtkOpenGLTerrainMapper
+)
+
+set(private_headers
+)
+
+set(shaders
+)
+
+# VTK-free algorithms: an object library, so that the unit tests link it without the module.
+set(core
+)
+
+set(sources "")
+foreach (shader IN LISTS shaders)
+  vtk_encode_string(INPUT "shaders/${shader}.glsl"
+    HEADER_OUTPUT header SOURCE_OUTPUT source)
+  list(APPEND sources "${source}")
+  list(APPEND private_headers "${header}")
+endforeach ()
+
+if (core)
+  list(TRANSFORM core PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/core/")
+  list(TRANSFORM core APPEND ".cxx")
+  add_library(vtkTerrainCore OBJECT ${core})
+  set_target_properties(vtkTerrainCore PROPERTIES
+    POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden)
+  target_include_directories(vtkTerrainCore PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/src")
+  target_link_libraries(vtkTerrainCore PUBLIC glm::glm vtkTerrainWarnings)
+  list(APPEND sources "$<TARGET_OBJECTS:vtkTerrainCore>")
+endif ()
+
+list(TRANSFORM classes PREPEND src/)
+vtk_module_add_module(vtkTerrain::Terrain
+  CLASSES ${classes}
+  SOURCES ${sources}
+  PRIVATE_HEADERS ${private_headers})
+vtk_module_include(vtkTerrain::Terrain
+  PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src>")
+vtk_module_link(vtkTerrain::Terrain
+  PRIVATE
+    "$<BUILD_INTERFACE:vtkTerrainWarnings>"
+    "$<BUILD_INTERFACE:glm::glm>"
+    GDAL::GDAL
+    GeographicLib::GeographicLib)

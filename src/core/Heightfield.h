@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Non-owning view of the samples of a heightfield (Coordinates.h).
+ */
+#ifndef terrain_Heightfield_h
+#define terrain_Heightfield_h
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace terrain
+{
+/// View of W x H samples of arithmetic type T, row by row from the south; never owns them.
+template <typename T>
+struct HeightfieldView
+{
+  /// Height of sample (i, j) at Samples[i + Width * j], in height units.
+  const T* Samples = nullptr;
+  /// Number of samples east and north, >= 0.
+  std::int64_t Width = 0;
+  std::int64_t Height = 0;
+  /// Optional, one byte a sample: no data where (Mask[index] & MaskBits) != 0.
+  const unsigned char* Mask = nullptr;
+  unsigned char MaskBits = 0xff;
+  /// If HasNoData, samples equal to NoData have no height either (height codes: HeightCodes.h).
+  bool HasNoData = false;
+  T NoData{};
+
+  std::int64_t Index(std::int64_t i, std::int64_t j) const { return i + this->Width * j; }
+
+  /// True where there is a height: not masked, not NoData, not NaN, not infinite.
+  bool IsValid(std::int64_t index) const
+  {
+    if (this->Mask && (this->Mask[index] & this->MaskBits))
+    {
+      return false;
+    }
+    if (this->HasNoData && this->Samples[index] == this->NoData)
+    {
+      return false;
+    }
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      return std::isfinite(this->Samples[index]);
+    }
+    return true;
+  }
+
+  /// Height of sample (i, j) in height units, NaN for no data; 0 <= i < Width, 0 <= j < Height.
+  double At(std::int64_t i, std::int64_t j) const
+  {
+    const std::int64_t index = this->Index(i, j);
+    return this->IsValid(index) ? static_cast<double>(this->Samples[index])
+                                : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// True if the four samples of cell (i, j) have heights; 0 <= i < Width-1, 0 <= j < Height-1.
+  bool IsCellValid(std::int64_t i, std::int64_t j) const
+  {
+    const std::int64_t index = this->Index(i, j);
+    return this->IsValid(index) && this->IsValid(index + 1) && this->IsValid(index + this->Width) &&
+      this->IsValid(index + this->Width + 1);
+  }
+};
+}
+
+#endif
