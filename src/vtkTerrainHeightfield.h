@@ -4,8 +4,8 @@
  * @file
  * A vtkImageData of heights as the views that src/core/ works on. Private to the module.
  *
- * Heights are an image of W x H x 1 points whose active point scalars have one component, of any VTK
- * numeric type. No data are NaN, infinities, and points whose vtkGhostType has HIDDENPOINT set.
+ * Heights are an image of W x H x 1 points whose active point scalars have one component, of any
+ * VTK numeric type. No data are NaN, infinities, and points whose vtkGhostType has HIDDENPOINT set.
  */
 #ifndef vtkTerrainHeightfield_h
 #define vtkTerrainHeightfield_h

@@ -5,8 +5,8 @@
  * The only definition of spaces, origins and units; everything else refers to this page.
  *
  * A heightfield is z = h(x, y) on a regular grid of W x H samples, the index of sample (i, j) being
- * i + W * j; i runs east, j runs north. It has (W-1) x (H-1) cells; cell (i, j) is the square between the
- * samples (i, j) and (i+1, j+1). The surface is the bilinear patch of each cell.
+ * i + W * j; i runs east, j runs north. It has (W-1) x (H-1) cells; cell (i, j) is the square
+ * between the samples (i, j) and (i+1, j+1). The surface is the bilinear patch of each cell.
  *
  * Spaces, each a suffix of the names that live in it:
  *   GC  grid coordinates: sample (i, j) at x = i, y = j; z in height codes (below)

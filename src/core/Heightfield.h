@@ -30,7 +30,10 @@ struct HeightfieldView
   bool HasNoData = false;
   T NoData{};
 
-  std::int64_t Index(std::int64_t i, std::int64_t j) const { return i + this->Width * j; }
+  std::int64_t Index(std::int64_t i, std::int64_t j) const
+  {
+    return i + this->Width * j;
+  }
 
   /// True where there is a height: not masked, not NoData, not NaN, not infinite.
   bool IsValid(std::int64_t index) const
