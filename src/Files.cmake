@@ -9,6 +9,8 @@ set(private_headers
 )
 
 set(shaders
+  vtkTerrainHeights
+  vtkTerrainRay
 )
 
 # VTK-free algorithms: an object library, so that the unit tests link it without the module.

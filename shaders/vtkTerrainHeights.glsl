@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Reading the heightfield. Twin: CodedHeights in src/core/Ray.h; codes: src/core/HeightCodes.h.
+// Defines: TERRAIN_HEIGHTS_INTEGER if texels are 16-bit integers.
+
+#ifdef TERRAIN_HEIGHTS_INTEGER
+uniform usampler2D terrainHeights; // texels, W x H
+#else
+uniform sampler2D terrainHeights;
+#endif
+uniform ivec2 terrainSize;         // W, H: samples
+uniform float terrainBias;         // texel minus code
+uniform float terrainMaximumCode;  // largest code; the smallest is 0
+
+// Code of a sample; negative if it has no height. 0 <= sampleIndex < terrainSize.
+float terrainCode(ivec2 sampleIndex)
+{
+  return float(texelFetch(terrainHeights, sampleIndex, 0).r) - terrainBias;
+}
+
+// Codes of the corners of a cell: south-west, south-east, north-west, north-east.
+vec4 terrainCellCodes(ivec2 cell)
+{
+  return vec4(terrainCode(cell), terrainCode(cell + ivec2(1, 0)), terrainCode(cell + ivec2(0, 1)),
+    terrainCode(cell + ivec2(1, 1)));
+}
+
+// True if all corners of a cell have heights.
+bool terrainCellValid(vec4 codes)
+{
+  return all(greaterThanEqual(codes, vec4(0.0)));
+}
+
+// Height code of the bilinear patch at a position in its cell, 0 <= fraction <= 1.
+float terrainPatchCode(vec4 codes, vec2 fraction)
+{
+  vec2 edges = mix(codes.xz, codes.yw, fraction.x); // on the south and on the north edge
+  return mix(edges.x, edges.y, fraction.y);
+}
+
+// Change of the code per cell east and north at a position in the cell.
+vec2 terrainPatchGradient(vec4 codes, vec2 fraction)
+{
+  return vec2(mix(codes.y - codes.x, codes.w - codes.z, fraction.y),
+    mix(codes.z - codes.x, codes.w - codes.y, fraction.x));
+}
