@@ -1,0 +1,49 @@
+#!/bin/sh
+# House rules that a machine can see, on the files git tracks. Prints every offence; fails if there is one.
+set -eu
+cd "$(dirname "$0")/.."
+failed=0
+offence()
+{
+  echo "$1" >&2
+  failed=1
+}
+
+cxx=$(git ls-files '*.h' '*.cxx')
+glsl=$(git ls-files '*.glsl')
+maximum_lines=600
+
+# shellcheck disable=SC2086 # file names here have no spaces
+clang-format-16 --dry-run -Werror $cxx || failed=1
+
+for file in $cxx $glsl; do
+  grep -q 'SPDX-License-Identifier: BSD-3-Clause' "$file" || offence "$file: no SPDX licence line"
+  lines=$(wc -l <"$file")
+  [ "$lines" -le "$maximum_lines" ] || offence "$file: $lines lines, at most $maximum_lines"
+done
+for file in $glsl; do
+  ! LC_ALL=C grep -nP '[^\x00-\x7F]' "$file" >&2 || offence "$file: not ASCII"
+  ! grep -n '__' "$file" >&2 || offence "$file: two underscores in a row are reserved in GLSL"
+  case $(basename "$file") in
+    vtkTerrain*.glsl) ;;
+    *) offence "$file: shader files are called vtkTerrain<Concept>.glsl" ;;
+  esac
+done
+for file in $(git ls-files 'src/core/*'); do
+  ! grep -nE '#include [<"](vtk|GL/|EGL/|gdal)' "$file" >&2 ||
+    offence "$file: src/core/ includes neither VTK, OpenGL nor GDAL"
+done
+for file in $(git ls-files 'src/*.h' 'src/*.cxx'); do
+  case $file in
+    */vtkTerrainCompatibility.h) ;;
+    *) ! grep -nE '^ *# *if.*VTK_(MAJOR_|MINOR_)?VERSION' "$file" >&2 ||
+      offence "$file: VTK versions are told apart in vtkTerrainCompatibility.h alone" ;;
+  esac
+done
+# shellcheck disable=SC2086
+! grep -nE '\b(TODO|FIXME|XXX)\b' $cxx $glsl >&2 || offence "marks of unfinished work"
+for file in $(git ls-files); do
+  bytes=$(wc -c <"$file")
+  [ "$bytes" -le 400000 ] || offence "$file: $bytes bytes, at most 400000"
+done
+exit $failed

@@ -1,0 +1,15 @@
+#!/bin/sh
+# From a clone to the result of the whole test suite: installs what is missing, builds, runs ctest.
+#   sh Testing/run.sh [CMAKE_OPTION...]
+# Tests that need real elevation files take them from the folder VTKTERRAIN_DATA_DIR and skip if it is
+# not set.
+set -eu
+source_dir=$(cd "$(dirname "$0")/.." && pwd)
+build_dir=${VTKTERRAIN_BUILD_DIR:-$source_dir/build}
+data_dir=${VTKTERRAIN_DATA_DIR:-}
+[ -z "$data_dir" ] || data_dir=$(cd "$data_dir" && pwd)
+
+sh "$source_dir/Module/packages.sh"
+sh "$source_dir/Module/build.sh" all "-DVTKTERRAIN_DATA_DIR=$data_dir" "$@"
+cd "$build_dir"
+exec ctest --parallel "$(nproc)" --output-on-failure
