@@ -3,6 +3,7 @@ include("${VTK_DIR}/vtkEncodeString.cmake")
 
 set(classes
   vtkOpenGLTerrainMapper
+  vtkTerrainSource
 )
 
 set(private_headers
@@ -15,6 +16,13 @@ set(shaders
 
 # VTK-free algorithms: an object library, so that the unit tests link it without the module.
 set(core
+  ProceduralTerrain
+  StreamErosion
+)
+# Their results are the same bits on every machine: no fused multiply-add.
+set(core_without_contraction
+  ProceduralTerrain
+  StreamErosion
 )
 
 set(sources "")
@@ -34,6 +42,12 @@ if (core)
     CXX_VISIBILITY_PRESET hidden)
   target_include_directories(vtkTerrainCore PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/src")
   target_link_libraries(vtkTerrainCore PUBLIC glm::glm vtkTerrainWarnings)
+  if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    list(TRANSFORM core_without_contraction PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/core/")
+    list(TRANSFORM core_without_contraction APPEND ".cxx")
+    set_source_files_properties(${core_without_contraction}
+      PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
+  endif ()
   list(APPEND sources "$<TARGET_OBJECTS:vtkTerrainCore>")
 endif ()
 

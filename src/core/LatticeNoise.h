@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Gradient noise on the integer lattice, evaluated row by row: the same bits on every machine.
+ *
+ * Only integer arithmetic and the correctly rounded +, -, * of IEEE 754 are used, no function of
+ * libm; the files that include this are compiled without contraction to fused operations.
+ */
+#ifndef terrain_LatticeNoise_h
+#define terrain_LatticeNoise_h
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace terrain
+{
+/// Bijective mixing of 32 bits (constants by C. Wellons, "Prospecting for Hash Functions", 2018).
+inline std::uint32_t Mix(std::uint32_t value)
+{
+  value ^= value >> 16;
+  value *= 0x7feb352dU;
+  value ^= value >> 15;
+  value *= 0x846ca68bU;
+  value ^= value >> 16;
+  return value;
+}
+
+/// 32 random bits of lattice node (x, y) and a seed.
+inline std::uint32_t LatticeHash(std::int64_t x, std::int64_t y, std::uint32_t seed)
+{
+  const std::uint32_t row = Mix(static_cast<std::uint32_t>(y) + 0x9e3779b9U * seed);
+  return Mix(static_cast<std::uint32_t>(x) ^ row);
+}
+
+/// Uniform in [0, 1) from 32 random bits (the upper 24 of them).
+inline double UnitReal(std::uint32_t bits)
+{
+  return static_cast<double>(bits >> 8) * (1.0 / 16777216.0);
+}
+
+/// Positions along one axis of the lattice: cell and offset in it, for first <= k < first + count.
+struct LatticeAxis
+{
+  std::vector<std::int64_t> Cells;
+  std::vector<float> Offsets;
+
+  /// Sample k lies at origin + k * step, in lattice cells; the same whatever first and count are.
+  LatticeAxis(std::int64_t first, std::int64_t count, double origin, double step)
+    : Cells(static_cast<std::size_t>(count))
+    , Offsets(static_cast<std::size_t>(count))
+  {
+    for (std::int64_t k = 0; k < count; ++k)
+    {
+      const double position = origin + static_cast<double>(first + k) * step;
+      std::int64_t cell = static_cast<std::int64_t>(position);
+      cell -= static_cast<double>(cell) > position ? 1 : 0;
+      this->Cells[static_cast<std::size_t>(k)] = cell;
+      this->Offsets[static_cast<std::size_t>(k)] =
+        static_cast<float>(position - static_cast<double>(cell));
+    }
+  }
+};
+
+/// Gradient of a lattice node; both components in [-1, 1).
+struct LatticeGradient
+{
+  float X;
+  float Y;
+
+  LatticeGradient(std::int64_t x, std::int64_t y, std::uint32_t seed)
+  {
+    const std::uint32_t bits = LatticeHash(x, y, seed);
+    this->X = static_cast<float>(static_cast<std::int32_t>(bits & 0xffffU) - 32768) / 32768.0F;
+    this->Y = static_cast<float>(static_cast<std::int32_t>(bits >> 16) - 32768) / 32768.0F;
+  }
+};
+
+/// Smooth step with zero first and second derivatives at 0 and 1 (Perlin 2002, "Improving Noise").
+inline float Fade(float t)
+{
+  return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F);
+}
+
+/// Noise at the samples of one row, written to values[0 .. axis.Cells.size()); every value lies in
+/// [-1, 1], with a mean of 0 and a standard deviation of about 0.25.
+/// Source: Perlin 1985, "An Image Synthesizer", in two dimensions.
+inline void NoiseRow(
+  const LatticeAxis& axis, std::int64_t cellY, float offsetY, std::uint32_t seed, float* values)
+{
+  const std::size_t count = axis.Cells.size();
+  const float fadeY = Fade(offsetY);
+  std::size_t begin = 0;
+  while (begin < count)
+  {
+    const std::int64_t cell = axis.Cells[begin];
+    std::size_t end = begin + 1;
+    while (end < count && axis.Cells[end] == cell)
+    {
+      ++end;
+    }
+    const LatticeGradient g00(cell, cellY, seed);
+    const LatticeGradient g10(cell + 1, cellY, seed);
+    const LatticeGradient g01(cell, cellY + 1, seed);
+    const LatticeGradient g11(cell + 1, cellY + 1, seed);
+    const float* offsets = axis.Offsets.data();
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      const float x = offsets[k];
+      const float fadeX = Fade(x);
+      const float v00 = g00.X * x + g00.Y * offsetY;
+      const float v10 = g10.X * (x - 1.0F) + g10.Y * offsetY;
+      const float v01 = g01.X * x + g01.Y * (offsetY - 1.0F);
+      const float v11 = g11.X * (x - 1.0F) + g11.Y * (offsetY - 1.0F);
+      const float south = v00 + fadeX * (v10 - v00);
+      const float north = v01 + fadeX * (v11 - v01);
+      values[k] = south + fadeY * (north - south);
+    }
+    begin = end;
+  }
+}
+}
+
+#endif
