@@ -16,8 +16,13 @@ set(shaders
 
 # VTK-free algorithms: an object library, so that the unit tests link it without the module.
 set(core
+  Geodesics
+  GridReference
   ProceduralTerrain
+  RoundNumbers
+  SceneFrame
   StreamErosion
+  SunPosition
 )
 # Their results are the same bits on every machine: no fused multiply-add.
 set(core_without_contraction
@@ -41,7 +46,8 @@ if (core)
     POSITION_INDEPENDENT_CODE ON
     CXX_VISIBILITY_PRESET hidden)
   target_include_directories(vtkTerrainCore PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/src")
-  target_link_libraries(vtkTerrainCore PUBLIC glm::glm vtkTerrainWarnings)
+  target_link_libraries(vtkTerrainCore PUBLIC
+    glm::glm GeographicLib::GeographicLib vtkTerrainWarnings)
   if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     list(TRANSFORM core_without_contraction PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/core/")
     list(TRANSFORM core_without_contraction APPEND ".cxx")
