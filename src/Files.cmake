@@ -9,6 +9,21 @@ set(classes
 set(private_headers
 )
 
+# Windows without a display; VTK 9.4 and later have their own.
+set(window_libraries "")
+if (VTK_VERSION VERSION_LESS 9.4)
+  set(window_libraries OpenGL::EGL ${CMAKE_DL_LIBS})
+  list(APPEND classes
+    vtkTerrainEGLRenderWindow
+    vtkTerrainOSMesaRenderWindow
+    vtkTerrainOffscreenRenderWindow
+    vtkTerrainRenderWindowFactory)
+  list(APPEND window_sources
+    src/vtkTerrainEGLContext.cxx
+    src/vtkTerrainGLContext.cxx
+    src/vtkTerrainOSMesaContext.cxx)
+endif ()
+
 set(shaders
   vtkTerrainHeights
   vtkTerrainRay
@@ -30,7 +45,7 @@ set(core_without_contraction
   StreamErosion
 )
 
-set(sources "")
+set(sources ${window_sources})
 foreach (shader IN LISTS shaders)
   vtk_encode_string(INPUT "shaders/${shader}.glsl"
     HEADER_OUTPUT header SOURCE_OUTPUT source)
@@ -69,4 +84,14 @@ vtk_module_link(vtkTerrain::Terrain
     "$<BUILD_INTERFACE:vtkTerrainWarnings>"
     "$<BUILD_INTERFACE:glm::glm>"
     GDAL::GDAL
-    GeographicLib::GeographicLib)
+    GeographicLib::GeographicLib
+    ${window_libraries})
+if (VTK_VERSION VERSION_LESS 9.4)
+  # A program that names no symbol of the module still gets its windows: the linker must neither
+  # drop the library (--as-needed) nor, in a static build, the file that registers the windows.
+  vtk_module_link(vtkTerrain::Terrain
+    INTERFACE
+      "-Wl,--undefined=vtkTerrainRenderWindowFactoryLinked,--push-state,--no-as-needed"
+      "$<TARGET_FILE:vtkTerrain::Terrain>"
+      "-Wl,--pop-state")
+endif ()
