@@ -1,10 +1,29 @@
 # vtkterrain_add_test: see CMakeLists.txt beside this file.
+set(vtkTerrain_test_modules "${vtkTerrain_vtk_components};${vtkTerrain_vtk_test_components}")
+list(TRANSFORM vtkTerrain_test_modules PREPEND "VTK::")
+
+# What tests share: the header vtkTerrainTesting.h, and main.
+add_library(vtkTerrainTestSupport STATIC
+  vtkTerrainTesting.cxx
+  vtkTerrainTestingMain.cxx
+  vtkTerrainTestingShader.cxx)
+target_include_directories(vtkTerrainTestSupport PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
+target_link_libraries(vtkTerrainTestSupport
+  PUBLIC
+    vtkTerrain::Terrain
+    ${vtkTerrain_test_modules}
+    $<TARGET_NAME_IF_EXISTS:VTK::glad>
+    GTest::gtest
+  PRIVATE
+    vtkTerrainWarnings
+    ${CMAKE_DL_LIBS})
+
 function (vtkterrain_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "IMAGE;DATA" "" "WINDOWS")
   add_executable(${name} ${name}.cxx)
   target_link_libraries(${name} PRIVATE
-    vtkTerrain::Terrain vtkTerrainWarnings GDAL::GDAL GTest::gtest_main ${vtkTerrain_test_libraries})
-  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing/Cxx")
+    vtkTerrainTestSupport vtkTerrainWarnings GDAL::GDAL glm::glm)
+  vtk_module_autoinit(TARGETS ${name} MODULES ${vtkTerrain_test_modules})
   set(environment
     "VTKTERRAIN_DATA_DIR=${VTKTERRAIN_DATA_DIR}"
     "VTKTERRAIN_BASELINE_DIR=${PROJECT_SOURCE_DIR}/Testing/Data/Baseline"
