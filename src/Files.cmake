@@ -3,6 +3,7 @@ include("${VTK_DIR}/vtkEncodeString.cmake")
 
 set(classes
   vtkOpenGLTerrainMapper
+  vtkTerrainCoarseMesh
   vtkTerrainSource
 )
 
@@ -31,6 +32,8 @@ set(shaders
 
 # VTK-free algorithms: an object library, so that the unit tests link it without the module.
 set(core
+  CoarseMesh
+  CoarseMeshSurface
   Geodesics
   GridReference
   ProceduralTerrain
