@@ -11,6 +11,7 @@
 
 #include <cstdlib>
 #include <dlfcn.h>
+#include <map>
 #include <string>
 
 vtkStandardNewMacro(vtkTerrainRenderWindowFactory);
@@ -25,12 +26,10 @@ constexpr const char* kWindowVariable = "VTK_DEFAULT_OPENGL_WINDOW";
 std::string WhyNoX()
 {
   using Open = void* (*)(const char* name);
-  using Close = int (*)(void* display);
   using Query = int (*)(void* display, int* error, int* event);
   const auto open = reinterpret_cast<Open>(dlsym(RTLD_DEFAULT, "XOpenDisplay"));
-  const auto close = reinterpret_cast<Close>(dlsym(RTLD_DEFAULT, "XCloseDisplay"));
   const auto query = reinterpret_cast<Query>(dlsym(RTLD_DEFAULT, "glXQueryExtension"));
-  if (!open || !close || !query)
+  if (!open || !query)
   {
     return "the program has no X library";
   }
@@ -39,13 +38,16 @@ std::string WhyNoX()
   {
     return "DISPLAY is not set";
   }
-  void* display = open(name);
+  // The connection stays open: closing the only one would make some servers reset themselves, just
+  // when the window is about to connect.
+  static std::map<std::string, void*> displays;
+  void*& display = displays[name];
+  display = display ? display : open(name);
   if (!display)
   {
     return std::string("the display ") + name + " does not open";
   }
   const bool hasGLX = query(display, nullptr, nullptr) != 0;
-  close(display);
   return hasGLX ? std::string() : std::string("the display ") + name + " has no GLX";
 }
 

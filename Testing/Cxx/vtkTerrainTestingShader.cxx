@@ -40,12 +40,12 @@ std::string FragmentShader(
   {
     const std::string name = InputName(i);
     uniforms += "uniform sampler2D " + name + "Texture;\n";
-    fetches +=
-      "  vec4 " + name + " = texelFetch(" + name + "Texture, ivec2(gl_FragCoord.xy), 0);\n";
+    fetches += "  vec4 " + name + " = texelFetch(" + name + "Texture, texel, 0);\n";
   }
   return "//VTK::System::Dec\n//VTK::Output::Dec\nin vec2 texCoord;\n" + uniforms + declarations +
-    "\nvoid main()\n{\n  vec4 result = vec4(0.0);\n" + fetches + body +
-    "\n  gl_FragData[0] = result;\n}\n";
+    "\nvoid main()\n{\n  vec4 result = vec4(0.0);\n"
+    "  ivec2 texel = ivec2(texCoord * vec2(textureSize(input0Texture, 0)));\n" +
+    fetches + body + "\n  gl_FragData[0] = result;\n}\n";
 }
 
 //------------------------------------------------------------------------------
