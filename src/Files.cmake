@@ -4,6 +4,7 @@ include("${VTK_DIR}/vtkEncodeString.cmake")
 set(classes
   vtkOpenGLTerrainMapper
   vtkTerrainCoarseMesh
+  vtkTerrainRasterReader
   vtkTerrainSource
 )
 
@@ -48,7 +49,14 @@ set(core_without_contraction
   StreamErosion
 )
 
-set(sources ${window_sources})
+# Sources beside the classes.
+set(private_sources
+  src/vtkTerrainRasterFile.cxx
+  src/vtkTerrainRasterLayout.cxx
+  src/vtkTerrainRasterPiece.cxx
+)
+
+set(sources ${private_sources} ${window_sources})
 foreach (shader IN LISTS shaders)
   vtk_encode_string(INPUT "shaders/${shader}.glsl"
     HEADER_OUTPUT header SOURCE_OUTPUT source)

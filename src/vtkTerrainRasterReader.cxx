@@ -1,0 +1,482 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainRasterReader.h"
+
+#include "vtkTerrainRasterFile.h"
+#include "vtkTerrainRasterPiece.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <initializer_list>
+#include <new>
+#include <sstream>
+
+/// An opened file and what becomes of it.
+struct vtkTerrainRasterPlan
+{
+  vtkTerrainRasterFile File;
+  vtkTerrainRasterLayout Layout;
+  vtkTerrainRasterRequest Request;
+  int ScalarType = VTK_FLOAT;
+  std::string Name;
+  std::string VerticalUnit;
+  double VerticalScale = 1.0;
+  double Origin[2] = { 0.0, 0.0 };
+  double Spacing[2] = { 1.0, 1.0 };
+
+  explicit vtkTerrainRasterPlan(const char* fileName)
+    : File(fileName)
+  {
+  }
+};
+
+namespace
+{
+/// The window that four numbers mean, or an error.
+vtkTerrainRasterWindow ResolveWindow(const vtkTerrainRasterFile& file, const int window[4])
+{
+  vtkTerrainRasterWindow resolved{ window[0], window[1], window[2], window[3] };
+  resolved.Width = window[2] == 0 ? file.GetWidth() - resolved.X : resolved.Width;
+  resolved.Height = window[3] == 0 ? file.GetHeight() - resolved.Y : resolved.Height;
+  if (resolved.X < 0 || resolved.Y < 0 || resolved.Width < 1 || resolved.Height < 1 ||
+    resolved.X + resolved.Width > file.GetWidth() ||
+    resolved.Y + resolved.Height > file.GetHeight())
+  {
+    std::ostringstream text;
+    text << "the window of " << resolved.Width << " x " << resolved.Height << " pixels at ("
+         << resolved.X << ", " << resolved.Y << ") is not within its " << file.GetWidth() << " x "
+         << file.GetHeight() << " pixels";
+    throw vtkTerrainRasterError(text.str());
+  }
+  return resolved;
+}
+
+/// Samples of the window under the two limits; as many as there are pixels if none applies.
+void ReduceSize(vtkTerrainRasterRequest& request, int maximumSize, vtkIdType maximumNumber)
+{
+  const auto width = static_cast<double>(request.Window.Width);
+  const auto height = static_cast<double>(request.Window.Height);
+  double reduction = 1.0;
+  if (maximumSize > 0)
+  {
+    reduction = std::max(reduction, std::max(width, height) / maximumSize);
+  }
+  if (maximumNumber > 0)
+  {
+    reduction = std::max(reduction, std::sqrt(width * height / static_cast<double>(maximumNumber)));
+    // A single row or column: the other side alone can shrink.
+    const double shorter = std::min(width, height);
+    if (reduction > shorter)
+    {
+      reduction = std::max(width, height) / static_cast<double>(maximumNumber);
+    }
+  }
+  const auto shrink = [reduction](double size)
+  { return std::max<std::int64_t>(static_cast<std::int64_t>(size / reduction + 1e-9), 1); };
+  request.Width = shrink(width);
+  request.Height = shrink(height);
+}
+
+int ScalarTypeOf(const vtkTerrainRasterFile& file)
+{
+  if (file.IsSignedByte())
+  {
+    return VTK_SIGNED_CHAR;
+  }
+  switch (file.GetType())
+  {
+    case GDT_Byte:
+      return VTK_UNSIGNED_CHAR;
+    case GDT_UInt16:
+      return VTK_UNSIGNED_SHORT;
+    case GDT_Int16:
+      return VTK_SHORT;
+    case GDT_UInt32:
+      return VTK_UNSIGNED_INT;
+    case GDT_Int32:
+      return VTK_INT;
+    case GDT_Float32:
+      return VTK_FLOAT;
+    default:
+      return VTK_DOUBLE;
+  }
+}
+
+/// Scale and offset from file values to metres, and the scalars' type under them.
+void ResolveHeights(vtkTerrainRasterPlan& plan)
+{
+  vtkTerrainRasterRequest& request = plan.Request;
+  plan.File.GetScaleAndOffset(request.Scale, request.Offset);
+  plan.VerticalUnit = plan.File.GetVerticalUnit();
+  plan.VerticalScale = plan.File.GetMetresPerVerticalUnit();
+  request.Scale *= plan.VerticalScale;
+  request.Offset *= plan.VerticalScale;
+  plan.ScalarType = ScalarTypeOf(plan.File);
+  const bool scaled = request.Scale != 1.0 || request.Offset != 0.0;
+  if (scaled && plan.File.IsInteger())
+  {
+    const bool wide = plan.ScalarType == VTK_INT || plan.ScalarType == VTK_UNSIGNED_INT;
+    plan.ScalarType = wide ? VTK_DOUBLE : VTK_FLOAT;
+  }
+  plan.Name = plan.File.GetBandDescription();
+  plan.Name = plan.Name.empty() ? "Elevation" : plan.Name;
+}
+
+/// Position of the south-western sample, and spacing.
+void PlaceSamples(vtkTerrainRasterPlan& plan)
+{
+  const vtkTerrainRasterRequest& request = plan.Request;
+  const vtkTerrainRasterWindow& window = request.Window;
+  std::array<double, 6> transform = plan.Layout.GeoTransform;
+  if (!plan.Layout.HasGeoTransform)
+  {
+    transform = { -0.5, 1.0, 0.0, static_cast<double>(plan.File.GetHeight()) - 0.5, 0.0, -1.0 };
+  }
+  const std::int64_t west = request.EastFirst ? window.X + window.Width : window.X;
+  const std::int64_t south = request.NorthFirst ? window.Y + window.Height : window.Y;
+  const double corner[2] = { transform[0] + transform[1] * static_cast<double>(west),
+    transform[3] + transform[5] * static_cast<double>(south) };
+  const double cell[2] = { std::fabs(transform[1]), std::fabs(transform[5]) };
+  const double reduction[2] = { static_cast<double>(window.Width) /
+      static_cast<double>(request.Width),
+    static_cast<double>(window.Height) / static_cast<double>(request.Height) };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    plan.Spacing[axis] = cell[axis] * plan.Layout.Scale[a] * reduction[axis];
+    plan.Origin[axis] =
+      (corner[axis] - plan.Layout.Origin[a]) * plan.Layout.Scale[a] + 0.5 * plan.Spacing[axis];
+  }
+}
+
+vtkTerrainRasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* samples)
+{
+  const auto read = [&plan, samples](auto type)
+  {
+    using Sample = decltype(type);
+    return vtkTerrainReadRasterPiece(plan.File, plan.Request, static_cast<Sample*>(samples));
+  };
+  switch (plan.ScalarType)
+  {
+    case VTK_SIGNED_CHAR:
+      return read(static_cast<signed char>(0));
+    case VTK_UNSIGNED_CHAR:
+      return read(static_cast<unsigned char>(0));
+    case VTK_SHORT:
+      return read(static_cast<short>(0));
+    case VTK_UNSIGNED_SHORT:
+      return read(static_cast<unsigned short>(0));
+    case VTK_INT:
+      return read(0);
+    case VTK_UNSIGNED_INT:
+      return read(0U);
+    case VTK_FLOAT:
+      return read(0.0F);
+    default:
+      return read(0.0);
+  }
+}
+
+void AddText(vtkFieldData* fields, const char* name, const std::string& text)
+{
+  if (!text.empty())
+  {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name);
+    array->InsertNextValue(text);
+    fields->AddArray(array);
+  }
+}
+
+void AddNumbers(vtkFieldData* fields, const char* name, std::initializer_list<double> numbers)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(numbers.size()));
+  array->InsertNextTuple(numbers.begin());
+  fields->AddArray(array);
+}
+
+bool LooksLikeDegrees(const vtkTerrainRasterLayout& layout, double width, double height)
+{
+  const std::array<double, 6>& t = layout.GeoTransform;
+  const auto within = [](double a, double b, double limit)
+  { return std::max(std::fabs(a), std::fabs(b)) <= limit; };
+  return layout.HasGeoTransform && layout.CRS.empty() && std::fabs(t[1]) < 0.5 &&
+    within(t[0], t[0] + width * t[1], 360.0) && within(t[3], t[3] + height * t[5], 90.01);
+}
+}
+
+vtkStandardNewMacro(vtkTerrainRasterReader);
+
+//------------------------------------------------------------------------------
+vtkTerrainRasterReader::vtkTerrainRasterReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainRasterReader::~vtkTerrainRasterReader() = default;
+
+//------------------------------------------------------------------------------
+void vtkTerrainRasterReader::SetFileName(const char* fileName)
+{
+  this->SetFileName(std::string(fileName ? fileName : ""));
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRasterReader::SetFileName(const std::string& fileName)
+{
+  if (this->FileName != fileName)
+  {
+    this->FileName = fileName;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTerrainRasterReader::GetFileName() const
+{
+  return this->FileName.c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTerrainRasterReader::GetErrorMessage() const
+{
+  return this->ErrorMessage.c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTerrainRasterReader::GetWarningMessage() const
+{
+  return this->WarningMessage.c_str();
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainRasterReader::CanReadFile(const char* fileName)
+{
+  try
+  {
+    vtkTerrainRasterFile file(fileName);
+    file.SelectBand(0);
+    return 2;
+  }
+  catch (const vtkTerrainRasterError&)
+  {
+    return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTerrainRasterReader::GetFileExtensions() const
+{
+  return ".tif .tiff .vrt .hgt .dem .asc .img .dt0 .dt1 .dt2 .bil .flt .adf .grd .nc .png .jp2 "
+         ".xyz";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTerrainRasterReader::GetDescriptiveName() const
+{
+  return "Elevation raster (GDAL)";
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainRasterReader::Fail(const std::string& reason)
+{
+  this->ErrorMessage = "cannot read heights from '" + this->FileName + "': " + reason;
+  this->SetErrorCode(vtkErrorCode::FileFormatError);
+  vtkErrorMacro(<< this->ErrorMessage);
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRasterReader::Warn(const std::string& text)
+{
+  this->WarningMessage = "'" + this->FileName + "': " + text;
+  vtkWarningMacro(<< this->WarningMessage);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRasterReader::Plan(vtkTerrainRasterPlan& plan) const
+{
+  plan.File.SelectBand(this->Band);
+  plan.Layout = plan.File.GetLayout();
+  plan.Request.Window = ResolveWindow(plan.File, this->Window);
+  plan.Request.NorthFirst = plan.Layout.NorthFirst;
+  plan.Request.EastFirst = plan.Layout.EastFirst;
+  ReduceSize(plan.Request, this->MaximumSize, this->MaximumNumberOfSamples);
+  ResolveHeights(plan);
+  PlaceSamples(plan);
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainRasterReader::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputs), vtkInformationVector* outputs)
+{
+  this->ErrorMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    vtkTerrainRasterPlan plan(this->FileName.c_str());
+    this->Plan(plan);
+    vtkInformation* info = outputs->GetInformationObject(0);
+    const int extent[6] = { 0, static_cast<int>(plan.Request.Width) - 1, 0,
+      static_cast<int>(plan.Request.Height) - 1, 0, 0 };
+    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+    info->Set(vtkDataObject::ORIGIN(), plan.Origin[0], plan.Origin[1], 0.0);
+    info->Set(vtkDataObject::SPACING(), plan.Spacing[0], plan.Spacing[1], 1.0);
+    info->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
+    vtkDataObject::SetPointDataActiveScalarInfo(info, plan.ScalarType, 1);
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    return this->Fail(error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputs), vtkInformationVector* outputs)
+{
+  this->ErrorMessage.clear();
+  this->WarningMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  try
+  {
+    vtkTerrainRasterPlan plan(this->FileName.c_str());
+    this->Plan(plan);
+    std::copy(extent, extent + 4, plan.Request.Extent);
+    this->AllocateOutputData(image, info, extent);
+    image->GetPointData()->GetScalars()->SetName(plan.Name.c_str());
+    this->Read(plan, image);
+    this->AddFieldData(plan, image);
+  }
+  catch (const std::bad_alloc&)
+  {
+    image->Initialize();
+    return this->Fail("there is not enough memory for its samples; limit their number");
+  }
+  catch (const std::exception& error)
+  {
+    image->Initialize();
+    return this->Fail(error.what());
+  }
+  if (this->GetAbortExecute())
+  {
+    image->Initialize();
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRasterReader::Read(vtkTerrainRasterPlan& plan, vtkImageData* image)
+{
+  vtkTerrainRasterRequest& request = plan.Request;
+  request.NoData = plan.File.GetDeclaredNoData();
+  if (request.NoData.empty() && this->DetectNoData && !this->UseNoDataValue)
+  {
+    request.UndeclaredNoData = plan.File.GetUndeclaredNoData();
+  }
+  if (this->UseNoDataValue)
+  {
+    request.NoData.push_back(this->NoDataValue);
+  }
+  double reported = 0.0;
+  request.Progress = [this, &reported](double done)
+  {
+    if (done - reported >= 0.01 || done >= 1.0)
+    {
+      reported = done;
+      this->UpdateProgress(done);
+    }
+    return !this->GetAbortExecute();
+  };
+  request.HiddenMark = vtkDataSetAttributes::HIDDENPOINT;
+  request.Hidden = [image]()
+  {
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfValues(image->GetNumberOfPoints());
+    ghosts->FillValue(0);
+    image->GetPointData()->AddArray(ghosts);
+    return ghosts->GetPointer(0);
+  };
+  void* samples = image->GetPointData()->GetScalars()->GetVoidPointer(0);
+  const vtkTerrainRasterFindings findings = ReadSamples(plan, samples);
+  if (findings.Undeclared > 0)
+  {
+    std::ostringstream text;
+    text << findings.Undeclared << " samples of " << findings.UndeclaredValue
+         << " are taken for no data, which the file does not declare";
+    this->Warn(text.str());
+  }
+  else if (LooksLikeDegrees(plan.Layout, static_cast<double>(plan.File.GetWidth()),
+             static_cast<double>(plan.File.GetHeight())))
+  {
+    this->Warn("it has no CRS and its coordinates look like degrees; they are taken for metres");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRasterReader::AddFieldData(
+  const vtkTerrainRasterPlan& plan, vtkImageData* image) const
+{
+  vtkFieldData* fields = image->GetFieldData();
+  const vtkTerrainRasterWindow& window = plan.Request.Window;
+  AddText(fields, "FileName", this->FileName);
+  AddText(fields, "CRS", plan.Layout.CRS);
+  AddText(fields, "VerticalUnit", plan.VerticalUnit);
+  AddNumbers(fields, "VerticalScale", { plan.VerticalScale });
+  AddNumbers(fields, "RasterSize",
+    { static_cast<double>(plan.File.GetWidth()), static_cast<double>(plan.File.GetHeight()) });
+  AddNumbers(fields, "RasterWindow",
+    { static_cast<double>(window.X), static_cast<double>(window.Y),
+      static_cast<double>(window.Width), static_cast<double>(window.Height) });
+  if (plan.Layout.HasGeoTransform)
+  {
+    const std::array<double, 6>& t = plan.Layout.GeoTransform;
+    AddNumbers(fields, "GeoTransform", { t[0], t[1], t[2], t[3], t[4], t[5] });
+    AddNumbers(fields, "LayoutOrigin", { plan.Layout.Origin[0], plan.Layout.Origin[1] });
+    AddNumbers(fields, "LayoutScale", { plan.Layout.Scale[0], plan.Layout.Scale[1] });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRasterReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n"
+     << indent << "Band: " << this->Band << "\n"
+     << indent << "Window: " << this->Window[0] << " " << this->Window[1] << " " << this->Window[2]
+     << " " << this->Window[3] << "\n"
+     << indent << "MaximumSize: " << this->MaximumSize << "\n"
+     << indent << "MaximumNumberOfSamples: " << this->MaximumNumberOfSamples << "\n"
+     << indent << "NoDataValue: " << this->NoDataValue << "\n"
+     << indent << "UseNoDataValue: " << this->UseNoDataValue << "\n"
+     << indent << "DetectNoData: " << this->DetectNoData << "\n"
+     << indent << "ErrorMessage: " << this->ErrorMessage << "\n"
+     << indent << "WarningMessage: " << this->WarningMessage << "\n";
+}

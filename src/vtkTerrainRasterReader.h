@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTerrainRasterReader
+ * @brief   reads heights from every raster that GDAL opens
+ *
+ * Output: vtkImageData of W x H x 1 points. The point scalars are named after the band's
+ * description, else "Elevation", and have the type of the file: 8, 16 and 32-bit integers and
+ * floating-point numbers; 64-bit integers become double. Where the band declares a scale or an
+ * offset, or heights in another unit of length than metres, they are applied, and integers of up to
+ * 16 bits become float, of 32 bits double. Complex samples are refused.
+ *
+ * Conventions: the first row of samples is the southernmost, the first sample the westernmost,
+ * however the file stores them. A sample lies at the centre of its pixel, in files of pixels that
+ * are areas as well as in files of points (GDAL reports the corner of the latter half a cell out).
+ * A raster in a projected CRS lies at its coordinates, in metres. A raster in degrees is laid out
+ * at the scale of its centre latitude on the ellipsoid of its CRS (true there, too wide towards the
+ * poles and too narrow towards the equator), x = 0, y = 0 being the centre of the file: windows of
+ * one file fit together, different files do not. A raster without georeference has spacing 1, and
+ * the south-western sample of the file lies at the origin. Rotated and sheared rasters are refused.
+ *
+ * No data: NaN in floating-point scalars; in integers 0, and HIDDENPOINT set in the point array
+ * vtkGhostType, which exists only if there is such a point. No data are the values that the band
+ * declares, NoDataValue if it is used, NaN, infinities, magnitudes from 1e30 on, what a mask or
+ * an alpha band hides (0), and, in bands that declare no value and unless DetectNoData is off, the
+ * usual fill values -32768 and -32767, and -9999 unless the file reaches below 8,000 m of sea; a
+ * warning says so when there are any.
+ *
+ * Field data, where known:
+ * | array | type | what |
+ * | --- | --- | --- |
+ * | FileName | string | the file |
+ * | CRS | string | coordinate reference system as WKT2:2019 |
+ * | GeoTransform | 6 doubles | GDAL's transform from pixel corners of the whole file to the CRS |
+ * | RasterSize | 2 doubles | columns and rows of the whole file |
+ * | RasterWindow | 4 doubles | x, y, width, height of the part that is read, in pixels of the file
+ * | | LayoutOrigin | 2 doubles | place in the CRS that lies at x = 0, y = 0 | | LayoutScale | 2
+ * doubles | metres per unit of the CRS: CRS = LayoutOrigin + (x, y) / LayoutScale | | VerticalUnit
+ * | string | name of the unit of the file's heights | | VerticalScale | 1 double | metres in that
+ * unit, already applied to the scalars; else 1 |
+ *
+ * Reading less: Band, Window, and MaximumSize or MaximumNumberOfSamples. Reduced samples are means
+ * over their area (of what has data, where half of it has), taken from the smallest overview that
+ * is fine enough. The pipeline's pieces read only their part of the file, and equal the whole.
+ *
+ * Errors: one line that names the file and the reason, also in GetErrorMessage; the output is empty
+ * then, as it is after AbortExecute. GDAL itself prints nothing.
+ *
+ * Cost: as GDAL's own reading; memory is the output and a stripe of the file.
+ *
+ * @code{.cpp}
+ * vtkNew<vtkTerrainRasterReader> reader;
+ * reader->SetFileName("N27E086.hgt");
+ * reader->SetMaximumSize(4096);
+ * @endcode
+ *
+ * @sa vtkTerrainSource
+ */
+#ifndef vtkTerrainRasterReader_h
+#define vtkTerrainRasterReader_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkTerrainModule.h" // For export macro
+
+#include <string> // For texts
+
+struct vtkTerrainRasterPlan;
+
+class VTKTERRAIN_EXPORT vtkTerrainRasterReader : public vtkImageAlgorithm
+{
+public:
+  static vtkTerrainRasterReader* New();
+  vtkTypeMacro(vtkTerrainRasterReader, vtkImageAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  vtkTerrainRasterReader(const vtkTerrainRasterReader&) = delete;
+  void operator=(const vtkTerrainRasterReader&) = delete;
+
+  ///@{
+  /// File to read, or any other name that GDAL opens ("/vsizip/...", "NETCDF:...").
+  void SetFileName(VTK_FILEPATH const char* fileName);
+  void SetFileName(VTK_FILEPATH const std::string& fileName);
+  VTK_FILEPATH const char* GetFileName() const;
+  ///@}
+
+  ///@{
+  /// Band of heights, from 1 on. 0 (the default) is the first one, but refuses colour images: files
+  /// with red, green and blue, with a palette, or with more than two bands of bytes.
+  vtkSetMacro(Band, int);
+  vtkGetMacro(Band, int);
+  ///@}
+
+  ///@{
+  /// Part of the file to read: first column, first row, columns, rows, in pixels as the file stores
+  /// them (row 0 is the northernmost as a rule). 0 columns or rows mean all up to the edge; the
+  /// default, 0 0 0 0, is the whole file. A window that leaves the file is an error.
+  vtkSetVector4Macro(Window, int);
+  vtkGetVector4Macro(Window, int);
+  ///@}
+
+  ///@{
+  /// Most samples a side; 0 (the default) is no limit.
+  vtkSetClampMacro(MaximumSize, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumSize, int);
+  ///@}
+
+  ///@{
+  /// Most samples in all; 0 (the default) is no limit.
+  vtkSetClampMacro(MaximumNumberOfSamples, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfSamples, vtkIdType);
+  ///@}
+
+  ///@{
+  /// A value of the file (before scale and offset) that is no height, besides those it declares;
+  /// used only if UseNoDataValue is on. Defaults: -32768, off.
+  vtkSetMacro(NoDataValue, double);
+  vtkGetMacro(NoDataValue, double);
+  vtkSetMacro(UseNoDataValue, bool);
+  vtkGetMacro(UseNoDataValue, bool);
+  vtkBooleanMacro(UseNoDataValue, bool);
+  ///@}
+
+  ///@{
+  /// Takes the usual fill values for no data in bands that declare none; default on.
+  vtkSetMacro(DetectNoData, bool);
+  vtkGetMacro(DetectNoData, bool);
+  vtkBooleanMacro(DetectNoData, bool);
+  ///@}
+
+  /// Why the last update failed, one line; empty if it did not.
+  const char* GetErrorMessage() const;
+  /// What the last update warned of, one line; empty if nothing.
+  const char* GetWarningMessage() const;
+
+  /// 0 if GDAL opens no raster under this name, 2 if it does.
+  virtual int CanReadFile(VTK_FILEPATH const char* fileName);
+  /// Extensions of usual elevation files, separated by spaces.
+  virtual const char* GetFileExtensions() const;
+  virtual const char* GetDescriptiveName() const;
+
+protected:
+  vtkTerrainRasterReader();
+  ~vtkTerrainRasterReader() override;
+
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  void Plan(vtkTerrainRasterPlan& plan) const;
+  void Read(vtkTerrainRasterPlan& plan, vtkImageData* image);
+  void AddFieldData(const vtkTerrainRasterPlan& plan, vtkImageData* image) const;
+  int Fail(const std::string& reason);
+  void Warn(const std::string& text);
+
+  std::string FileName;
+  int Band = 0;
+  int Window[4] = { 0, 0, 0, 0 };
+  int MaximumSize = 0;
+  vtkIdType MaximumNumberOfSamples = 0;
+  double NoDataValue = -32768.0;
+  bool UseNoDataValue = false;
+  bool DetectNoData = true;
+  std::string ErrorMessage;
+  std::string WarningMessage;
+};
+
+#endif
