@@ -32,11 +32,12 @@ bool terrainCellValid(vec4 codes)
   return all(greaterThanEqual(codes, vec4(0.0)));
 }
 
-// Height code of the bilinear patch at a position in its cell, 0 <= fraction <= 1.
+// Height code of the bilinear patch at a position in its cell, 0 <= fraction <= 1. Not by mix(), which
+// compilers may round so that neighbouring cells differ on the edge they share.
 float terrainPatchCode(vec4 codes, vec2 fraction)
 {
-  vec2 edges = mix(codes.xz, codes.yw, fraction.x); // on the south and on the north edge
-  return mix(edges.x, edges.y, fraction.y);
+  vec2 edges = codes.xz * (1.0 - fraction.x) + codes.yw * fraction.x; // south and north edge
+  return edges.x * (1.0 - fraction.y) + edges.y * fraction.y;
 }
 
 // Change of the code per cell east and north at a position in the cell.

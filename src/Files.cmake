@@ -28,6 +28,7 @@ endif ()
 
 set(shaders
   vtkTerrainHeights
+  vtkTerrainPyramid
   vtkTerrainRay
 )
 
@@ -37,6 +38,7 @@ set(core
   CoarseMeshSurface
   Geodesics
   GridReference
+  MinMaxPyramid
   ProceduralTerrain
   RoundNumbers
   SceneFrame

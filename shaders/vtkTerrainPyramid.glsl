@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Exact ray casting through the min-max pyramid. Twin, node for node: src/core/PyramidTraversal.h,
+// which documents the method. Needs vtkTerrainHeights.glsl and vtkTerrainRay.glsl.
+//
+// Uniforms to set:
+//   terrainPyramid       texture with mip levels, two channels (maximum, minimum) in the heights'
+//                        own texels: RG16UI where TERRAIN_HEIGHTS_INTEGER is defined, else RG32F.
+//                        Mip level k - 1 is level k of MinMaxPyramid, same sizes. Filters NEAREST
+//                        (and NEAREST_MIPMAP_NEAREST), GL_TEXTURE_MAX_LEVEL = LevelCount() - 1.
+//   terrainPyramidSize   size of level 1, texels
+//   terrainPyramidTop    LevelCount(); 0 where the grid has no cells
+//   terrainPyramidStart  level of the first node, 1..top (0 if there are no cells)
+// Defines:
+//   TERRAIN_VISIT(node, level)  optional: run for every node visited; nodes count from the south-west
+
+#ifdef TERRAIN_HEIGHTS_INTEGER
+uniform usampler2D terrainPyramid;
+#else
+uniform sampler2D terrainPyramid;
+#endif
+uniform ivec2 terrainPyramidSize;
+uniform int terrainPyramidTop;
+uniform int terrainPyramidStart;
+
+#ifndef TERRAIN_VISIT
+#define TERRAIN_VISIT(node, level)
+#endif
+
+// A ray mirrored so that it runs north-east, clipped to the grid; cells are mirrored likewise.
+struct TerrainPath
+{
+  ivec2 mirror;     // cell ^ mirror takes cells to the grid and back: -1 where mirrored, else 0
+  ivec2 anchor;     // corner that origin is relative to
+  ivec2 firstCell;  // range of the grid's cells
+  ivec2 lastCell;
+  vec3 origin;      // position at s = 0: cells, height code
+  vec3 direction;   // change per unit of s; x, y >= 0
+  vec2 lineOrigin;  // origin and 1 / direction for distances to grid lines
+  vec2 inverse;
+  float slack;      // bound of the rounding of heights on the ray, codes
+  float sBegin;
+  float sEnd;
+};
+
+// Where a ray is: the cell in which it runs on, and the node over it.
+struct TerrainStep
+{
+  ivec2 cell;  // mirrored
+  int level;
+  float s;
+  float z;     // height code
+  int line;    // the grid line it stands on: 0 none, 1 runs north-south, 2 runs east-west
+};
+
+// The part of a ray in a node.
+struct TerrainSpan
+{
+  ivec2 lastCell;  // of the node, where the ray leaves
+  bool crossEast;  // leaves through the east side, else through the north side
+  bool ends;       // the ray ends in the node
+  float s;         // where it leaves
+  float z;
+};
+
+// Highest and lowest code of a node; 1 <= level <= top.
+vec2 terrainNodeExtremes(ivec2 node, int level)
+{
+  ivec2 lastTexel = max(terrainPyramidSize >> (level - 1), ivec2(1)) - 1;
+  return vec2(texelFetch(terrainPyramid, min(node, lastTexel), level - 1).rg) - terrainBias;
+}
+
+// Mirrors a ray and clips it to the grid's rectangle and to the codes; empty if sBegin > sEnd.
+TerrainPath terrainMakePath(TerrainRay ray)
+{
+  TerrainPath path;
+  bvec2 backward = lessThan(ray.directionGC.xy, vec2(0.0));
+  path.mirror = -ivec2(backward);
+  path.anchor = (ray.anchorCell ^ path.mirror) - path.mirror;
+  path.origin = vec3(mix(ray.originGC.xy, -ray.originGC.xy, backward), ray.originGC.z);
+  path.direction = vec3(abs(ray.directionGC.xy), ray.directionGC.z);
+  bvec2 still = lessThan(path.direction.xy, vec2(1e-20));
+  path.direction.xy = mix(path.direction.xy, vec2(0.0), still);
+  path.inverse = mix(1.0 / path.direction.xy, vec2(1e20), still);
+  path.lineOrigin = mix(path.origin.xy, vec2(-1e8), still);
+  ivec2 cells = terrainSize - 1;
+  path.firstCell = path.mirror * cells;
+  path.lastCell = path.firstCell + cells - 1;
+  path.slack = 5e-7 * (terrainMaximumCode + abs(path.origin.z));
+
+  vec2 firstLine = vec2(path.firstCell - path.anchor);
+  vec2 lastLine = vec2(path.lastCell + 1 - path.anchor);
+  vec2 enter = mix((firstLine - path.origin.xy) * path.inverse, vec2(ray.sBegin), still);
+  vec2 leave = (lastLine - path.lineOrigin) * path.inverse;
+  path.sBegin = max(max(enter.x, enter.y), ray.sBegin);
+  path.sEnd = min(min(leave.x, leave.y), ray.sEnd);
+
+  bool level = abs(path.direction.z) < 1e-30;
+  vec2 planes = vec2(-path.slack, terrainMaximumCode + path.slack) - path.origin.z;
+  vec2 meet = planes / (level ? 1.0 : path.direction.z);
+  path.sBegin = level ? path.sBegin : max(path.sBegin, min(meet.x, meet.y));
+  path.sEnd = level ? path.sEnd : min(path.sEnd, max(meet.x, meet.y));
+
+  bvec2 beside = bvec2(path.origin.x < firstLine.x || path.origin.x > lastLine.x,
+    path.origin.y < firstLine.y || path.origin.y > lastLine.y);
+  bool outside = (still.x && beside.x) || (still.y && beside.y) ||
+    (level && (planes.x > 0.0 || planes.y < 0.0)) || terrainPyramidTop < 1;
+  float sum = dot(ray.originGC, vec3(1.0)) + dot(ray.directionGC, vec3(1.0));
+  outside = outside || !(abs(sum) < 1e38); // not a number, or infinite
+  path.sEnd = outside ? path.sBegin - 1.0 : path.sEnd;
+  return path;
+}
+
+// The node in which a path starts.
+TerrainStep terrainFirstStep(TerrainPath path)
+{
+  vec2 position = path.origin.xy + path.direction.xy * path.sBegin;
+  ivec2 cell = clamp(ivec2(floor(position)) + path.anchor, path.firstCell, path.lastCell);
+  return TerrainStep(cell, min(terrainPyramidStart, terrainPyramidTop), path.sBegin,
+    path.origin.z + path.direction.z * path.sBegin, 0);
+}
+
+// The part of the path in the node of a step.
+TerrainSpan terrainNodeSpan(TerrainPath path, TerrainStep at)
+{
+  TerrainSpan span;
+  span.lastCell = min(at.cell | ((1 << at.level) - 1), path.lastCell);
+  vec2 leave = (vec2(span.lastCell + 1 - path.anchor) - path.lineOrigin) * path.inverse;
+  span.crossEast = leave.x <= leave.y;
+  float s = min(leave.x, leave.y);
+  span.ends = s >= path.sEnd;
+  span.s = clamp(s, at.s, path.sEnd);
+  span.z = path.origin.z + path.direction.z * span.s;
+  return span;
+}
+
+// The step into the next node: one level up if the line between them is that of a parent too.
+TerrainStep terrainNextStep(TerrainPath path, TerrainStep at, TerrainSpan span)
+{
+  vec2 position = path.origin.xy + path.direction.xy * span.s;
+  ivec2 cell = clamp(ivec2(floor(position)) + path.anchor, at.cell, span.lastCell);
+  int line = (span.crossEast ? span.lastCell.x : span.lastCell.y) + 1;
+  int up = ((line >> at.level) & 1) ^ 1;
+  return TerrainStep(span.crossEast ? ivec2(line, cell.y) : ivec2(cell.x, line),
+    min(at.level + up, terrainPyramidTop), span.s, span.z, span.crossEast ? 1 : 2);
+}
+
+// True if the path's heights in a node meet those of the surface there.
+bool terrainMeetsNode(TerrainPath path, TerrainStep at, TerrainSpan span)
+{
+  ivec2 node = (at.cell >> at.level) ^ path.mirror;
+  TERRAIN_VISIT(node, at.level)
+  vec2 extremes = terrainNodeExtremes(node, at.level);
+  return min(at.z, span.z) <= extremes.x + path.slack &&
+    max(at.z, span.z) >= extremes.y - path.slack;
+}
+
+// First t in 0..1 with c + b t + a t^2 = 0, where c and e are the values at 0 and 1; -1 if there is
+// none. There is one if c and e differ in sign.
+float terrainFirstRoot(float c, float e, float a)
+{
+  float side = c < 0.0 ? -1.0 : 1.0;
+  c *= side;
+  e *= side;
+  a *= side;
+  float b = e - c - a;
+  float discriminant = b * b - 4.0 * a * c;
+  bool dips = b < 0.0 && b > -2.0 * a && discriminant >= 0.0;
+  float root = sqrt(max(discriminant, 0.0));
+  float t = b <= 0.0 ? 2.0 * c / (root - b) : (b + root) / (-2.0 * a);
+  t = c > 0.0 ? clamp(t, 0.0, 1.0) : 0.0;
+  return c == 0.0 || e <= 0.0 || dips ? t : -1.0;
+}
+
+// Where a segment from one position in a cell to another first meets the cell's patch, as a fraction
+// of the segment; -1 if it does not. Positions are fractions of the cell and height codes.
+float terrainIntersectPatch(vec4 codes, vec3 begin, vec3 end)
+{
+  vec2 move = end.xy - begin.xy;
+  float twist = (codes.x - codes.y) - (codes.z - codes.w);
+  return terrainFirstRoot(begin.z - terrainPatchCode(codes, begin.xy),
+    end.z - terrainPatchCode(codes, end.xy), -twist * move.x * move.y);
+}
+
+// Position on a path in a cell, as fractions of the cell in the grid; line: see TerrainStep, and the
+// side of the cell where it lies, 0 or 1.
+vec2 terrainCellFraction(TerrainPath path, ivec2 cell, float s, int line, float side)
+{
+  vec2 fraction =
+    clamp(path.origin.xy + path.direction.xy * s - vec2(cell - path.anchor), vec2(0.0), vec2(1.0));
+  fraction = vec2(line == 1 ? side : fraction.x, line == 2 ? side : fraction.y);
+  return mix(fraction, 1.0 - fraction, notEqual(path.mirror, ivec2(0)));
+}
+
+// The first point of the path on the surface of a cell.
+TerrainHit terrainMeetCell(TerrainPath path, TerrainStep at, TerrainSpan span)
+{
+  TerrainHit hit = terrainNoHit();
+  hit.cell = at.cell ^ path.mirror;
+  TERRAIN_VISIT(hit.cell, 0)
+  vec4 codes = terrainCellCodes(hit.cell);
+  vec2 begin = terrainCellFraction(path, at.cell, at.s, at.line, 0.0);
+  vec2 end = terrainCellFraction(
+    path, at.cell, span.s, span.ends ? 0 : span.crossEast ? 1 : 2, 1.0);
+  float t = terrainIntersectPatch(codes, vec3(begin, at.z), vec3(end, span.z));
+  hit.found = terrainCellValid(codes) && t >= 0.0;
+  hit.s = at.s + t * (span.s - at.s);
+  hit.fraction = begin + t * (end - begin);
+  return hit;
+}
+
+// The first point of the surface on a ray.
+TerrainHit terrainTracePyramid(TerrainRay ray)
+{
+  TerrainPath path = terrainMakePath(ray);
+  TerrainStep at = terrainFirstStep(path);
+  TerrainHit hit = terrainNoHit();
+  bool ended = !(path.sBegin <= path.sEnd);
+  // Bound of the nodes visited: PyramidTraversal.h.
+  int most = 2 * (terrainSize.x + terrainSize.y) + terrainPyramidTop;
+  int crossings = 0;
+  while (!ended && crossings < most)
+  {
+    // Two loops in turn, so that rays that run side by side do the same work at the same time.
+    while (!ended && at.level > 0 && crossings < most)
+    {
+      ++crossings;
+      TerrainSpan span = terrainNodeSpan(path, at);
+      if (terrainMeetsNode(path, at, span))
+      {
+        --at.level;
+      }
+      else
+      {
+        ended = span.ends;
+        at = terrainNextStep(path, at, span);
+      }
+    }
+    while (!ended && at.level == 0 && crossings < most)
+    {
+      ++crossings;
+      TerrainSpan span = terrainNodeSpan(path, at);
+      hit = terrainMeetCell(path, at, span);
+      ended = span.ends || hit.found;
+      at = terrainNextStep(path, at, span);
+    }
+  }
+  hit.crossings = crossings;
+  return hit;
+}
