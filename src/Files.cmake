@@ -5,7 +5,13 @@ set(classes
   vtkOpenGLTerrainMapper
   vtkTerrainCoarseMesh
   vtkTerrainRasterReader
+  vtkTerrainDepthPass
   vtkTerrainSource
+)
+
+set(private_sources
+  vtkOpenGLTerrainMapperShaders
+  vtkTerrainHeightTexture
 )
 
 set(private_headers
@@ -27,9 +33,14 @@ if (VTK_VERSION VERSION_LESS 9.4)
 endif ()
 
 set(shaders
+  vtkTerrainColor
   vtkTerrainHeights
   vtkTerrainPyramid
   vtkTerrainRay
+  vtkTerrainSearch
+  vtkTerrainSurface
+  vtkTerrainTrace
+  vtkTerrainView
 )
 
 # VTK-free algorithms: an object library, so that the unit tests link it without the module.
@@ -37,8 +48,10 @@ set(core
   CoarseMesh
   CoarseMeshSurface
   Geodesics
+  HeightSearch
   GridReference
   MinMaxPyramid
+  PixelRays
   ProceduralTerrain
   RoundNumbers
   SceneFrame
@@ -58,6 +71,8 @@ set(private_sources
   src/vtkTerrainRasterPiece.cxx
 )
 
+list(TRANSFORM private_sources PREPEND src/)
+list(TRANSFORM private_sources APPEND ".cxx")
 set(sources ${private_sources} ${window_sources})
 foreach (shader IN LISTS shaders)
   vtk_encode_string(INPUT "shaders/${shader}.glsl"

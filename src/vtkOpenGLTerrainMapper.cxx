@@ -2,12 +2,435 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLTerrainMapper.h"
 
+#include "vtkTerrainGL.h"
+#include "vtkTerrainMapperInternals.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPoints.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 vtkStandardNewMacro(vtkOpenGLTerrainMapper);
+
+namespace
+{
+/// Triangles of a box, outward, from points numbered x + 2 y + 4 z.
+constexpr vtkIdType BoxTriangles[12][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 },
+  { 0, 1, 5 }, { 0, 5, 4 }, { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 },
+  { 1, 7, 5 } };
+
+glm::dmat4 toGlm(vtkMatrix4x4* matrix)
+{
+  glm::dmat4 result;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      result[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  return result;
+}
+
+/// Matrix from grid to model coordinates; z of grid coordinates are height codes.
+glm::dmat4 gridToModel(
+  const terrain::GridGeometry& geometry, const terrain::HeightCodes& codes, double exaggeration)
+{
+  glm::dmat4 matrix(1.0);
+  matrix[0][0] = geometry.Spacing.x;
+  matrix[1][1] = geometry.Spacing.y;
+  matrix[2][2] = exaggeration * codes.Scale;
+  matrix[3] = glm::dvec4(
+    geometry.Origin.x, geometry.Origin.y, geometry.Origin.z + exaggeration * codes.Offset, 1.0);
+  return matrix;
+}
+
+void buildBox(vtkPolyData* box, const terrain::GridGeometry& geometry, double minimum,
+  double maximum, int w, int h)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec3 point =
+      geometry.ToModel({ i & 1 ? w - 1.0 : 0.0, i & 2 ? h - 1.0 : 0.0 }, i & 4 ? maximum : minimum);
+    points->InsertNextPoint(point.x, point.y, point.z);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& triangle : BoxTriangles)
+  {
+    triangles->InsertNextCell(3, triangle);
+  }
+  box->Initialize();
+  box->SetPoints(points);
+  box->SetPolys(triangles);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLTerrainMapper::vtkOpenGLTerrainMapper()
+  : Internals(new vtkInternals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->ScalarVisibility = 0;
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLTerrainMapper::~vtkOpenGLTerrainMapper() = default;
 
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Technique: " << static_cast<int>(this->Technique) << "\n";
+  os << indent << "VerticalExaggeration: " << this->VerticalExaggeration << "\n";
+  os << indent << "Steps: " << this->Steps << "\n";
+  os << indent << "LongSteps: " << this->LongSteps << "\n";
+  os << indent << "SecantSteps: " << this->SecantSteps << "\n";
+  os << indent << "StepLength: " << this->StepLength << "\n";
+  os << indent << "ShowCrossings: " << this->ShowCrossings << "\n";
+  os << indent << "MaximumShownCrossings: " << this->MaximumShownCrossings << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkOpenGLTerrainMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetTechnique(Techniques technique)
+{
+  if (this->Technique != technique)
+  {
+    this->Technique = technique;
+    this->UniformModified(); // the shader is rebuilt for its defines
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetHeightsData(vtkImageData* heights)
+{
+  this->SetInputDataInternal(1, heights);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkOpenGLTerrainMapper::GetHeights()
+{
+  return this->GetNumberOfInputConnections(1) > 0
+    ? vtkImageData::SafeDownCast(this->GetInputDataObject(1, 0))
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetVerticalExaggeration(double exaggeration)
+{
+  if (!(exaggeration > 0.0) || !std::isfinite(exaggeration))
+  {
+    vtkErrorMacro("The vertical exaggeration must be above 0, not " << exaggeration);
+    return;
+  }
+  if (this->VerticalExaggeration != exaggeration)
+  {
+    this->VerticalExaggeration = exaggeration;
+    this->UniformModified();
+  }
+}
+
+#define vtkTerrainSetUniformMacro(Name, Type, Minimum)                                             \
+  void vtkOpenGLTerrainMapper::Set##Name(Type value)                                               \
+  {                                                                                                \
+    const Type valid = std::max<Type>(value, Minimum);                                             \
+    if (this->Name != valid)                                                                       \
+    {                                                                                              \
+      this->Name = valid;                                                                          \
+      this->UniformModified();                                                                     \
+    }                                                                                              \
+  }
+
+vtkTerrainSetUniformMacro(Steps, int, 0);
+vtkTerrainSetUniformMacro(LongSteps, int, 0);
+vtkTerrainSetUniformMacro(SecantSteps, int, 0);
+vtkTerrainSetUniformMacro(StepLength, double, 0.0);
+vtkTerrainSetUniformMacro(ShowCrossings, bool, false);
+vtkTerrainSetUniformMacro(MaximumShownCrossings, int, 1);
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::UniformModified()
+{
+  this->UniformTime.Modified();
+  this->InvokeEvent(vtkCommand::ModifiedEvent);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkOpenGLTerrainMapper::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->IgnoresUniformTime ? time : std::max(time, this->UniformTime.GetMTime());
+}
+
+//------------------------------------------------------------------------------
+int vtkOpenGLTerrainMapper::GetNumberOfHeightUploads() const
+{
+  return this->Internals->Heights.GetNumberOfUploads();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkOpenGLTerrainMapper::GetTextureMemorySize() const
+{
+  return this->Internals->Heights.GetMemorySize();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Heights.ReleaseGraphicsResources(window);
+  this->Internals->ColorMap->ReleaseGraphicsResources(window);
+  this->Internals->ColorMapTime = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLTerrainMapper::UpdateHeights()
+{
+  vtkInternals& internals = *this->Internals;
+  if (this->GetNumberOfInputConnections(1) == 0)
+  {
+    internals.Why = "no heights are given";
+    return false;
+  }
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm(1, 0)->Update();
+  }
+  vtkImageData* image = this->GetHeights();
+  internals.Why = internals.Heights.SetImage(image);
+  if (!internals.Why.empty())
+  {
+    return false;
+  }
+  if (internals.BoxTime != image->GetMTime())
+  {
+    internals.BoxTime = image->GetMTime();
+    const terrain::HeightCodes& codes = internals.Heights.GetCodes();
+    const glm::ivec2 size = internals.Heights.GetSize();
+    const double margin = 1e-3 * std::max(codes.MaximumCode, 1e-3);
+    internals.BoxMinimumGC = glm::dvec3(0.0, 0.0, -margin);
+    internals.BoxMaximumGC = glm::dvec3(size - 1, codes.MaximumCode + margin);
+    buildBox(internals.Box, internals.Heights.GetGeometry(), codes.ToHeight(-margin),
+      codes.ToHeight(codes.MaximumCode + margin), size.x, size.y);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLTerrainMapper::CastsRays(vtkActor* act) const
+{
+  return this->Technique != Techniques::Mesh && this->Internals->Why.empty() &&
+    act->GetProperty()->GetRepresentation() == VTK_SURFACE;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLTerrainMapper::UsesSurface(vtkActor* act) const
+{
+  return this->Internals->Why.empty() && this->Internals->Heights.HasSurface() &&
+    act->GetProperty()->GetRepresentation() == VTK_SURFACE;
+}
+
+//------------------------------------------------------------------------------
+double* vtkOpenGLTerrainMapper::GetBounds()
+{
+  if (!this->GetInput())
+  {
+    vtkMath::UninitializeBounds(this->Bounds);
+    return this->Bounds;
+  }
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  this->ComputeBounds();
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ComputeBounds()
+{
+  this->Superclass::ComputeBounds();
+  if (!this->UpdateHeights() || !this->Internals->Heights.HasSurface() ||
+    !vtkMath::AreBoundsInitialized(this->Bounds))
+  {
+    return;
+  }
+  terrain::GridGeometry geometry = this->Internals->Heights.GetGeometry();
+  geometry.Exaggeration = this->VerticalExaggeration;
+  const terrain::HeightCodes& codes = this->Internals->Heights.GetCodes();
+  this->Bounds[4] = geometry.ToModel({ 0.0, 0.0 }, codes.ToHeight(0.0)).z;
+  this->Bounds[5] = geometry.ToModel({ 0.0, 0.0 }, codes.ToHeight(codes.MaximumCode)).z;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
+{
+  if (!this->UpdateHeights() && this->Technique != Techniques::Mesh)
+  {
+    vtkErrorMacro("Cannot draw the terrain: " << this->Internals->Why);
+    return;
+  }
+  if (this->Technique != Techniques::Mesh && !this->Internals->Heights.HasSurface())
+  {
+    return;
+  }
+  this->Superclass::RenderPiece(ren, act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& internals = *this->Internals;
+  if (this->UsesSurface(act))
+  {
+    auto* window = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow());
+    internals.Why = internals.Heights.Upload(
+      window, this->CastsRays(act) && this->Technique == Techniques::Pyramid);
+    if (!internals.Why.empty())
+    {
+      vtkErrorMacro("Cannot draw the terrain: " << internals.Why);
+    }
+    else
+    {
+      internals.Heights.Activate();
+      this->UpdateView(ren, act);
+      this->UpdateColorMap(ren);
+    }
+  }
+  if (this->CastsRays(act) && internals.EyeInBox)
+  {
+    this->CurrentInput = internals.Box;
+  }
+  this->Superclass::RenderPieceStart(ren, act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::UpdateView(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& internals = *this->Internals;
+  vtkMatrix4x4* worldToView = nullptr;
+  vtkMatrix4x4* viewToDisplay = nullptr;
+  vtkMatrix4x4* worldToDisplay = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  static_cast<vtkOpenGLCamera*>(ren->GetActiveCamera())
+    ->GetKeyMatrices(ren, worldToView, normals, viewToDisplay, worldToDisplay);
+  // VTK keeps these matrices transposed, for OpenGL
+  const glm::dmat4 viewFromWorld = glm::transpose(toGlm(worldToView));
+  const glm::dmat4 displayFromView = glm::transpose(toGlm(viewToDisplay));
+  const glm::dmat4 viewFromModel = viewFromWorld * toGlm(act->GetMatrix());
+  const glm::dmat4 viewFromGrid = viewFromModel *
+    gridToModel(
+      internals.Heights.GetGeometry(), internals.Heights.GetCodes(), this->VerticalExaggeration);
+
+  std::array<int, 4> viewport{};
+  static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())
+    ->GetState()
+    ->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
+  const glm::dvec4 pixels(viewport[0], viewport[1], viewport[2], viewport[3]);
+  internals.Rays = terrain::MakePixelRays(viewFromGrid, displayFromView, pixels);
+  internals.ViewToGrid = glm::inverse(viewFromGrid);
+  internals.ViewToModel = glm::inverse(viewFromModel);
+  internals.KeepsOrientation = glm::determinant(glm::dmat3(viewFromGrid)) > 0.0;
+
+  const auto nearBounds = terrain::NearBoundsGC(internals.Rays, pixels);
+  internals.EyeInBox = glm::all(glm::lessThanEqual(nearBounds[0], internals.BoxMaximumGC)) &&
+    glm::all(glm::greaterThanEqual(nearBounds[1], internals.BoxMinimumGC));
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
+{
+  if (!this->CastsRays(act))
+  {
+    this->Superclass::RenderPieceDraw(ren, act);
+    return;
+  }
+  // The near sides of the hull where rays enter it, or the far sides of the box around the eye:
+  // each ray is cast once. Culling of the surface itself is the shader's.
+  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())->GetState();
+  vtkOpenGLState::ScopedglEnableDisable restoreCull(state, GL_CULL_FACE);
+  const bool cullFront = this->Internals->EyeInBox == this->Internals->KeepsOrientation;
+  state->vtkglEnable(GL_CULL_FACE);
+  state->vtkglCullFace(cullFront ? GL_FRONT : GL_BACK);
+  if (this->Internals->EyeInBox)
+  {
+    glEnable(GL_DEPTH_CLAMP); // the far sides count beyond the far plane, too
+  }
+  this->Superclass::RenderPieceDraw(ren, act);
+  if (this->Internals->EyeInBox)
+  {
+    glDisable(GL_DEPTH_CLAMP);
+  }
+  state->vtkglCullFace(GL_BACK);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::RenderPieceFinish(ren, act);
+  if (this->UsesSurface(act))
+  {
+    this->Internals->Heights.Deactivate();
+    if (this->ColorsByHeight())
+    {
+      this->Internals->ColorMap->Deactivate();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLTerrainMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act)
+{
+  this->IgnoresUniformTime = true;
+  const bool rebuild = this->Superclass::GetNeedToRebuildBufferObjects(ren, act);
+  this->IgnoresUniformTime = false;
+  return rebuild;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLTerrainMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  this->IgnoresUniformTime = true;
+  bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
+  this->IgnoresUniformTime = false;
+
+  std::string& builtWith = this->Internals->ShaderBuiltWith[&cellBO];
+  const std::string defines = this->ShaderDefines(act);
+  if (builtWith != defines)
+  {
+    builtWith = defines;
+    rebuild = true;
+  }
+  return rebuild;
 }

@@ -2,13 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOpenGLTerrainMapper
- * @brief   draws a heightfield below a coarse mesh
+ * @brief   draws a heightfield by casting rays below a coarse mesh
+ *
+ * Draws the exact bilinear surface of a heightfield without a mesh of its samples. Two inputs:
+ *
+ *   port 0  vtkPolyData. For the ray casting techniques the closed hull of vtkTerrainCoarseMesh,
+ * above which the terrain never rises; for the technique Mesh, the mesh to draw. port 1
+ * vtkImageData, the heights: W x H x 1 points whose active point scalars have one component of any
+ * numeric type; a row south to north, spacing and origin in the unit of the heights. NaN,
+ * infinities and points with vtkDataSetAttributes::HIDDENPOINT set have no height; a cell that
+ * touches one has no surface. Optional for the technique Mesh, which then has the normals of the
+ * mesh.
+ *
+ * The fragment shader finds the hit where VTK sets the depth and hands VTK its position, normal and
+ * depth; lights, materials, clipping planes, translucency and render passes then work on the hit.
+ *
+ * Techniques: Linear, Exponential and Equidistant are the searches of Fehér ("Terrain Rendering
+ * with the Combination of Mesh Simplification and Displacement Mapping"): steps along the ray, then
+ * secant steps. Mesh draws the polygons of port 0 with normals from the heights.
+ *
+ * Where the eye or the near plane comes into the box of the terrain, the rays start at the near
+ * plane and the far sides of that box are drawn instead of the coarse mesh, so that the eye may be
+ * anywhere.
+ *
+ * Precision: rays are set up in double precision relative to a cell near the hit; the distance of a
+ * hit is right to 1e-6 relative where ARB_gpu_shader_fp64 is there, at any size of coordinates.
+ *
+ * Limits: heights up to the largest texture of the driver (16384 samples a side on Mesa). A
+ * direction matrix of the image is refused. Lines and points of port 0 are drawn as they are.
+ *
+ * @sa vtkTerrainCoarseMesh vtkTerrainRasterReader vtkTerrainSource
  */
 #ifndef vtkOpenGLTerrainMapper_h
 #define vtkOpenGLTerrainMapper_h
 
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkTerrainModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkImageData;
+class vtkShaderProgram;
 
 class VTKTERRAIN_EXPORT vtkOpenGLTerrainMapper : public vtkOpenGLPolyDataMapper
 {
@@ -17,12 +52,168 @@ public:
   vtkTypeMacro(vtkOpenGLTerrainMapper, vtkOpenGLPolyDataMapper)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// How the surface is drawn, see the class description.
+  enum class Techniques
+  {
+    Mesh,
+    Linear,
+    Exponential,
+    Equidistant,
+    Pyramid
+  };
+
+  ///@{
+  /// The technique; default Equidistant.
+  void SetTechnique(Techniques technique);
+  Techniques GetTechnique() const
+  {
+    return this->Technique;
+  }
+  ///@}
+
+  ///@{
+  /// The heights, port 1.
+  void SetHeightsConnection(vtkAlgorithmOutput* port)
+  {
+    this->SetInputConnection(1, port);
+  }
+  void SetHeightsData(vtkImageData* heights);
+  vtkImageData* GetHeights();
+  ///@}
+
+  ///@{
+  /// Drawn height over true height, > 0; default 1. Heights are exaggerated from the image's origin
+  /// in z. A uniform of the shader: changing it builds and uploads nothing.
+  void SetVerticalExaggeration(double exaggeration);
+  double GetVerticalExaggeration() const
+  {
+    return this->VerticalExaggeration;
+  }
+  ///@}
+
+  ///@{
+  /// The searches: steps of the first length, then steps of double length (Equidistant only), then
+  /// secant steps. 0 chooses from the coarse mesh and the heights (the default). Fehér's own
+  /// values, for meshes of 32 x 32 quads: 4 or 5 steps, 10 long steps, 1 or 2 secant steps; 10
+  /// steps for Exponential.
+  void SetSteps(int steps);
+  int GetSteps() const
+  {
+    return this->Steps;
+  }
+  void SetLongSteps(int steps);
+  int GetLongSteps() const
+  {
+    return this->LongSteps;
+  }
+  void SetSecantSteps(int steps);
+  int GetSecantSteps() const
+  {
+    return this->SecantSteps;
+  }
+  ///@}
+
+  ///@{
+  /// Length of a step of Equidistant on the ground, in cells; 0 chooses (the default). Fehér's
+  /// value is 0.025 of the terrain's side for 32 x 32 quads.
+  void SetStepLength(double cells);
+  double GetStepLength() const
+  {
+    return this->StepLength;
+  }
+  ///@}
+
+  ///@{
+  /// Draw, in place of the surface's colour, how many nodes or samples each pixel's ray took: blue
+  /// for none to red for the given number and above. Default off, 64.
+  void SetShowCrossings(bool show);
+  bool GetShowCrossings() const
+  {
+    return this->ShowCrossings;
+  }
+  void SetMaximumShownCrossings(int crossings);
+  int GetMaximumShownCrossings() const
+  {
+    return this->MaximumShownCrossings;
+  }
+  ///@}
+
+  /// Number of times the heights went to the graphics card.
+  int GetNumberOfHeightUploads() const;
+
+  /// Bytes of textures on the graphics card.
+  vtkIdType GetTextureMemorySize() const;
+
+  ///@{
+  /// Bounds of the exaggerated heights in model coordinates.
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override
+  {
+    this->Superclass::GetBounds(bounds);
+  }
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
   vtkOpenGLTerrainMapper(const vtkOpenGLTerrainMapper&) = delete;
   void operator=(const vtkOpenGLTerrainMapper&) = delete;
 
 protected:
-  vtkOpenGLTerrainMapper() = default;
-  ~vtkOpenGLTerrainMapper() override = default;
+  vtkOpenGLTerrainMapper();
+  ~vtkOpenGLTerrainMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ComputeBounds() override;
+
+  void RenderPiece(vtkRenderer* ren, vtkActor* act) override;
+  void RenderPieceStart(vtkRenderer* ren, vtkActor* act) override;
+  void RenderPieceDraw(vtkRenderer* ren, vtkActor* act) override;
+  void RenderPieceFinish(vtkRenderer* ren, vtkActor* act) override;
+
+  bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
+  bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+
+  using ShaderMap = std::map<vtkShader::Type, vtkShader*>;
+  void ReplaceShaderValues(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  void ReplaceShaderPositionVC(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  void ReplaceShaderDepth(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  void ReplaceShaderNormal(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  void ReplaceShaderColor(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  void ReplaceShaderClip(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+
+private:
+  class vtkInternals;
+
+  /// Marks a change of something that is a uniform: the picture changes, no buffer and no shader
+  /// does.
+  void UniformModified();
+
+  bool UpdateHeights();
+  bool CastsRays(vtkActor* act) const;
+  bool UsesSurface(vtkActor* act) const;
+  bool ColorsByHeight() const;
+  std::string ShaderDefines(vtkActor* act) const;
+  void UpdateView(vtkRenderer* ren, vtkActor* act);
+  void UpdateColorMap(vtkRenderer* ren);
+  void SetViewUniforms(vtkShaderProgram* program);
+  void SetSearchUniforms(vtkShaderProgram* program);
+  void SetClipUniforms(vtkShaderProgram* program, vtkActor* act);
+  void SetColorUniforms(vtkShaderProgram* program);
+  void SetVertexUniforms(vtkShaderProgram* program);
+
+  Techniques Technique = Techniques::Equidistant;
+  double VerticalExaggeration = 1.0;
+  int Steps = 0;
+  int LongSteps = 0;
+  int SecantSteps = 0;
+  double StepLength = 0.0;
+  bool ShowCrossings = false;
+  int MaximumShownCrossings = 64;
+  vtkTimeStamp UniformTime;
+  bool IgnoresUniformTime = false;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -42,6 +42,12 @@ inline std::string WhyNotHeights(vtkImageData* image)
   {
     return "heights must lie along the axes, this image has a direction matrix";
   }
+  const double* spacing = image->GetSpacing();
+  if (!(spacing[0] > 0.0) || !(spacing[1] > 0.0))
+  {
+    return "heights must have spacings above 0, this image has " + std::to_string(spacing[0]) +
+      " and " + std::to_string(spacing[1]);
+  }
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!scalars)
   {

@@ -19,10 +19,13 @@ target_link_libraries(vtkTerrainTestSupport
     ${CMAKE_DL_LIBS})
 
 function (vtkterrain_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "IMAGE;DATA" "" "WINDOWS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "CORE;IMAGE;DATA" "" "WINDOWS")
   add_executable(${name} ${name}.cxx)
   target_link_libraries(${name} PRIVATE
     vtkTerrainTestSupport vtkTerrainWarnings GDAL::GDAL glm::glm)
+  if (arg_CORE)
+    target_link_libraries(${name} PRIVATE vtkTerrainCore)
+  endif ()
   vtk_module_autoinit(TARGETS ${name} MODULES ${vtkTerrain_test_modules})
   set(environment
     "VTKTERRAIN_DATA_DIR=${VTKTERRAIN_DATA_DIR}"

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From the pixel to its ray and back to the view. Twin: src/core/PixelRays.h.
+// Needs vtkTerrainRay.glsl. Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start is
+// then exact to 1e-9 of a cell at any distance; else to 1e-7 of the distance.
+
+// Vectors that depend on the pixel: [0] + x * [1] + y * [2]; [3..5] hold what float cuts off [0..2].
+uniform vec3 terrainOriginGC[6];
+uniform vec3 terrainDirectionGC[6];
+uniform vec3 terrainOriginVC[3];
+uniform vec3 terrainDirectionVC[3];
+uniform mat3 terrainNormalMatrix;  // (-dz/dx, -dz/dy, 1) in codes per cell to view coordinates
+uniform vec4 terrainDepthRow;      // depth = 0.5 + 0.5 * dot(depth row, p) / dot(weight row, p)
+uniform vec4 terrainWeightRow;
+uniform float terrainNear;         // distances of the clipping planes along the viewing direction
+uniform float terrainFar;
+
+#ifdef GL_ARB_gpu_shader_fp64
+#define terrainReal double
+#define terrainReal3 dvec3
+#else
+#define terrainReal float
+#define terrainReal3 vec3
+#endif
+
+terrainReal3 terrainAtPixel(vec3 vector[6], vec2 pixel)
+{
+  terrainReal x = terrainReal(pixel.x);
+  terrainReal y = terrainReal(pixel.y);
+  return (terrainReal3(vector[0]) + terrainReal3(vector[3])) +
+    x * (terrainReal3(vector[1]) + terrainReal3(vector[4])) +
+    y * (terrainReal3(vector[2]) + terrainReal3(vector[5]));
+}
+
+// The ray of a pixel (gl_FragCoord.xy) between two distances along the viewing direction, stored
+// relative to the cell where it starts.
+TerrainRay terrainPixelRay(vec2 pixel, float startDistance, float endDistance)
+{
+  terrainReal3 direction = terrainAtPixel(terrainDirectionGC, pixel);
+  terrainReal3 position =
+    terrainAtPixel(terrainOriginGC, pixel) + terrainReal(startDistance) * direction;
+  terrainReal3 anchor = floor(position);
+  return TerrainRay(ivec2(anchor.xy), vec3(position.xy - anchor.xy, position.z), vec3(direction),
+    0.0, endDistance - startDistance);
+}
+
+// Direction of a pixel's ray in view coordinates, z = -1.
+vec3 terrainDirectionAt(vec2 pixel)
+{
+  return terrainDirectionVC[0] + pixel.x * terrainDirectionVC[1] + pixel.y * terrainDirectionVC[2];
+}
+
+// Position at a distance along the viewing direction, in view coordinates.
+vec4 terrainPositionVC(vec2 pixel, float distanceVC)
+{
+  vec3 origin = terrainOriginVC[0] + pixel.x * terrainOriginVC[1] + pixel.y * terrainOriginVC[2];
+  return vec4(origin + distanceVC * terrainDirectionAt(pixel), 1.0);
+}
+
+// Depth, 0..1, of a position in view coordinates.
+float terrainDepth(vec4 positionVC)
+{
+  return 0.5 + 0.5 * dot(terrainDepthRow, positionVC) / dot(terrainWeightRow, positionVC);
+}
+
+// Unit normal in view coordinates from the gradient in codes per cell; points up in the grid.
+vec3 terrainNormalVC(vec2 gradient)
+{
+  return normalize(terrainNormalMatrix * vec3(-gradient, 1.0));
+}

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * OpenGL's names through the loader that VTK was built with. Private to the module.
+ */
+#ifndef vtkTerrainGL_h
+#define vtkTerrainGL_h
+
+#if __has_include("vtk_glad.h")
+#include "vtk_glad.h" // IWYU pragma: export
+#else
+#include "vtk_glew.h" // IWYU pragma: export
+#endif
+
+#endif

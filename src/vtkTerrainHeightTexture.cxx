@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainHeightTexture.h"
+
+#include "vtkTerrainGL.h"
+#include "vtkTerrainHeightfield.h"
+#include "vtkTerrainParallelFor.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <vector>
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainHeightTexture::SetImage(vtkImageData* image)
+{
+  const std::string why = vtkTerrainHeightfield::WhyNotHeights(image);
+  if (!why.empty())
+  {
+    this->Image = nullptr;
+    this->Size = { 0, 0 };
+    return why;
+  }
+  if (this->Image != image || this->ImageTime != image->GetMTime())
+  {
+    this->Image = image;
+    this->ImageTime = image->GetMTime();
+    this->Geometry = vtkTerrainHeightfield::Geometry(image);
+    this->Size = { image->GetDimensions()[0], image->GetDimensions()[1] };
+    vtkTerrainHeightfield::Dispatch(image,
+      [this](const auto& view)
+      {
+        this->Codes =
+          terrain::ChooseHeightCodes(terrain::FindHeightRange(view, vtkTerrainParallelFor));
+      });
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainHeightTexture::HasSurface() const
+{
+  return this->Codes.HasData && this->Size.x > 1 && this->Size.y > 1;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTerrainHeightTexture::GetMemorySize() const
+{
+  return std::visit(
+    [this](const auto& store)
+    {
+      const std::size_t heights = store.Texels.size() * sizeof(store.Texels[0]);
+      return static_cast<vtkIdType>(
+        (this->UploadTime ? heights : 0) + (this->PyramidTime ? store.Pyramid.MemorySize() : 0));
+    },
+    this->Data);
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+terrain::HeightfieldView<Texel> vtkTerrainHeightTexture::TexelView(const Store<Texel>& store) const
+{
+  terrain::HeightfieldView<Texel> view;
+  view.Samples = store.Texels.data();
+  view.Width = this->Size.x;
+  view.Height = this->Size.y;
+  view.HasNoData = this->Codes.HasNoData;
+  view.NoData = std::is_floating_point_v<Texel> ? static_cast<Texel>(terrain::NoDataCode) : Texel{};
+  return view;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainHeightTexture::Prepare(vtkOpenGLRenderWindow* window)
+{
+  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
+  if (limit > 0 && std::max(this->Size.x, this->Size.y) > limit)
+  {
+    return "heights of " + std::to_string(this->Size.x) + " x " + std::to_string(this->Size.y) +
+      " samples exceed the largest texture of this graphics driver, " + std::to_string(limit);
+  }
+  const bool integer = this->Codes.Format == terrain::HeightCodes::TexelFormat::UInt16;
+  for (vtkTextureObject* texture : { this->Texture.Get(), this->PyramidTexture.Get() })
+  {
+    texture->ReleaseGraphicsResources(texture->GetContext());
+    texture->SetContext(window);
+    texture->ResetFormatAndType();
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  }
+  this->Texture->SetInternalFormat(integer ? GL_R16UI : GL_R32F);
+  this->Texture->SetFormat(integer ? GL_RED_INTEGER : GL_RED);
+  this->PyramidTexture->SetInternalFormat(integer ? GL_RG16UI : GL_RG32F);
+  this->PyramidTexture->SetFormat(integer ? GL_RG_INTEGER : GL_RG);
+  if (integer)
+  {
+    this->Data.emplace<Store<unsigned short>>();
+  }
+  else
+  {
+    this->Data.emplace<Store<float>>();
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+bool vtkTerrainHeightTexture::UploadHeights(Store<Texel>& store)
+{
+  store.Texels.resize(static_cast<std::size_t>(this->Size.x) * this->Size.y);
+  vtkTerrainHeightfield::Dispatch(this->Image,
+    [&](const auto& view)
+    {
+      terrain::EncodeHeights(view, this->Codes, 0, this->Size.x, 0, this->Size.y,
+        store.Texels.data(), vtkTerrainParallelFor);
+    });
+  return this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Size.x),
+    static_cast<unsigned int>(this->Size.y), 1,
+    std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT, store.Texels.data());
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+bool vtkTerrainHeightTexture::UploadPyramid(Store<Texel>& store)
+{
+  store.Pyramid.Build(this->TexelView(store), vtkTerrainParallelFor);
+  this->PyramidTop = store.Pyramid.LevelCount();
+  if (this->PyramidTop == 0)
+  {
+    return true;
+  }
+  this->PyramidSize = store.Pyramid.LevelSize(1);
+  this->PyramidTexture->SetMinificationFilter(vtkTextureObject::NearestMipmapNearest);
+  this->PyramidTexture->SetMaxLevel(this->PyramidTop - 1);
+  const int vtkType = std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT;
+  // Create2DFromRaw takes no const data, and changes none
+  auto nodes = [&](int level)
+  { return const_cast<terrain::PyramidNode<Texel>*>(store.Pyramid.LevelNodes(level)); };
+  bool done = this->PyramidTexture->Create2DFromRaw(static_cast<unsigned int>(this->PyramidSize.x),
+    static_cast<unsigned int>(this->PyramidSize.y), 2, vtkType, nodes(1));
+  this->PyramidTexture->Activate();
+  for (int level = 2; done && level <= this->PyramidTop; ++level)
+  {
+    const glm::ivec2 size = store.Pyramid.LevelSize(level);
+    glTexImage2D(GL_TEXTURE_2D, level - 1,
+      static_cast<GLint>(this->PyramidTexture->GetInternalFormat(vtkType, 2, false)), size.x,
+      size.y, 0, this->PyramidTexture->GetFormat(vtkType, 2, false),
+      static_cast<GLenum>(this->PyramidTexture->GetDataType(vtkType)), nodes(level));
+  }
+  this->PyramidTexture->Deactivate();
+  return done && glGetError() == GL_NO_ERROR;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainHeightTexture::Upload(vtkOpenGLRenderWindow* window, bool withPyramid)
+{
+  bool done = true;
+  if (this->Texture->GetContext() != window || this->UploadTime != this->ImageTime)
+  {
+    this->UploadTime = 0;
+    this->PyramidTime = 0;
+    std::string why = this->Prepare(window);
+    if (!why.empty())
+    {
+      return why;
+    }
+    done = std::visit([this](auto& store) { return this->UploadHeights(store); }, this->Data);
+    this->UploadTime = done ? this->ImageTime : 0;
+    ++this->NumberOfUploads;
+  }
+  if (done && withPyramid && this->PyramidTime != this->ImageTime)
+  {
+    done = std::visit([this](auto& store) { return this->UploadPyramid(store); }, this->Data);
+    this->PyramidTime = done ? this->ImageTime : 0;
+  }
+  return done ? std::string() : "heights could not be uploaded to the graphics driver";
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainHeightTexture::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  this->PyramidTexture->ReleaseGraphicsResources(window);
+  this->UploadTime = 0;
+  this->PyramidTime = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainHeightTexture::Activate()
+{
+  this->Texture->Activate();
+  if (this->PyramidTime)
+  {
+    this->PyramidTexture->Activate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainHeightTexture::Deactivate()
+{
+  this->Texture->Deactivate();
+  if (this->PyramidTime)
+  {
+    this->PyramidTexture->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainHeightTexture::SetUniforms(vtkShaderProgram* program)
+{
+  program->SetUniformi("terrainHeights", this->Texture->GetTextureUnit());
+  program->SetUniform2i("terrainSize", &this->Size[0]);
+  program->SetUniformf("terrainBias", static_cast<float>(this->Codes.Bias));
+  program->SetUniformf("terrainMaximumCode", static_cast<float>(this->Codes.MaximumCode));
+  if (program->IsUniformUsed("terrainPyramid"))
+  {
+    program->SetUniformi("terrainPyramid", this->PyramidTexture->GetTextureUnit());
+    program->SetUniform2i("terrainPyramidSize", &this->PyramidSize[0]);
+    program->SetUniformi("terrainPyramidTop", this->PyramidTop);
+    program->SetUniformi("terrainPyramidStart", this->PyramidTop);
+  }
+}

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Heights on the GPU: one texture of height codes (core/HeightCodes.h), uploaded when the image
+ * that holds them has changed. Private to the module.
+ */
+#ifndef vtkTerrainHeightTexture_h
+#define vtkTerrainHeightTexture_h
+
+#include "core/Coordinates.h"
+#include "core/HeightCodes.h"
+#include "core/MinMaxPyramid.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkTextureObject.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+class vtkTerrainHeightTexture
+{
+public:
+  /// Takes over the image: size, place and range of the heights. Returns an empty string, or one
+  /// sentence that says why the image cannot be used.
+  std::string SetImage(vtkImageData* image);
+
+  /// Uploads the heights, and their pyramid if it is wanted, if they have changed since the last
+  /// upload or the window is another one. Returns an empty string, or one sentence that says why
+  /// that failed.
+  std::string Upload(vtkOpenGLRenderWindow* window, bool withPyramid);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  /// Makes the textures current for drawing and sets their uniforms
+  /// (shaders/vtkTerrainHeights.glsl, shaders/vtkTerrainPyramid.glsl).
+  void Activate();
+  void Deactivate();
+  void SetUniforms(vtkShaderProgram* program);
+
+  const terrain::HeightCodes& GetCodes() const
+  {
+    return this->Codes;
+  }
+  const terrain::GridGeometry& GetGeometry() const
+  {
+    return this->Geometry;
+  }
+  glm::ivec2 GetSize() const
+  {
+    return this->Size;
+  }
+  /// True if there is at least one cell and one height.
+  bool HasSurface() const;
+
+  /// Number of uploads of the heights so far, for tests that count them.
+  int GetNumberOfUploads() const
+  {
+    return this->NumberOfUploads;
+  }
+  /// Bytes of the textures.
+  vtkIdType GetMemorySize() const;
+
+private:
+  /// The texels and their pyramid, kept so that a window of them can be brought up to date.
+  template <typename Texel>
+  struct Store
+  {
+    std::vector<Texel> Texels;
+    terrain::MinMaxPyramid<Texel> Pyramid;
+  };
+
+  template <typename Texel>
+  terrain::HeightfieldView<Texel> TexelView(const Store<Texel>& store) const;
+  template <typename Texel>
+  bool UploadHeights(Store<Texel>& store);
+  template <typename Texel>
+  bool UploadPyramid(Store<Texel>& store);
+  std::string Prepare(vtkOpenGLRenderWindow* window);
+
+  vtkWeakPointer<vtkImageData> Image;
+  vtkMTimeType ImageTime = 0;
+  vtkMTimeType UploadTime = 0;
+  vtkMTimeType PyramidTime = 0;
+  terrain::HeightCodes Codes;
+  terrain::GridGeometry Geometry;
+  glm::ivec2 Size{ 0, 0 };
+  std::variant<Store<unsigned short>, Store<float>> Data;
+  glm::ivec2 PyramidSize{ 0, 0 };
+  int PyramidTop = 0;
+  vtkNew<vtkTextureObject> Texture;
+  vtkNew<vtkTextureObject> PyramidTexture;
+  int NumberOfUploads = 0;
+};
+
+#endif

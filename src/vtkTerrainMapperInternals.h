@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What vtkOpenGLTerrainMapper derives from its inputs and from the view. Private to the module.
+ */
+#ifndef vtkTerrainMapperInternals_h
+#define vtkTerrainMapperInternals_h
+
+#include "vtkOpenGLTerrainMapper.h"
+#include "vtkTerrainHeightTexture.h"
+
+#include "core/PixelRays.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTextureObject.h"
+
+#include <map>
+#include <string>
+
+class vtkOpenGLTerrainMapper::vtkInternals
+{
+public:
+  vtkTerrainHeightTexture Heights;
+  /// Why the heights cannot be used; empty if they can.
+  std::string Why;
+
+  /// The far sides of this box stand for the coarse mesh while the eye is within it.
+  vtkNew<vtkPolyData> Box;
+  bool EyeInBox = false;
+  /// Cells and height codes of the box, corners of the grid with a margin.
+  glm::dvec3 BoxMinimumGC{ 0.0 };
+  glm::dvec3 BoxMaximumGC{ 0.0 };
+  vtkMTimeType BoxTime = 0;
+
+  terrain::PixelRays Rays;
+  glm::dmat4 ViewToGrid{ 1.0 };
+  glm::dmat4 ViewToModel{ 1.0 };
+  /// True if the actor's matrix and the view keep the orientation of triangles.
+  bool KeepsOrientation = true;
+
+  vtkNew<vtkTextureObject> ColorMap;
+  vtkMTimeType ColorMapTime = 0;
+  double ColorRange[2] = { 0.0, 1.0 };
+
+  /// The defines that the shader of each primitive was built with.
+  std::map<vtkOpenGLHelper*, std::string> ShaderBuiltWith;
+};
+
+#endif
