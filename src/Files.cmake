@@ -4,14 +4,17 @@ include("${VTK_DIR}/vtkEncodeString.cmake")
 set(classes
   vtkOpenGLTerrainMapper
   vtkTerrainCoarseMesh
-  vtkTerrainRasterReader
   vtkTerrainDepthPass
+  vtkTerrainRasterReader
   vtkTerrainSource
 )
 
 set(private_sources
   vtkOpenGLTerrainMapperShaders
   vtkTerrainHeightTexture
+  vtkTerrainRasterFile
+  vtkTerrainRasterLayout
+  vtkTerrainRasterPiece
 )
 
 set(private_headers
@@ -48,8 +51,8 @@ set(core
   CoarseMesh
   CoarseMeshSurface
   Geodesics
-  HeightSearch
   GridReference
+  HeightSearch
   MinMaxPyramid
   PixelRays
   ProceduralTerrain
@@ -62,13 +65,6 @@ set(core
 set(core_without_contraction
   ProceduralTerrain
   StreamErosion
-)
-
-# Sources beside the classes.
-set(private_sources
-  src/vtkTerrainRasterFile.cxx
-  src/vtkTerrainRasterLayout.cxx
-  src/vtkTerrainRasterPiece.cxx
 )
 
 list(TRANSFORM private_sources PREPEND src/)
