@@ -6,6 +6,8 @@ set(classes
   vtkTerrainCoarseMesh
   vtkTerrainDepthPass
   vtkTerrainRasterReader
+  vtkTerrainGeoid
+  vtkTerrainGeoreference
   vtkTerrainSource
 )
 
@@ -18,6 +20,12 @@ set(private_sources
 )
 
 set(private_headers
+)
+
+# Sources of the module without a class of their own.
+set(module_sources
+  src/vtkTerrainCoordinateSystem.cxx
+  src/vtkTerrainGeoreferencePrepare.cxx
 )
 
 # Windows without a display; VTK 9.4 and later have their own.
@@ -55,6 +63,7 @@ set(core
   HeightSearch
   MinMaxPyramid
   PixelRays
+  HeightUnits
   ProceduralTerrain
   RoundNumbers
   SceneFrame
@@ -70,6 +79,7 @@ set(core_without_contraction
 list(TRANSFORM private_sources PREPEND src/)
 list(TRANSFORM private_sources APPEND ".cxx")
 set(sources ${private_sources} ${window_sources})
+set(sources ${module_sources} ${window_sources})
 foreach (shader IN LISTS shaders)
   vtk_encode_string(INPUT "shaders/${shader}.glsl"
     HEADER_OUTPUT header SOURCE_OUTPUT source)

@@ -22,7 +22,8 @@ function (vtkterrain_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "CORE;IMAGE;DATA" "" "WINDOWS")
   add_executable(${name} ${name}.cxx)
   target_link_libraries(${name} PRIVATE
-    vtkTerrainTestSupport vtkTerrainWarnings GDAL::GDAL glm::glm)
+    vtkTerrainTestSupport vtkTerrainWarnings
+    GDAL::GDAL GeographicLib::GeographicLib glm::glm)
   if (arg_CORE)
     target_link_libraries(${name} PRIVATE vtkTerrainCore)
   endif ()

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTerrainGeoreference
+ * @brief   where on earth a raster lies, and where in the scene
+ *
+ * Three kinds of points, each three doubles:
+ *
+ * | points | x, y | z |
+ * | --- | --- | --- |
+ * | file   | in the raster's coordinate reference system (CRS), east and north | its heights |
+ * | place  | longitude, latitude in degrees on WGS84 | metres |
+ * | scene  | metres, in the chosen frame | metres |
+ *
+ * Frames of the scene:
+ *
+ * | frame | is | the earth in it |
+ * | --- | --- | --- |
+ * | Plane | east, north at the origin (ellipsoidal orthographic, EPSG method 9840), z = height |
+ * flat | | Local | east, north, up at the origin, Cartesian (GeographicLib::LocalCartesian) | round
+ * | | Geocentric | X, Y, Z from the earth's centre | round | | Zone | UTM, or UPS near the poles
+ * (GeographicLib::UTMUPS), z = height | flat | | Grid | the file's own grid, in metres | flat |
+ *
+ * Places of CRSs other than WGS84 come from PROJ through GDAL/OGR's C API. Without grids of datum
+ * shifts installed, old datums (NAD27) are as good as PROJ's parameters: some metres.
+ *
+ * Heights: those of the file times HeightUnit are metres. SceneHeights other than AsIs converts
+ * between sea level and ellipsoid, see vtkTerrainGeoid. Local and Geocentric take every height as
+ * ellipsoidal.
+ *
+ * Every transforming function takes whole arrays, runs on the threads of vtkSMPTools, may be called
+ * from several threads, allows input and output to be the same array, and returns false if
+ * GetWhyNot has a reason. Points without image are NaN.
+ *
+ * Error: places and back within 1 mm up to 1,000 km from the origin (terrain::kSceneFrameError is
+ * what is tested). Cost, for Local and Plane: about 30 ns a point and core to the scene, 100 ns
+ * back; other CRSs add what PROJ takes, 250 to 700 ns.
+ *
+ * @code
+ *   vtkNew<vtkTerrainGeoreference> place;
+ *   place->SetCoordinateSystem("EPSG:32645");
+ *   place->SetExtent(478000.0, 502000.0, 3088000.0, 3108000.0);
+ *   double everest[3] = { 86.925, 27.988, 8849.0 };
+ *   place->PlacesToScene(everest, everest, 1);
+ * @endcode
+ *
+ * @sa vtkTerrainReproject vtkTerrainGeoTransform vtkTerrainGeoid
+ */
+#ifndef vtkTerrainGeoreference_h
+#define vtkTerrainGeoreference_h
+
+#include "vtkObject.h"
+#include "vtkTerrainModule.h" // For export macro
+
+#include <memory>
+#include <string>
+
+class vtkTerrainGeoid;
+
+class VTKTERRAIN_EXPORT vtkTerrainGeoreference : public vtkObject
+{
+public:
+  static vtkTerrainGeoreference* New();
+  vtkTypeMacro(vtkTerrainGeoreference, vtkObject)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum class FrameType
+  {
+    Plane,
+    Local,
+    Geocentric,
+    Zone,
+    Grid
+  };
+
+  /// What a height counts from.
+  enum class HeightType
+  {
+    /// Of the file: not known, taken as sea level. Of the scene: no conversion.
+    AsIs,
+    /// The ellipsoid of WGS84.
+    Ellipsoid,
+    /// Sea level: the geoid.
+    Geoid
+  };
+
+  /// CRS of the file: WKT, "EPSG:n", or a PROJ string. A compound CRS or one with ellipsoidal
+  /// heights also says what FileHeights and HeightUnit are, unless they are set. Default: none.
+  void SetCoordinateSystem(const std::string& definition);
+  const std::string& GetCoordinateSystem() const
+  {
+    return this->CoordinateSystem;
+  }
+
+  /// Where the file's data lie, in its own x and y. The automatic origin is the middle; a CRS that
+  /// contradicts it is refused. Default: unknown (xMin > xMax).
+  void SetExtent(double xMin, double xMax, double yMin, double yMax);
+  const double* GetExtent() const
+  {
+    return this->Extent;
+  }
+
+  /// Frame of the scene; default Plane.
+  void SetFrame(FrameType frame);
+  FrameType GetFrame() const
+  {
+    return this->Frame;
+  }
+
+  /// Origin of Plane and Local: longitude, latitude in degrees, height in metres. Default, and
+  /// after SetAutomaticOrigin: the middle of the extent, at height 0.
+  void SetOrigin(double longitude, double latitude, double height);
+  void SetAutomaticOrigin();
+  /// The origin in use, automatic or not; NaN if there is none.
+  void GetOrigin(double origin[3]);
+
+  /// Zone of the frame Zone: 1 to 60 UTM, 0 UPS, -1 (default) the standard zone of the middle of
+  /// the extent. northern tells the hemisphere; it is not used with -1.
+  void SetZone(int zone, bool northern);
+  /// The zone in use; -1 if there is none.
+  int GetZone();
+  bool GetNorthern();
+
+  /// Metres per unit of the file's heights, > 0; 0 (default): what the CRS says, else 1.
+  void SetHeightUnit(double metres);
+  /// The unit in use in metres.
+  double GetHeightUnit();
+  /// Metres of a unit by its name ("m", "metre", "ft", "US survey foot", ...); 0 if it is not
+  /// known.
+  static double HeightUnitFromName(const std::string& name);
+
+  /// What the file's heights count from; AsIs (default): what the CRS says, else sea level.
+  void SetFileHeights(HeightType heights);
+  HeightType GetFileHeights();
+  /// What the heights of places and of the scene count from; default AsIs: as the file's.
+  void SetSceneHeights(HeightType heights);
+  HeightType GetSceneHeights() const
+  {
+    return this->SceneHeights;
+  }
+  /// Geoid that converts heights; never null, EGM96 by default.
+  vtkTerrainGeoid* GetGeoid();
+
+  /// Empty if points of the file can be brought into the scene, else one sentence that says why
+  /// not.
+  std::string GetWhyNot();
+  /// True if there are places: the CRS is tied to the earth. Otherwise, with the frame Grid, only
+  /// file and scene can be transformed.
+  bool IsOnEarth();
+  /// One sentence about something suspicious that is no error; empty as a rule.
+  std::string GetWarning();
+  /// Name of the file's CRS as people know it.
+  std::string GetCoordinateSystemName();
+  /// WKT of the scene's x and y; empty for Local and for a grid without CRS or not in metres.
+  std::string GetSceneCoordinateSystem();
+
+  /// Bring count points from one kind to another (class comment).
+  bool FileToPlaces(const double* file, double* places, vtkIdType count);
+  bool PlacesToFile(const double* places, double* file, vtkIdType count);
+  bool PlacesToScene(const double* places, double* scene, vtkIdType count);
+  bool SceneToPlaces(const double* scene, double* places, vtkIdType count);
+  bool FileToScene(const double* file, double* scene, vtkIdType count);
+  bool SceneToFile(const double* scene, double* file, vtkIdType count);
+
+  /// Unit vectors east, north and up at a place, in scene axes.
+  bool GetAxes(const double place[3], double east[3], double north[3], double up[3]);
+
+  /// By how much a flat scene is wrong over the extent, in metres: horizontally, the largest
+  /// difference of distances from the middle to those along the ellipsoid; vertically, the drop of
+  /// the earth below the horizon of the middle. Both are 0 in Local and Geocentric, NaN if unknown.
+  void GetFlatError(double& horizontal, double& vertical);
+
+  /// Longitude, latitude, height, UTM and MGRS of a scene point as one line of text.
+  std::string GetReadout(const double scene[3]);
+  /// MGRS reference of a place; precision 5 = metres. "-" if it is not on earth.
+  static std::string GetMGRS(double longitude, double latitude, int precision = 5);
+  /// Place of a text: MGRS, UTM, UPS, or degrees with the longitude first. Returns one sentence if
+  /// it is none of these, else nothing; place[2] is kept.
+  static std::string PlaceFromText(const std::string& text, double place[3]);
+
+  vtkTerrainGeoreference(const vtkTerrainGeoreference&) = delete;
+  void operator=(const vtkTerrainGeoreference&) = delete;
+
+  /// Also that of the geoid.
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkTerrainGeoreference();
+  ~vtkTerrainGeoreference() override;
+
+private:
+  class vtkInternals;
+  void Prepare();
+  void PrepareFrame();
+  std::string WhyNotExtent();
+  bool Middle(double place[3]);
+  void ConvertHeights(double* places, vtkIdType count, bool toScene);
+  template <typename Function>
+  bool Chunked(
+    const double* in, double* out, vtkIdType count, bool needsEarth, Function&& function);
+
+  std::string CoordinateSystem;
+  double Extent[4] = { 1.0, -1.0, 1.0, -1.0 };
+  FrameType Frame = FrameType::Plane;
+  bool IsOriginGiven = false;
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  int Zone = -1;
+  bool Northern = true;
+  double HeightUnit = 0.0;
+  HeightType FileHeights = HeightType::AsIs;
+  HeightType SceneHeights = HeightType::AsIs;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
