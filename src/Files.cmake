@@ -8,6 +8,7 @@ set(classes
   vtkTerrainRasterReader
   vtkTerrainGeoid
   vtkTerrainGeoreference
+  vtkTerrainRasterReader
   vtkTerrainSource
 )
 
@@ -20,12 +21,6 @@ set(private_sources
 )
 
 set(private_headers
-)
-
-# Sources of the module without a class of their own.
-set(module_sources
-  src/vtkTerrainCoordinateSystem.cxx
-  src/vtkTerrainGeoreferencePrepare.cxx
 )
 
 # Windows without a display; VTK 9.4 and later have their own.
@@ -64,6 +59,7 @@ set(core
   MinMaxPyramid
   PixelRays
   HeightUnits
+  MinMaxPyramid
   ProceduralTerrain
   RoundNumbers
   SceneFrame
@@ -78,8 +74,16 @@ set(core_without_contraction
 
 list(TRANSFORM private_sources PREPEND src/)
 list(TRANSFORM private_sources APPEND ".cxx")
+# Sources beside the classes.
+set(private_sources
+  src/vtkTerrainCoordinateSystem.cxx
+  src/vtkTerrainGeoreferencePrepare.cxx
+  src/vtkTerrainRasterFile.cxx
+  src/vtkTerrainRasterLayout.cxx
+  src/vtkTerrainRasterPiece.cxx
+)
+
 set(sources ${private_sources} ${window_sources})
-set(sources ${module_sources} ${window_sources})
 foreach (shader IN LISTS shaders)
   vtk_encode_string(INPUT "shaders/${shader}.glsl"
     HEADER_OUTPUT header SOURCE_OUTPUT source)
