@@ -5,7 +5,6 @@ set(classes
   vtkOpenGLTerrainMapper
   vtkTerrainCoarseMesh
   vtkTerrainDepthPass
-  vtkTerrainRasterReader
   vtkTerrainGeoid
   vtkTerrainGeoreference
   vtkTerrainRasterReader
@@ -14,6 +13,8 @@ set(classes
 
 set(private_sources
   vtkOpenGLTerrainMapperShaders
+  vtkTerrainCoordinateSystem
+  vtkTerrainGeoreferencePrepare
   vtkTerrainHeightTexture
   vtkTerrainRasterFile
   vtkTerrainRasterLayout
@@ -56,10 +57,9 @@ set(core
   Geodesics
   GridReference
   HeightSearch
-  MinMaxPyramid
-  PixelRays
   HeightUnits
   MinMaxPyramid
+  PixelRays
   ProceduralTerrain
   RoundNumbers
   SceneFrame
@@ -74,15 +74,6 @@ set(core_without_contraction
 
 list(TRANSFORM private_sources PREPEND src/)
 list(TRANSFORM private_sources APPEND ".cxx")
-# Sources beside the classes.
-set(private_sources
-  src/vtkTerrainCoordinateSystem.cxx
-  src/vtkTerrainGeoreferencePrepare.cxx
-  src/vtkTerrainRasterFile.cxx
-  src/vtkTerrainRasterLayout.cxx
-  src/vtkTerrainRasterPiece.cxx
-)
-
 set(sources ${private_sources} ${window_sources})
 foreach (shader IN LISTS shaders)
   vtk_encode_string(INPUT "shaders/${shader}.glsl"
