@@ -7,11 +7,13 @@
 #include <cpl_vsi.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <mutex>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace
@@ -21,6 +23,11 @@ constexpr std::array<double, 2> kImpossibleHeights{ { -32768.0, -32767.0 } };
 constexpr double kUnlikelyHeight = -9999.0;
 // Where heights reach below this, kUnlikelyHeight may be one.
 constexpr double kDeepSea = -8000.0;
+constexpr double kDeepestSea = -12000.0;
+// How much of a file is looked at to know that: blocks of the whole file, the same ones for each of
+// its pieces, and pixels of each.
+constexpr std::int64_t kSampledBlocks = 16;
+constexpr std::int64_t kSampledPixels = std::int64_t{ 1 } << 20;
 
 // GDAL >= 3.7 and >= 3.11; the numbers are part of its interface.
 constexpr int kTypeInt8 = 14;
@@ -52,8 +59,13 @@ std::string WhyNotOpened(const char* fileName, const std::string& failure)
   }
   VSIStatBufL status;
   std::memset(&status, 0, sizeof(status));
+  errno = 0;
   if (VSIStatL(fileName, &status) != 0)
   {
+    if (errno == EACCES)
+    {
+      return "there is no permission to read it";
+    }
     const bool plainName = std::strchr(fileName, ':') == nullptr && fileName[0] != '<';
     return plainName || failure.empty() ? "there is no such file" : failure;
   }
@@ -61,7 +73,8 @@ std::string WhyNotOpened(const char* fileName, const std::string& failure)
   {
     return "it is a directory";
   }
-  if (std::strncmp(fileName, "/vsi", 4) != 0 && access(fileName, R_OK) != 0)
+  if (std::strncmp(fileName, "/vsi", 4) != 0 &&
+    faccessat(AT_FDCWD, fileName, R_OK, AT_EACCESS) != 0)
   {
     return "there is no permission to read it";
   }
@@ -298,6 +311,37 @@ std::vector<double> vtkTerrainRasterFile::GetDeclaredNoData() const
 }
 
 //------------------------------------------------------------------------------
+double vtkTerrainRasterFile::SampleLowest() const
+{
+  int blockWidth = 1;
+  int blockHeight = 1;
+  GDALGetBlockSize(this->Band, &blockWidth, &blockHeight);
+  const std::int64_t width = std::max(blockWidth, 1);
+  const std::int64_t height = std::max(blockHeight, 1);
+  const std::int64_t across = (this->GetWidth() + width - 1) / width;
+  const std::int64_t count = across * ((this->GetHeight() + height - 1) / height);
+  const std::int64_t samples = std::min(count, kSampledBlocks);
+  double lowest = std::numeric_limits<double>::infinity();
+  std::vector<double> values;
+  for (std::int64_t k = 0; k < samples; ++k)
+  {
+    const std::int64_t block = (2 * k + 1) * count / (2 * samples);
+    vtkTerrainRasterWindow window{ block % across * width, block / across * height, width, height };
+    window.Width = std::min(width, this->GetWidth() - window.X);
+    window.Height = std::min({ height, this->GetHeight() - window.Y,
+      std::max<std::int64_t>(kSampledPixels / window.Width, 1) });
+    values.resize(static_cast<std::size_t>(window.Width * window.Height));
+    this->Read(-1, window, values.data(), GDT_Float64, 8, 8 * window.Width);
+    for (const double value : values)
+    {
+      const bool fill = value == kUnlikelyHeight || value < kDeepestSea;
+      lowest = !fill && value < lowest ? value : lowest;
+    }
+  }
+  return lowest;
+}
+
+//------------------------------------------------------------------------------
 std::vector<double> vtkTerrainRasterFile::GetUndeclaredNoData() const
 {
   const GDALDataType type = this->GetType();
@@ -308,23 +352,7 @@ std::vector<double> vtkTerrainRasterFile::GetUndeclaredNoData() const
     return {};
   }
   std::vector<double> values(kImpossibleHeights.begin(), kImpossibleHeights.end());
-  // A few rows of the whole file tell whether it is of the deep sea; all pieces see the same ones.
-  constexpr std::int64_t kRows = 16;
-  const std::int64_t width = this->GetWidth();
-  const std::int64_t height = this->GetHeight();
-  std::vector<double> row(static_cast<std::size_t>(width));
-  double lowest = 0.0;
-  for (std::int64_t k = 0; k < std::min(kRows, height); ++k)
-  {
-    const std::int64_t y = (2 * k + 1) * height / (2 * std::min(kRows, height));
-    this->Read(-1, { 0, y, width, 1 }, row.data(), GDT_Float64, 8, 8 * width);
-    for (const double value : row)
-    {
-      const bool fill = value == kUnlikelyHeight || value < -12000.0;
-      lowest = !fill && value < lowest ? value : lowest;
-    }
-  }
-  if (lowest > kDeepSea)
+  if (this->SampleLowest() > kDeepSea)
   {
     values.push_back(kUnlikelyHeight);
   }

@@ -136,6 +136,8 @@ public:
 private:
   GDALRasterBandH FindBand(int overview) const;
   void CheckColors() const;
+  /// The lowest height in some blocks of the file, fill values left out.
+  double SampleLowest() const;
 
   GDALDatasetH Dataset = nullptr;
   GDALRasterBandH Band = nullptr;

@@ -22,12 +22,14 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
 #include <exception>
 #include <initializer_list>
 #include <new>
 #include <sstream>
+
+#include <unistd.h>
 
 /// An opened file and what becomes of it.
 struct vtkTerrainRasterPlan
@@ -192,6 +194,19 @@ vtkTerrainRasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* sam
       return read(0.0F);
     default:
       return read(0.0);
+  }
+}
+
+/// Throws std::bad_alloc for more than the machine's memory, which the system might still promise.
+void CheckMemory(const int extent[6], int scalarType)
+{
+  const double bytes = (static_cast<double>(extent[1]) - extent[0] + 1.0) *
+    (static_cast<double>(extent[3]) - extent[2] + 1.0) *
+    static_cast<double>(vtkDataArray::GetDataTypeSize(scalarType));
+  if (bytes >
+    static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE)))
+  {
+    throw std::bad_alloc();
   }
 }
 
@@ -369,6 +384,7 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
     vtkTerrainRasterPlan plan(this->FileName.c_str());
     this->Plan(plan);
     std::copy(extent, extent + 4, plan.Request.Extent);
+    CheckMemory(extent, plan.ScalarType);
     this->AllocateOutputData(image, info, extent);
     image->GetPointData()->GetScalars()->SetName(plan.Name.c_str());
     this->Read(plan, image);

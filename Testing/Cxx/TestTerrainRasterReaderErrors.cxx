@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever cannot be read ends in one line that names the file and the reason, and an empty output.
+#include "vtkTerrainRasterReader.h"
+#include "vtkTerrainTestRaster.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkTestErrorObserver.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+using vtkTerrainTesting::RasterFile;
+using vtkTerrainTesting::TemporaryFile;
+
+namespace
+{
+class TerrainRasterReaderErrors : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Counter->SetClientData(&this->Errors);
+    this->Counter->SetCallback(
+      [](vtkObject*, unsigned long, void* errors, void*) { ++*static_cast<int*>(errors); });
+    this->Reader->AddObserver(vtkCommand::ErrorEvent, this->Counter);
+    this->Reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->PipelineErrors);
+  }
+
+  // Reads, and expects an error whose line holds the file's name and the reason.
+  void ExpectError(const std::string& path, const std::string& reason)
+  {
+    this->Reader->SetFileName(path);
+    this->Reader->Modified();
+    ::testing::internal::CaptureStderr();
+    this->Reader->Update();
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+    const std::string message = this->Reader->GetErrorMessage();
+    EXPECT_NE(message.find("'" + path + "'"), std::string::npos) << message;
+    EXPECT_NE(message.find(reason), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_EQ(this->Errors, 1) << message;
+    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
+    this->Errors = 0;
+  }
+
+  vtkNew<vtkTerrainRasterReader> Reader;
+  int Errors = 0;
+  vtkNew<vtkCallbackCommand> Counter;
+  vtkNew<vtkTest::ErrorObserver> PipelineErrors; // keeps them from standard error
+};
+
+RasterFile MakeSquare(int size, GDALDataType type = GDT_Int16)
+{
+  RasterFile file;
+  file.Width = size;
+  file.Height = size;
+  file.Type = type;
+  file.Values.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 7.0);
+  return file;
+}
+
+void WriteText(const std::string& path, const std::string& text)
+{
+  std::ofstream(path, std::ios::binary) << text;
+}
+}
+
+TEST_F(TerrainRasterReaderErrors, NoFileName)
+{
+  this->ExpectError("", "no file name");
+}
+
+TEST_F(TerrainRasterReaderErrors, MissingFile)
+{
+  this->ExpectError(TemporaryFile("missing.tif"), "no such file");
+}
+
+TEST_F(TerrainRasterReaderErrors, Directory)
+{
+  const std::string path = TemporaryFile("folder.tif");
+  std::filesystem::create_directories(path);
+  this->ExpectError(path, "directory");
+}
+
+TEST_F(TerrainRasterReaderErrors, FileWithoutPermission)
+{
+  constexpr uid_t kNobody = 65534;
+  const std::string path = MakeSquare(2).Write("secret.tif");
+  std::filesystem::permissions(path, std::filesystem::perms::none);
+  // Root may read everything.
+  const uid_t user = geteuid();
+  ASSERT_TRUE(user != 0 || seteuid(kNobody) == 0);
+  this->ExpectError(path, "permission");
+  ASSERT_TRUE(user != 0 || seteuid(user) == 0);
+  std::filesystem::remove(path);
+}
+
+TEST_F(TerrainRasterReaderErrors, TextNamedTif)
+{
+  const std::string path = TemporaryFile("text.tif");
+  WriteText(path, "These are no heights.\n");
+  this->ExpectError(path, "not a raster that GDAL can open");
+}
+
+TEST_F(TerrainRasterReaderErrors, EmptyFile)
+{
+  const std::string path = TemporaryFile("empty.tif");
+  WriteText(path, "");
+  this->ExpectError(path, "empty");
+}
+
+TEST_F(TerrainRasterReaderErrors, TruncatedFile)
+{
+  for (const char* compression : { "COMPRESS=NONE", "COMPRESS=DEFLATE" })
+  {
+    RasterFile file = MakeSquare(200, GDT_Float32);
+    file.Options = { compression };
+    for (std::size_t k = 0; k < file.Values.size(); ++k)
+    {
+      file.Values[k] = static_cast<double>(k % 977);
+    }
+    const std::string path = file.Write("truncated.tif");
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+    this->ExpectError(path, "cannot");
+    this->Reader->SetMaximumSize(10);
+    this->ExpectError(path, "cannot");
+    this->Reader->SetMaximumSize(0);
+  }
+}
+
+TEST_F(TerrainRasterReaderErrors, TruncatedTextGrid)
+{
+  const std::string path = TemporaryFile("truncated.asc");
+  WriteText(path, "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n4 5\n");
+  this->ExpectError(path, "cannot be read");
+}
+
+TEST_F(TerrainRasterReaderErrors, NoSuchBand)
+{
+  const std::string path = MakeSquare(2).Write("bands.tif");
+  this->Reader->SetBand(2);
+  this->ExpectError(path, "no band 2");
+  this->Reader->SetBand(-1);
+  this->ExpectError(path, "no band -1");
+}
+
+TEST_F(TerrainRasterReaderErrors, WindowOutside)
+{
+  const std::string path = MakeSquare(4).Write("outside.tif");
+  const int windows[][4] = { { 0, 0, 5, 1 }, { 4, 0, 0, 0 }, { -1, 0, 2, 2 }, { 0, 3, 1, 2 },
+    { 0, 0, -1, 1 }, { 2147483647, 0, 2147483647, 1 } };
+  for (const auto& window : windows)
+  {
+    this->Reader->SetWindow(window[0], window[1], window[2], window[3]);
+    this->ExpectError(path, "is not within its 4 x 4 pixels");
+  }
+}
+
+TEST_F(TerrainRasterReaderErrors, RotatedRaster)
+{
+  RasterFile file = MakeSquare(4);
+  file.GeoTransform = { 0.0, 10.0, 3.0, 0.0, 3.0, -10.0 };
+  this->ExpectError(file.Write("rotated.tif"), "do not run east");
+  file.GeoTransform = { 0.0, 10.0, 0.0, 0.0, 3.0, -10.0 };
+  this->ExpectError(file.Write("sheared.tif"), "do not run east");
+  file.GeoTransform = { 0.0, 0.0, 10.0, 0.0, -10.0, 0.0 };
+  this->ExpectError(file.Write("turned.tif"), "do not run east");
+}
+
+TEST_F(TerrainRasterReaderErrors, ColourImage)
+{
+  RasterFile file = MakeSquare(4, GDT_Byte);
+  file.Bands = 3;
+  file.Options = { "PHOTOMETRIC=RGB" };
+  const std::string path = file.Write("colours.tif");
+  this->ExpectError(path, "colour image of 3 bands");
+  this->Reader->SetBand(1);
+  this->Reader->Update();
+  EXPECT_STREQ(this->Reader->GetErrorMessage(), "");
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 16);
+}
+
+TEST_F(TerrainRasterReaderErrors, ComplexSamples)
+{
+  this->ExpectError(MakeSquare(2, GDT_CFloat32).Write("complex.tif"), "complex");
+}
+
+TEST_F(TerrainRasterReaderErrors, DegreesThatAreNone)
+{
+  RasterFile file = MakeSquare(4);
+  file.EPSG = 4326;
+  file.GeoTransform = { 500000.0, 30.0, 0.0, 5200000.0, 0.0, -30.0 };
+  this->ExpectError(file.Write("nodegrees.tif"), "degrees");
+  file.GeoTransform = { -180.0, 200.0, 0.0, 80.0, 0.0, -1.0 };
+  this->ExpectError(file.Write("widedegrees.tif"), "degrees");
+}
+
+TEST_F(TerrainRasterReaderErrors, MoreSamplesThanMemory)
+{
+  const std::string path = TemporaryFile("vast.vrt");
+  WriteText(path,
+    "<VRTDataset rasterXSize=\"2000000000\" rasterYSize=\"2000000000\">"
+    "<VRTRasterBand dataType=\"Float64\" band=\"1\"/></VRTDataset>");
+  this->ExpectError(path, "memory");
+}
+
+TEST_F(TerrainRasterReaderErrors, ReaderRecovers)
+{
+  this->ExpectError(TemporaryFile("missing.tif"), "no such file");
+  this->Reader->SetFileName(MakeSquare(3).Write("recovers.tif"));
+  this->Reader->Update();
+  EXPECT_STREQ(this->Reader->GetErrorMessage(), "");
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 9);
+}
