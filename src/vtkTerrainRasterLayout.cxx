@@ -148,7 +148,7 @@ std::string vtkTerrainRasterFile::GetVerticalUnit() const
     OSRGetTargetLinearUnits(srs, "VERT_CS", &name);
     return name ? name : "";
   }
-  return std::string();
+  return {};
 }
 
 //------------------------------------------------------------------------------

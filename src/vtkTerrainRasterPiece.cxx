@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace
 {
@@ -262,10 +263,10 @@ struct Footprint
 class StripeReader
 {
 public:
-  StripeReader(const vtkTerrainRasterFile& file, const vtkTerrainRasterRequest& request,
-    int overview, std::int64_t firstColumn, std::int64_t columns, std::int64_t lastRow)
+  StripeReader(const vtkTerrainRasterFile& file, vtkTerrainRasterRequest request, int overview,
+    std::int64_t firstColumn, std::int64_t columns, std::int64_t lastRow)
     : File(file)
-    , Request(request)
+    , Request(std::move(request))
     , Overview(overview)
     , FirstColumn(firstColumn)
     , Columns(columns)

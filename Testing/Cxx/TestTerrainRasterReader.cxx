@@ -372,14 +372,14 @@ TEST(TerrainRasterReader, OverviewsAreUsedWhereTheyAreFineEnough)
   RasterFile file;
   file.Width = 64;
   file.Height = 64;
-  file.Values.assign(64 * 64, 10.0);
+  file.Values.assign(4096, 10.0);
   const std::string path = vtkTerrainTesting::TemporaryFile("overviews.tif");
   GDALDatasetH dataset = file.Create(path);
   int levels[] = { 2, 4 };
   ASSERT_EQ(
     GDALBuildOverviews(dataset, "NEAREST", 2, levels, 0, nullptr, nullptr, nullptr), CE_None);
   // So that it shows which one is used.
-  std::vector<double> marks(32 * 32, 20.0);
+  std::vector<double> marks(1024, 20.0);
   for (int k = 0; k < 2; ++k)
   {
     GDALRasterBandH overview = GDALGetOverview(GDALGetRasterBand(dataset, 1), k);

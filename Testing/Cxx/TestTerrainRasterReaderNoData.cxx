@@ -64,7 +64,7 @@ RasterFile MakeRow(GDALDataType type, const std::vector<double>& values)
 
 std::string WriteWithNoData(const RasterFile& file, const char* name, double noData)
 {
-  const std::string path = vtkTerrainTesting::TemporaryFile(name);
+  std::string path = vtkTerrainTesting::TemporaryFile(name);
   GDALDatasetH dataset = file.Create(path);
   EXPECT_EQ(GDALSetRasterNoDataValue(GDALGetRasterBand(dataset, 1), noData), CE_None);
   GDALClose(dataset);

@@ -83,7 +83,7 @@ struct RasterFile
   /// Writes the file and returns its path.
   std::string Write(const std::string& name) const
   {
-    const std::string path = TemporaryFile(name);
+    std::string path = TemporaryFile(name);
     GDALClose(this->Create(path));
     return path;
   }
