@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reading the heightfield. Twin: CodedHeights in src/core/Ray.h; codes: src/core/HeightCodes.h.
-// Defines: TERRAIN_HEIGHTS_INTEGER if texels are 16-bit integers.
+// Defines: TERRAIN_HEIGHTS_INTEGER if texels are 16-bit integers; TERRAIN_GATHER if textureGather()
+// can be used (GLSL 4.00, or GL_ARB_texture_gather enabled): one look-up a cell instead of four.
 
 #ifdef TERRAIN_HEIGHTS_INTEGER
 uniform usampler2D terrainHeights; // texels, W x H
@@ -22,8 +23,14 @@ float terrainCode(ivec2 sampleIndex)
 // Codes of the corners of a cell: south-west, south-east, north-west, north-east.
 vec4 terrainCellCodes(ivec2 cell)
 {
+#ifdef TERRAIN_GATHER
+  // The position amidst the four texels: half a texel of room for any rounding.
+  vec2 positionTC = (vec2(cell) + 1.0) / vec2(terrainSize);
+  return vec4(textureGather(terrainHeights, positionTC).wzxy) - terrainBias;
+#else
   return vec4(terrainCode(cell), terrainCode(cell + ivec2(1, 0)), terrainCode(cell + ivec2(0, 1)),
     terrainCode(cell + ivec2(1, 1)));
+#endif
 }
 
 // True if all corners of a cell have heights.

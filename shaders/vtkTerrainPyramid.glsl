@@ -37,9 +37,9 @@ struct TerrainPath
   ivec2 lastCell;
   vec3 origin;      // position at s = 0: cells, height code
   vec3 direction;   // change per unit of s; x, y >= 0
-  vec2 lineOrigin;  // origin and 1 / direction for distances to grid lines
-  vec2 inverse;
-  float slack;      // bound of the rounding of heights on the ray, codes
+  vec2 lineOrigin;  // origin for distances to grid lines
+  vec3 inverse;     // 1 / direction; 0 in z if the ray is level
+  float slack;      // above the rounding of heights on the ray, codes
   float sBegin;
   float sEnd;
 };
@@ -82,23 +82,24 @@ TerrainPath terrainMakePath(TerrainRay ray)
   path.direction = vec3(abs(ray.directionGC.xy), ray.directionGC.z);
   bvec2 still = lessThan(path.direction.xy, vec2(1e-20));
   path.direction.xy = mix(path.direction.xy, vec2(0.0), still);
-  path.inverse = mix(1.0 / path.direction.xy, vec2(1e20), still);
+  bool level = abs(path.direction.z) < 1e-30;
+  path.inverse = vec3(mix(1.0 / path.direction.xy, vec2(1e20), still),
+    level ? 0.0 : 1.0 / path.direction.z);
   path.lineOrigin = mix(path.origin.xy, vec2(-1e8), still);
   ivec2 cells = terrainSize - 1;
   path.firstCell = path.mirror * cells;
   path.lastCell = path.firstCell + cells - 1;
-  path.slack = 5e-7 * (terrainMaximumCode + abs(path.origin.z));
+  path.slack = 1e-6 * (terrainMaximumCode + abs(path.origin.z));
 
   vec2 firstLine = vec2(path.firstCell - path.anchor);
   vec2 lastLine = vec2(path.lastCell + 1 - path.anchor);
-  vec2 enter = mix((firstLine - path.origin.xy) * path.inverse, vec2(ray.sBegin), still);
-  vec2 leave = (lastLine - path.lineOrigin) * path.inverse;
+  vec2 enter = mix((firstLine - path.origin.xy) * path.inverse.xy, vec2(ray.sBegin), still);
+  vec2 leave = (lastLine - path.lineOrigin) * path.inverse.xy;
   path.sBegin = max(max(enter.x, enter.y), ray.sBegin);
   path.sEnd = min(min(leave.x, leave.y), ray.sEnd);
 
-  bool level = abs(path.direction.z) < 1e-30;
   vec2 planes = vec2(-path.slack, terrainMaximumCode + path.slack) - path.origin.z;
-  vec2 meet = planes / (level ? 1.0 : path.direction.z);
+  vec2 meet = planes * path.inverse.z;
   path.sBegin = level ? path.sBegin : max(path.sBegin, min(meet.x, meet.y));
   path.sEnd = level ? path.sEnd : min(path.sEnd, max(meet.x, meet.y));
 
@@ -126,7 +127,7 @@ TerrainSpan terrainNodeSpan(TerrainPath path, TerrainStep at)
 {
   TerrainSpan span;
   span.lastCell = min(at.cell | ((1 << at.level) - 1), path.lastCell);
-  vec2 leave = (vec2(span.lastCell + 1 - path.anchor) - path.lineOrigin) * path.inverse;
+  vec2 leave = (vec2(span.lastCell + 1 - path.anchor) - path.lineOrigin) * path.inverse.xy;
   span.crossEast = leave.x <= leave.y;
   float s = min(leave.x, leave.y);
   span.ends = s >= path.sEnd;
@@ -135,25 +136,38 @@ TerrainSpan terrainNodeSpan(TerrainPath path, TerrainStep at)
   return span;
 }
 
-// The step into the next node: one level up if the line between them is that of a parent too.
-TerrainStep terrainNextStep(TerrainPath path, TerrainStep at, TerrainSpan span)
+// The next step: down a level at distance s; or else into the next node, one level up if the line
+// between them is that of a parent too, and s is where the ray leaves.
+TerrainStep terrainNextStep(TerrainPath path, TerrainStep at, TerrainSpan span, bool down, float s)
 {
-  vec2 position = path.origin.xy + path.direction.xy * span.s;
+  vec2 position = path.origin.xy + path.direction.xy * s;
   ivec2 cell = clamp(ivec2(floor(position)) + path.anchor, at.cell, span.lastCell);
+  bool moves = s > at.s;
   int line = (span.crossEast ? span.lastCell.x : span.lastCell.y) + 1;
   int up = ((line >> at.level) & 1) ^ 1;
-  return TerrainStep(span.crossEast ? ivec2(line, cell.y) : ivec2(cell.x, line),
-    min(at.level + up, terrainPyramidTop), span.s, span.z, span.crossEast ? 1 : 2);
+  ivec2 across = span.crossEast ? ivec2(line, cell.y) : ivec2(cell.x, line);
+  return TerrainStep(down ? (moves ? cell : at.cell) : across,
+    down ? at.level - 1 : min(at.level + up, terrainPyramidTop), s,
+    moves ? path.origin.z + path.direction.z * s : at.z,
+    down ? (moves ? 0 : at.line) : (span.crossEast ? 1 : 2));
 }
 
-// True if the path's heights in a node meet those of the surface there.
-bool terrainMeetsNode(TerrainPath path, TerrainStep at, TerrainSpan span)
+// Highest and lowest code that the path must not pass in the node of a step, widened by the slack.
+vec2 terrainNodeBounds(TerrainPath path, TerrainStep at)
 {
   ivec2 node = (at.cell >> at.level) ^ path.mirror;
   TERRAIN_VISIT(node, at.level)
-  vec2 extremes = terrainNodeExtremes(node, at.level);
-  return min(at.z, span.z) <= extremes.x + path.slack &&
-    max(at.z, span.z) >= extremes.y - path.slack;
+  return terrainNodeExtremes(node, at.level) + vec2(path.slack, -path.slack);
+}
+
+// Visits the node of a step: down if the path's heights meet the bounds, from where they do.
+TerrainStep terrainVisitNode(TerrainPath path, TerrainStep at, TerrainSpan span, out bool down)
+{
+  vec2 bounds = terrainNodeBounds(path, at);
+  down = min(at.z, span.z) <= bounds.x && max(at.z, span.z) >= bounds.y;
+  float bound = path.direction.z < 0.0 ? bounds.x : bounds.y;
+  float s = clamp(at.s + (bound - at.z) * path.inverse.z, at.s, span.s);
+  return terrainNextStep(path, at, span, down, down ? s : span.s);
 }
 
 // First t in 0..1 with c + b t + a t^2 = 0, where c and e are the values at 0 and 1; -1 if there is
@@ -227,15 +241,9 @@ TerrainHit terrainTracePyramid(TerrainRay ray)
     {
       ++crossings;
       TerrainSpan span = terrainNodeSpan(path, at);
-      if (terrainMeetsNode(path, at, span))
-      {
-        --at.level;
-      }
-      else
-      {
-        ended = span.ends;
-        at = terrainNextStep(path, at, span);
-      }
+      bool down;
+      at = terrainVisitNode(path, at, span, down);
+      ended = span.ends && !down;
     }
     while (!ended && at.level == 0 && crossings < most)
     {
@@ -243,7 +251,7 @@ TerrainHit terrainTracePyramid(TerrainRay ray)
       TerrainSpan span = terrainNodeSpan(path, at);
       hit = terrainMeetCell(path, at, span);
       ended = span.ends || hit.found;
-      at = terrainNextStep(path, at, span);
+      at = terrainNextStep(path, at, span, false, span.s);
     }
   }
   hit.crossings = crossings;

@@ -13,14 +13,15 @@
  *
  * Departures from the paper:
  * - Both sides: a node is crossed if the ray is wholly above its maximum or wholly below its
- *   minimum, whichever way the ray goes. It is never left through its maximum plane.
+ *   minimum. Where it is not, a falling ray goes down a level where it meets the maximum, a rising
+ *   one where it meets the minimum.
  * - Integer stepping: the ray is mirrored to run north-east; the next node is the neighbour across
  *   the side the ray leaves by, in integers, and the other coordinate is clamped to the node's
  *   range. No distance is ever added to get over a line.
  * - Watertight: at a line between cells both see the same position, the same height on the ray and
  *   the same height of the surface, hence the same sign of their difference; a change of sign from
  *   entry to exit is a hit by definition. A node is crossed only if the ray clears it by more than
- *   the rounding of heights (Path::slack).
+ *   the rounding of heights (Path::slack, about ten units in the last place).
  * - The quadratic is that of the difference along the segment in the cell, from 0 at its entry to
  *   1 at its exit, so that no term depends on how far the ray has come, and is solved in the form
  *   that does not cancel.
@@ -96,9 +97,9 @@ struct CodedPyramid
     glm::ivec2 lastCell;
     glm::vec3 origin;     ///< position at s = 0: cells, height code
     glm::vec3 direction;  ///< change per unit of s; x, y >= 0
-    glm::vec2 lineOrigin; ///< origin and 1 / direction for distances to grid lines
-    glm::vec2 inverse;
-    float slack; ///< bound of the rounding of heights on the ray, codes
+    glm::vec2 lineOrigin; ///< origin for distances to grid lines
+    glm::vec3 inverse;    ///< 1 / direction; 0 in z if the ray is level
+    float slack;          ///< above the rounding of heights on the ray, codes
     float sBegin;
     float sEnd;
   };
@@ -134,8 +135,13 @@ struct CodedPyramid
   void ClipPath(const TerrainRay& ray, Path& path) const;
   Step FirstStep(const Path& path) const;
   Span NodeSpan(const Path& path, const Step& at) const;
-  Step NextStep(const Path& path, const Step& at, const Span& span) const;
-  bool MeetsNode(const Path& path, const Step& at, const Span& span) const;
+  /// The next step: down a level at distance s; or else into the next node, one level up if the
+  /// line between them is that of a parent too, and s is where the ray leaves.
+  Step NextStep(const Path& path, const Step& at, const Span& span, bool down, float s) const;
+  /// Highest and lowest code that the path must not pass in a node, widened by the slack.
+  glm::vec2 NodeBounds(const Path& path, const Step& at) const;
+  /// Visits the node of a step: down if the path's heights meet the bounds, from where they do.
+  Step VisitNode(const Path& path, const Step& at, const Span& span, bool& down) const;
   glm::vec2 CellFraction(const Path& path, glm::ivec2 cell, float s, int line, float side) const;
   TerrainHit MeetCell(const Path& path, const Step& at, const Span& span) const;
 
@@ -162,12 +168,14 @@ typename CodedPyramid<Texel>::Path CodedPyramid<Texel>::MakePath(const TerrainRa
   const glm::bvec2 still = glm::lessThan(glm::vec2(path.direction), glm::vec2(1e-20f));
   path.direction.x = still.x ? 0.0f : path.direction.x;
   path.direction.y = still.y ? 0.0f : path.direction.y;
-  path.inverse = glm::mix(1.0f / glm::vec2(path.direction), glm::vec2(1e20f), still);
+  const bool level = std::abs(path.direction.z) < 1e-30f;
+  path.inverse = glm::vec3(glm::mix(1.0f / glm::vec2(path.direction), glm::vec2(1e20f), still),
+    level ? 0.0f : 1.0f / path.direction.z);
   path.lineOrigin = glm::mix(glm::vec2(path.origin), glm::vec2(-1e8f), still);
   const glm::ivec2 cells = this->heights.size - 1;
   path.firstCell = path.mirror * cells;
   path.lastCell = path.firstCell + cells - 1;
-  path.slack = 5e-7f * (this->heights.maximumCode + std::abs(path.origin.z));
+  path.slack = 1e-6f * (this->heights.maximumCode + std::abs(path.origin.z));
   this->ClipPath(ray, path);
   return path;
 }
@@ -178,16 +186,16 @@ void CodedPyramid<Texel>::ClipPath(const TerrainRay& ray, Path& path) const
   const glm::bvec2 still = glm::equal(glm::vec2(path.direction), glm::vec2(0.0f));
   const glm::vec2 firstLine = glm::vec2(path.firstCell - path.anchor);
   const glm::vec2 lastLine = glm::vec2(path.lastCell + 1 - path.anchor);
-  const glm::vec2 enter =
-    glm::mix((firstLine - glm::vec2(path.origin)) * path.inverse, glm::vec2(ray.sBegin), still);
-  const glm::vec2 leave = (lastLine - path.lineOrigin) * path.inverse;
+  const glm::vec2 enter = glm::mix(
+    (firstLine - glm::vec2(path.origin)) * glm::vec2(path.inverse), glm::vec2(ray.sBegin), still);
+  const glm::vec2 leave = (lastLine - path.lineOrigin) * glm::vec2(path.inverse);
   path.sBegin = std::max(std::max(enter.x, enter.y), ray.sBegin);
   path.sEnd = std::min(std::min(leave.x, leave.y), ray.sEnd);
 
   const bool level = std::abs(path.direction.z) < 1e-30f;
   const glm::vec2 planes =
     glm::vec2(-path.slack, this->heights.maximumCode + path.slack) - path.origin.z;
-  const glm::vec2 meet = planes / (level ? 1.0f : path.direction.z);
+  const glm::vec2 meet = planes * path.inverse.z;
   path.sBegin = level ? path.sBegin : std::max(path.sBegin, std::min(meet.x, meet.y));
   path.sEnd = level ? path.sEnd : std::min(path.sEnd, std::max(meet.x, meet.y));
 
@@ -218,7 +226,7 @@ typename CodedPyramid<Texel>::Span CodedPyramid<Texel>::NodeSpan(
   Span span;
   span.lastCell = glm::min(at.cell | ((1 << at.level) - 1), path.lastCell);
   const glm::vec2 leave =
-    (glm::vec2(span.lastCell + 1 - path.anchor) - path.lineOrigin) * path.inverse;
+    (glm::vec2(span.lastCell + 1 - path.anchor) - path.lineOrigin) * glm::vec2(path.inverse);
   span.crossEast = leave.x <= leave.y;
   const float s = std::min(leave.x, leave.y);
   span.ends = s >= path.sEnd;
@@ -229,24 +237,37 @@ typename CodedPyramid<Texel>::Span CodedPyramid<Texel>::NodeSpan(
 
 template <typename Texel>
 typename CodedPyramid<Texel>::Step CodedPyramid<Texel>::NextStep(
-  const Path& path, const Step& at, const Span& span) const
+  const Path& path, const Step& at, const Span& span, bool down, float s) const
 {
-  const glm::vec2 position = glm::vec2(path.origin) + glm::vec2(path.direction) * span.s;
+  const glm::vec2 position = glm::vec2(path.origin) + glm::vec2(path.direction) * s;
   const glm::ivec2 cell =
     glm::clamp(glm::ivec2(glm::floor(position)) + path.anchor, at.cell, span.lastCell);
+  const bool moves = s > at.s;
   const int line = (span.crossEast ? span.lastCell.x : span.lastCell.y) + 1;
   const int up = ((line >> at.level) & 1) ^ 1;
-  return { span.crossEast ? glm::ivec2(line, cell.y) : glm::ivec2(cell.x, line),
-    std::min(at.level + up, this->pyramid->LevelCount()), span.s, span.z, span.crossEast ? 1 : 2 };
+  const glm::ivec2 across = span.crossEast ? glm::ivec2(line, cell.y) : glm::ivec2(cell.x, line);
+  return { down ? (moves ? cell : at.cell) : across,
+    down ? at.level - 1 : std::min(at.level + up, this->pyramid->LevelCount()), s,
+    moves ? path.origin.z + path.direction.z * s : at.z,
+    down ? (moves ? 0 : at.line) : (span.crossEast ? 1 : 2) };
 }
 
 template <typename Texel>
-bool CodedPyramid<Texel>::MeetsNode(const Path& path, const Step& at, const Span& span) const
+glm::vec2 CodedPyramid<Texel>::NodeBounds(const Path& path, const Step& at) const
 {
   const glm::ivec2 node = (at.cell >> at.level) ^ path.mirror;
-  const glm::vec2 extremes = this->NodeExtremes(node, at.level);
-  return std::min(at.z, span.z) <= extremes.x + path.slack &&
-    std::max(at.z, span.z) >= extremes.y - path.slack;
+  return this->NodeExtremes(node, at.level) + glm::vec2(path.slack, -path.slack);
+}
+
+template <typename Texel>
+typename CodedPyramid<Texel>::Step CodedPyramid<Texel>::VisitNode(
+  const Path& path, const Step& at, const Span& span, bool& down) const
+{
+  const glm::vec2 bounds = this->NodeBounds(path, at);
+  down = std::min(at.z, span.z) <= bounds.x && std::max(at.z, span.z) >= bounds.y;
+  const float bound = path.direction.z < 0.0f ? bounds.x : bounds.y;
+  const float s = std::min(std::max(at.s + (bound - at.z) * path.inverse.z, at.s), span.s);
+  return this->NextStep(path, at, span, down, down ? s : span.s);
 }
 
 /// Position on a path in a cell, as fractions of the cell in the grid; line: see Step, side 0 or 1.
@@ -296,17 +317,18 @@ TerrainHit CodedPyramid<Texel>::TracePyramid(const TerrainRay& ray, Visit&& visi
     ++crossings;
     visit((at.cell >> at.level) ^ path.mirror, at.level);
     const Span span = this->NodeSpan(path, at);
-    if (at.level > 0 && this->MeetsNode(path, at, span))
+    if (at.level > 0)
     {
-      --at.level;
-      continue;
+      bool down = false;
+      at = this->VisitNode(path, at, span, down);
+      ended = span.ends && !down;
     }
-    if (at.level == 0)
+    else
     {
       hit = this->MeetCell(path, at, span);
+      ended = span.ends || hit.found;
+      at = this->NextStep(path, at, span, false, span.s);
     }
-    ended = span.ends || hit.found;
-    at = this->NextStep(path, at, span);
   }
   hit.crossings = crossings;
   return hit;
