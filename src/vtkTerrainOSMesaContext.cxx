@@ -182,7 +182,7 @@ public:
 private:
   void* Context = nullptr;
   // Windows draw into framebuffers of their own; OSMesa asks for a buffer all the same.
-  alignas(16) std::array<unsigned char, 16 * 16 * 4> Buffer{};
+  alignas(16) std::array<unsigned char, 1024> Buffer{}; // 16 x 16 RGBA
 };
 
 //------------------------------------------------------------------------------

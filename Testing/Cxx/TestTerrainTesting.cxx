@@ -31,10 +31,10 @@ vtkSmartPointer<vtkImageData> MakePicture(int width, int height, unsigned char v
 //------------------------------------------------------------------------------
 TEST(TestTerrainTesting, ShaderReturnsFloatsUnrounded)
 {
-  // More than one row of the texture, and a last row that is not full.
+  // 1500 items: more than one row of the texture, and a last row that is not full.
   std::mt19937 random(7);
   std::uniform_real_distribution<float> uniform(-1e6F, 1e6F);
-  std::vector<float> values(4 * 1500);
+  std::vector<float> values(6000);
   for (float& value : values)
   {
     value = uniform(random);

@@ -39,8 +39,9 @@ std::string FragmentShader(
   for (std::size_t i = 0; i < inputs; ++i)
   {
     const std::string name = InputName(i);
-    uniforms += "uniform sampler2D " + name + "Texture;\n";
-    fetches += "  vec4 " + name + " = texelFetch(" + name + "Texture, texel, 0);\n";
+    uniforms.append("uniform sampler2D ").append(name).append("Texture;\n");
+    fetches.append("  vec4 ").append(name).append(" = texelFetch(").append(name);
+    fetches.append("Texture, texel, 0);\n");
   }
   return "//VTK::System::Dec\n//VTK::Output::Dec\nin vec2 texCoord;\n" + uniforms + declarations +
     "\nvoid main()\n{\n  vec4 result = vec4(0.0);\n"
