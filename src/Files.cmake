@@ -1,5 +1,6 @@
 # The module's contents and its target. Lists are sorted; one line a file.
 include("${VTK_DIR}/vtkEncodeString.cmake")
+get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
 
 set(classes
   vtkOpenGLTerrainMapper
@@ -27,7 +28,7 @@ set(private_headers
 # Windows without a display; VTK 9.4 and later have their own.
 set(window_libraries "")
 if (VTK_VERSION VERSION_LESS 9.4)
-  set(window_libraries OpenGL::EGL ${CMAKE_DL_LIBS})
+  set(window_libraries OpenGL::EGL OpenGL::OpenGL ${CMAKE_DL_LIBS})
   list(APPEND classes
     vtkTerrainEGLRenderWindow
     vtkTerrainOSMesaRenderWindow
@@ -55,6 +56,7 @@ set(core
   CoarseMesh
   CoarseMeshSurface
   Geodesics
+  GeographicText
   GridReference
   HeightSearch
   HeightUnits
@@ -74,40 +76,54 @@ set(core_without_contraction
 
 list(TRANSFORM private_sources PREPEND src/)
 list(TRANSFORM private_sources APPEND ".cxx")
+# They pass std::string to GeographicLib, and are compiled for its string ABI.
+set(core_with_geographic_strings
+  GeographicText
+)
+
+# Sources beside the classes.
+set(private_sources
+  src/vtkTerrainRasterFile.cxx
+  src/vtkTerrainRasterLayout.cxx
+  src/vtkTerrainRasterPiece.cxx
+)
+
 set(sources ${private_sources} ${window_sources})
+list(TRANSFORM sources PREPEND "${root}/")
 foreach (shader IN LISTS shaders)
-  vtk_encode_string(INPUT "shaders/${shader}.glsl"
+  vtk_encode_string(INPUT "${root}/shaders/${shader}.glsl"
     HEADER_OUTPUT header SOURCE_OUTPUT source)
   list(APPEND sources "${source}")
   list(APPEND private_headers "${header}")
 endforeach ()
 
 if (core)
-  list(TRANSFORM core PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/core/")
+  list(TRANSFORM core PREPEND "${root}/src/core/")
   list(TRANSFORM core APPEND ".cxx")
   add_library(vtkTerrainCore OBJECT ${core})
   set_target_properties(vtkTerrainCore PROPERTIES
     POSITION_INDEPENDENT_CODE ON
     CXX_VISIBILITY_PRESET hidden)
-  target_include_directories(vtkTerrainCore PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/src")
+  target_include_directories(vtkTerrainCore PUBLIC "${root}/src")
   target_link_libraries(vtkTerrainCore PUBLIC
     glm::glm GeographicLib::GeographicLib vtkTerrainWarnings)
   if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    list(TRANSFORM core_without_contraction PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/core/")
+    list(TRANSFORM core_without_contraction PREPEND "${root}/src/core/")
     list(TRANSFORM core_without_contraction APPEND ".cxx")
     set_source_files_properties(${core_without_contraction}
       PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
   endif ()
+  list(TRANSFORM core_with_geographic_strings PREPEND "${root}/src/core/")
+  list(TRANSFORM core_with_geographic_strings APPEND ".cxx")
+  set_source_files_properties(${core_with_geographic_strings}
+    PROPERTIES COMPILE_OPTIONS "${vtkTerrain_geographic_string_options}")
   list(APPEND sources "$<TARGET_OBJECTS:vtkTerrainCore>")
 endif ()
 
-list(TRANSFORM classes PREPEND src/)
 vtk_module_add_module(vtkTerrain::Terrain
   CLASSES ${classes}
   SOURCES ${sources}
   PRIVATE_HEADERS ${private_headers})
-vtk_module_include(vtkTerrain::Terrain
-  PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src>")
 vtk_module_link(vtkTerrain::Terrain
   PRIVATE
     "$<BUILD_INTERFACE:vtkTerrainWarnings>"

@@ -41,6 +41,7 @@ std::string ClassOfNewWindow(const char* wanted)
   return vtkSmartPointer<vtkRenderWindow>::New()->GetClassName();
 }
 
+#if VTKTERRAIN_OWN_WINDOWS
 void AddSphere(const Scene& scene)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -96,6 +97,7 @@ void ExpectNoWindow(const std::vector<std::string>& parts)
     EXPECT_NE(window->GetOpenGLSupportMessage().find(part), std::string::npos);
   }
 }
+#endif
 }
 
 //------------------------------------------------------------------------------

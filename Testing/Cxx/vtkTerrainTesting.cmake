@@ -12,11 +12,13 @@ target_link_libraries(vtkTerrainTestSupport
   PUBLIC
     vtkTerrain::Terrain
     ${vtkTerrain_test_modules}
-    $<TARGET_NAME_IF_EXISTS:VTK::glad>
     GTest::gtest
   PRIVATE
     vtkTerrainWarnings
     ${CMAKE_DL_LIBS})
+if (VTK_VERSION VERSION_LESS 9.4) # Since then the functions of OpenGL come with VTK::glad.
+  target_link_libraries(vtkTerrainTestSupport PUBLIC OpenGL::OpenGL)
+endif ()
 
 function (vtkterrain_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "CORE;IMAGE;DATA" "" "WINDOWS")

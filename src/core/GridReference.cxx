@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/GridReference.h"
 
-#include <GeographicLib/GeoCoords.hpp>
-#include <GeographicLib/MGRS.hpp>
+#include "core/GeographicText.h"
+
 #include <GeographicLib/UTMUPS.hpp>
 
 #include <algorithm>
@@ -42,59 +42,35 @@ GridPosition ToGridPosition(const glm::dvec3& place)
 
 std::string ToUtmText(const glm::dvec3& place, int precision)
 {
-  if (!IsOnEarth(place))
-  {
-    return "-";
-  }
-  try
-  {
-    return GeographicLib::GeoCoords(place.y, place.x).UTMUPSRepresentation(precision);
-  }
-  catch (const std::exception&)
-  {
-    return "-";
-  }
+  char text[kGeographicTextSize];
+  return IsOnEarth(place) && WriteUtmText(place.y, place.x, precision, text) ? text : "-";
 }
 
 std::string ToMgrs(const glm::dvec3& place, int precision)
 {
-  if (!IsOnEarth(place))
-  {
-    return "-";
-  }
-  try
-  {
-    const GridPosition position = ToGridPosition(place);
-    std::string text;
-    GeographicLib::MGRS::Forward(position.Zone, position.Northern, position.Easting,
-      position.Northing, place.y, std::clamp(precision, 0, 11), text);
-    return text;
-  }
-  catch (const std::exception&)
-  {
-    return "-";
-  }
+  char text[kGeographicTextSize];
+  const int digits = std::clamp(precision, 0, 11);
+  return IsOnEarth(place) && WriteMgrs(place.y, place.x, digits, text) ? text : "-";
 }
 
 bool PlaceFromText(const std::string& text, glm::dvec3& place, std::string& message)
 {
-  try
+  double latitude = 0.0;
+  double longitude = 0.0;
+  char reason[kGeographicTextSize];
+  if (!ReadGeographicText(text.c_str(), latitude, longitude, reason))
   {
-    const GeographicLib::GeoCoords coordinates(text, true, true);
-    if (!IsOnEarth({ coordinates.Longitude(), coordinates.Latitude(), 0.0 }))
-    {
-      message = "'" + text + "' is no place on earth";
-      return false;
-    }
-    place.x = coordinates.Longitude();
-    place.y = coordinates.Latitude();
-    return true;
-  }
-  catch (const std::exception& error)
-  {
-    message = "'" + text + "' is no place: " + error.what();
+    message = "'" + text + "' is no place: " + reason;
     return false;
   }
+  if (!IsOnEarth({ longitude, latitude, 0.0 }))
+  {
+    message = "'" + text + "' is no place on earth";
+    return false;
+  }
+  place.x = longitude;
+  place.y = latitude;
+  return true;
 }
 
 std::string ToDegreesText(const glm::dvec3& place, int decimals)
