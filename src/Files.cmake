@@ -34,10 +34,10 @@ if (VTK_VERSION VERSION_LESS 9.4)
     vtkTerrainOSMesaRenderWindow
     vtkTerrainOffscreenRenderWindow
     vtkTerrainRenderWindowFactory)
-  list(APPEND window_sources
-    src/vtkTerrainEGLContext.cxx
-    src/vtkTerrainGLContext.cxx
-    src/vtkTerrainOSMesaContext.cxx)
+  list(APPEND private_sources
+    vtkTerrainEGLContext
+    vtkTerrainGLContext
+    vtkTerrainOSMesaContext)
 endif ()
 
 set(shaders
@@ -73,23 +73,13 @@ set(core_without_contraction
   ProceduralTerrain
   StreamErosion
 )
-
-list(TRANSFORM private_sources PREPEND src/)
-list(TRANSFORM private_sources APPEND ".cxx")
 # They pass std::string to GeographicLib, and are compiled for its string ABI.
 set(core_with_geographic_strings
   GeographicText
 )
 
-# Sources beside the classes.
-set(private_sources
-  src/vtkTerrainRasterFile.cxx
-  src/vtkTerrainRasterLayout.cxx
-  src/vtkTerrainRasterPiece.cxx
-)
-
-set(sources ${private_sources} ${window_sources})
-list(TRANSFORM sources PREPEND "${root}/")
+set(sources ${private_sources})
+list(TRANSFORM sources APPEND ".cxx")
 foreach (shader IN LISTS shaders)
   vtk_encode_string(INPUT "${root}/shaders/${shader}.glsl"
     HEADER_OUTPUT header SOURCE_OUTPUT source)
