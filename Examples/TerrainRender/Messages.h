@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * VTK's error messages, caught so that the program can end with the first of them.
+ */
+#ifndef terrain_render_Messages_h
+#define terrain_render_Messages_h
+
+#include <string>
+
+/// Takes VTK's messages over for the rest of the program: errors are kept, warnings are printed on
+/// stderr as one line each.
+void CatchMessages();
+
+/// Throws a Failure about `what` if VTK reported an error since the last call; the reason is the
+/// text of the first one, without the place in the source; it stands alone if it names `what`.
+void ThrowOnError(const std::string& what);
+
+#endif

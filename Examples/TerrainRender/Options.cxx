@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+constexpr int kWrongCommandLine = 2;
+
+const std::map<std::string, Technique> kTechniques = { { "mesh", Technique::Mesh },
+  { "linear", Technique::Linear }, { "exponential", Technique::Exponential },
+  { "equidistant", Technique::Equidistant }, { "pyramid", Technique::Pyramid },
+  { "strips", Technique::Strips } };
+
+const std::map<std::string, Window> kWindows = { { "auto", Window::Automatic },
+  { "egl", Window::EGL }, { "osmesa", Window::OSMesa }, { "x", Window::X } };
+
+/// Refuses with CLI11's own kind of error.
+[[noreturn]] void Refuse(const std::string& option, const std::string& reason)
+{
+  throw CLI::ValidationError(option, reason);
+}
+
+/// The whole text as a finite number between the two bounds, both allowed.
+double ParseNumber(
+  const std::string& option, const std::string& text, double minimum, double maximum)
+{
+  double value = 0.0;
+  if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value))
+  {
+    Refuse(option, "'" + text + "' is not a finite number");
+  }
+  if (value < minimum || value > maximum)
+  {
+    std::ostringstream reason;
+    reason << text << " is not between " << minimum << " and " << maximum;
+    Refuse(option, reason.str());
+  }
+  return value;
+}
+
+/// The whole text as an integer between the two bounds, both allowed.
+int ParseInteger(const std::string& option, const std::string& text, int minimum, int maximum)
+{
+  const double value = ParseNumber(option, text, minimum, maximum);
+  if (value != std::floor(value))
+  {
+    Refuse(option, "'" + text + "' is not a whole number");
+  }
+  return static_cast<int>(value);
+}
+
+std::array<int, 2> ParseSize(const std::string& text)
+{
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos)
+  {
+    Refuse("--size", "'" + text + "' is not of the form WIDTHxHEIGHT");
+  }
+  return { ParseInteger("--size", text.substr(0, cross), 1, kMaximumSize),
+    ParseInteger("--size", text.substr(cross + 1), 1, kMaximumSize) };
+}
+
+/// Three numbers of the list, from the given one on.
+std::array<double, 3> Triple(const std::vector<double>& numbers, std::size_t first)
+{
+  return { numbers[first], numbers[first + 1], numbers[first + 2] };
+}
+
+/// True if the up vector and the direction of view span a plane.
+bool HasUpright(const Camera& camera)
+{
+  const auto& up = camera.Up;
+  const std::array<double, 3> direction = { camera.FocalPoint[0] - camera.Eye[0],
+    camera.FocalPoint[1] - camera.Eye[1], camera.FocalPoint[2] - camera.Eye[2] };
+  const std::array<double, 3> cross = { up[1] * direction[2] - up[2] * direction[1],
+    up[2] * direction[0] - up[0] * direction[2], up[0] * direction[1] - up[1] * direction[0] };
+  constexpr double kSmallestSine = 1e-9;
+  return std::hypot(cross[0], cross[1], cross[2]) > kSmallestSine *
+    std::hypot(up[0], up[1], up[2]) * std::hypot(direction[0], direction[1], direction[2]);
+}
+
+Camera ParseCamera(const std::string& text)
+{
+  constexpr double kFarthest = 1e12;
+  std::vector<double> numbers;
+  std::istringstream stream(text);
+  for (std::string item; std::getline(stream, item, ',');)
+  {
+    numbers.push_back(ParseNumber("--camera", item, -kFarthest, kFarthest));
+  }
+  if (numbers.size() != 6 && numbers.size() != 9)
+  {
+    Refuse("--camera",
+      "takes 6 or 9 numbers with commas between them, not " + std::to_string(numbers.size()));
+  }
+  Camera camera;
+  camera.Eye = Triple(numbers, 0);
+  camera.FocalPoint = Triple(numbers, 3);
+  if (camera.Eye == camera.FocalPoint)
+  {
+    Refuse("--camera", "the eye is the focal point: there is no direction to look in");
+  }
+  if (numbers.size() == 9)
+  {
+    camera.Up = Triple(numbers, 6);
+    if (!HasUpright(camera))
+    {
+      Refuse("--camera", "the up vector has no length or lies along the direction of view");
+    }
+  }
+  else if (!HasUpright(camera))
+  {
+    camera.Up = { 0.0, 1.0, 0.0 }; // straight up or down: north is on top
+  }
+  return camera;
+}
+
+/// What the options gave as text.
+struct Texts
+{
+  std::string Size;
+  std::string MeshCells;
+  std::string Camera;
+  std::string ViewAngle;
+  std::string Exaggeration;
+  std::string Frames;
+};
+
+void Declare(CLI::App& app, Options& options, Texts& texts)
+{
+  app.add_option("HEIGHTS", options.Heights,
+    "file of heights, any raster GDAL opens; the built-in landscape without");
+  app.add_option("--output", options.Output, "picture, PNG; default terrain.png");
+  app.add_option("--size", texts.Size, "WIDTHxHEIGHT of the picture in pixels; default 1280x720");
+  app
+    .add_option("--technique", options.Search,
+      "how the surface is found: mesh, linear, exponential, equidistant (default), pyramid, strips")
+    ->transform(CLI::CheckedTransformer(kTechniques).description(""));
+  app.add_option(
+    "--mesh-cells", texts.MeshCells, "samples along the side of a coarse quad; default: chosen");
+  app.add_option("--camera", texts.Camera,
+    "ex,ey,ez,fx,fy,fz[,ux,uy,uz]: eye, focal point and up in world coordinates, z exaggerated; "
+    "default: all of the terrain in view, from the south");
+  app.add_option("--view-angle", texts.ViewAngle, "vertical field of view in degrees; default 30");
+  app.add_option("--exaggeration", texts.Exaggeration, "drawn height over true height; default 1");
+  app.add_option("--depth", options.Depth,
+    "GeoTIFF of float32: distance along the viewing direction, NaN where there is no surface");
+  app.add_option("--window", options.Target, "auto (default), egl, osmesa, x")
+    ->transform(CLI::CheckedTransformer(kWindows).description(""));
+  app.add_option("--frames", texts.Frames, "how often the picture is drawn; default 1");
+  app.add_option("--stats", options.Stats, "JSON of counts, sizes and times");
+  app.set_version_flag("--version", TERRAIN_RENDER_VERSION);
+}
+
+void Interpret(const Texts& texts, Options& options)
+{
+  if (!texts.Size.empty())
+  {
+    options.Size = ParseSize(texts.Size);
+  }
+  if (!texts.MeshCells.empty())
+  {
+    options.MeshCells = ParseInteger("--mesh-cells", texts.MeshCells, 1, 65536);
+  }
+  if (!texts.Camera.empty())
+  {
+    options.View = ParseCamera(texts.Camera);
+  }
+  if (!texts.ViewAngle.empty())
+  {
+    options.ViewAngle = ParseNumber("--view-angle", texts.ViewAngle, 0.01, 170.0);
+  }
+  if (!texts.Exaggeration.empty())
+  {
+    options.Exaggeration = ParseNumber("--exaggeration", texts.Exaggeration, 1e-3, 1e3);
+  }
+  if (!texts.Frames.empty())
+  {
+    options.Frames = ParseInteger("--frames", texts.Frames, 1, 1000000);
+  }
+}
+
+/// No file may be named twice, or the input would be written over, or one output by the other.
+void CheckFiles(const Options& options)
+{
+  const std::array<std::pair<const char*, const std::string*>, 4> files = {
+    { { "HEIGHTS", &options.Heights }, { "--output", &options.Output },
+      { "--depth", &options.Depth }, { "--stats", &options.Stats } }
+  };
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if (!files[i].second->empty() && *files[i].second == *files[j].second)
+      {
+        Refuse(files[i].first, "'" + *files[i].second + "' is " + files[j].first + " already");
+      }
+    }
+  }
+  if (options.Output.empty())
+  {
+    Refuse("--output", "needs the name of a file");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+const char* NameOf(Technique technique)
+{
+  for (const auto& [name, value] : kTechniques)
+  {
+    if (value == technique)
+    {
+      return name.c_str();
+    }
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& options)
+{
+  CLI::App app("Draws a file of heights as terrain.", "terrain-render");
+  Texts texts;
+  try
+  {
+    Declare(app, options, texts);
+    app.parse(argc, argv);
+    Interpret(texts, options);
+    CheckFiles(options);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (error.get_exit_code() == 0)
+    {
+      return app.exit(error);
+    }
+    std::cerr << "terrain-render: " << error.what() << '\n';
+    return kWrongCommandLine;
+  }
+  return std::nullopt;
+}

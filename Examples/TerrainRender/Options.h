@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The command line of terrain-render.
+ */
+#ifndef terrain_render_Options_h
+#define terrain_render_Options_h
+
+#include <array>
+#include <optional>
+#include <string>
+
+/// How the surface is found; the names are those of the option.
+enum class Technique
+{
+  Mesh,
+  Linear,
+  Exponential,
+  Equidistant,
+  Pyramid,
+  Strips
+};
+
+/// Which window is drawn into; Automatic leaves the choice to VTK.
+enum class Window
+{
+  Automatic,
+  EGL,
+  OSMesa,
+  X
+};
+
+/// Where the camera stands, in world coordinates, z exaggerated.
+struct Camera
+{
+  std::array<double, 3> Eye{};
+  std::array<double, 3> FocalPoint{};
+  std::array<double, 3> Up{ 0.0, 0.0, 1.0 };
+};
+
+/// What the command line asks for, with the defaults of the options that were left out.
+struct Options
+{
+  /// File of heights; empty for the built-in landscape.
+  std::string Heights;
+  std::string Output = "terrain.png";
+  /// Width and height of the picture, in pixels, 1 to kMaximumSize.
+  std::array<int, 2> Size{ 1280, 720 };
+  Technique Search = Technique::Equidistant;
+  /// Samples along the side of a coarse quad, >= 1; 0: chosen by the program.
+  int MeshCells = 0;
+  std::optional<Camera> View;
+  /// Vertical field of view, in degrees.
+  double ViewAngle = 30.0;
+  /// Drawn height over true height.
+  double Exaggeration = 1.0;
+  /// File of depths; empty for none.
+  std::string Depth;
+  Window Target = Window::Automatic;
+  int Frames = 1;
+  /// File of statistics; empty for none.
+  std::string Stats;
+};
+
+/// Largest width and height of a picture, in pixels.
+constexpr int kMaximumSize = 16384;
+
+/// Name of a technique, as on the command line.
+const char* NameOf(Technique technique);
+
+/// Reads the command line. Empty if the program is to go on; else the exit status it ends with at
+/// once: 0 after --help and --version, 2 after one sentence on stderr about what is wrong.
+std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& options);
+
+#endif

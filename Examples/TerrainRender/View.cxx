@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "View.h"
+
+#include "Options.h"
+
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace
+{
+/// Angle of the default view below the horizon, in degrees.
+constexpr double kDefaultTilt = 38.0;
+/// Part of the picture's width and height that the terrain fills at most in the default view.
+constexpr double kFill = 0.94;
+/// Distance of the near plane where the eye is close to the terrain, over the terrain's diagonal.
+constexpr double kNearPlane = 0.9e-4;
+
+using Vector = std::array<double, 3>;
+
+/// Bounds along one direction of the picture, seen from a distance: what is at `Low` or `High`
+/// along it, plus its place towards the eye, over the slope of the border of the view.
+struct Reach
+{
+  double Low = -VTK_DOUBLE_MAX;
+  double High = -VTK_DOUBLE_MAX;
+
+  void Add(double along, double towardsEye, double slope)
+  {
+    this->Low = std::max(this->Low, towardsEye - along / slope);
+    this->High = std::max(this->High, towardsEye + along / slope);
+  }
+  /// The least distance of the eye that has everything in view, once the view is centred.
+  double Distance() const
+  {
+    return (this->Low + this->High) / 2.0;
+  }
+  /// Where the centre of the view lies along the direction.
+  double Centre(double slope) const
+  {
+    return slope * (this->High - this->Low) / 2.0;
+  }
+};
+
+/// From the south, as near as shows the whole box.
+void LookFromSouth(vtkCamera* camera, const vtkBoundingBox& box, double aspect)
+{
+  const double tilt = vtkMath::RadiansFromDegrees(kDefaultTilt);
+  const Vector right = { 1.0, 0.0, 0.0 };
+  const Vector up = { 0.0, std::sin(tilt), std::cos(tilt) };
+  const Vector towardsEye = { 0.0, -std::cos(tilt), std::sin(tilt) };
+  const double slopeY = kFill * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2.0);
+  const double slopeX = slopeY * aspect;
+  Vector centre{};
+  box.GetCenter(centre.data());
+  Reach horizontal;
+  Reach vertical;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    Vector point{};
+    box.GetCorner(corner, point.data());
+    vtkMath::Subtract(point.data(), centre.data(), point.data());
+    const double depth = vtkMath::Dot(point.data(), towardsEye.data());
+    horizontal.Add(vtkMath::Dot(point.data(), right.data()), depth, slopeX);
+    vertical.Add(vtkMath::Dot(point.data(), up.data()), depth, slopeY);
+  }
+  const double distance = std::max(horizontal.Distance(), vertical.Distance());
+  Vector eye{};
+  Vector focalPoint{};
+  for (int k = 0; k < 3; ++k)
+  {
+    focalPoint[k] =
+      centre[k] + horizontal.Centre(slopeX) * right[k] + vertical.Centre(slopeY) * up[k];
+    eye[k] = focalPoint[k] + distance * towardsEye[k];
+  }
+  camera->SetPosition(eye.data());
+  camera->SetFocalPoint(focalPoint.data());
+  camera->SetViewUp(0.0, 0.0, 1.0);
+}
+
+/// From as near as the contract of the near plane allows to beyond the farthest corner.
+void SetClippingRange(vtkCamera* camera, const vtkBoundingBox& box)
+{
+  double nearest = VTK_DOUBLE_MAX;
+  double farthest = 0.0;
+  Vector eye{};
+  Vector direction{};
+  camera->GetPosition(eye.data());
+  camera->GetDirectionOfProjection(direction.data());
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    Vector point{};
+    box.GetCorner(corner, point.data());
+    vtkMath::Subtract(point.data(), eye.data(), point.data());
+    const double depth = vtkMath::Dot(point.data(), direction.data());
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  constexpr double kMargin = 0.01;
+  const double nearPlane =
+    std::max((1.0 - kMargin) * nearest, kNearPlane * box.GetDiagonalLength());
+  camera->SetClippingRange(nearPlane, std::max((1.0 + kMargin) * farthest, 2.0 * nearPlane));
+}
+
+void AddLights(vtkRenderer* renderer)
+{
+  renderer->AutomaticLightCreationOff();
+  const vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->PositionalOff();
+  sun->SetPosition(-1.0, 1.0, 1.2);
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  sun->SetColor(1.0, 0.98, 0.94);
+  sun->SetIntensity(0.95);
+  renderer->AddLight(sun);
+  const vtkNew<vtkLight> sky;
+  sky->SetLightTypeToHeadlight();
+  sky->SetColor(0.86, 0.92, 1.0);
+  sky->SetIntensity(0.3);
+  renderer->AddLight(sky);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options)
+{
+  // VTK reads its choice of window from the environment
+  constexpr const char* kVariable = "VTK_DEFAULT_OPENGL_WINDOW";
+  switch (options.Target)
+  {
+    case Window::EGL:
+      setenv(kVariable, "vtkEGLRenderWindow", 1);
+      break;
+    case Window::OSMesa:
+      setenv(kVariable, "vtkOSOpenGLRenderWindow", 1);
+      break;
+    case Window::X:
+      setenv(kVariable, "vtkXOpenGLRenderWindow", 1);
+      break;
+    case Window::Automatic:
+      break;
+  }
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(options.Size[0], options.Size[1]);
+  return window;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRenderer> MakeRenderer(vtkActor* actor, const Options& options)
+{
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->AddActor(actor);
+  AddLights(renderer);
+  renderer->GradientBackgroundOn();
+  renderer->SetBackground(0.90, 0.93, 0.95);
+  renderer->SetBackground2(0.50, 0.66, 0.84);
+
+  const vtkBoundingBox box(actor->GetBounds());
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetViewAngle(options.ViewAngle);
+  if (options.View)
+  {
+    camera->SetPosition(options.View->Eye.data());
+    camera->SetFocalPoint(options.View->FocalPoint.data());
+    camera->SetViewUp(options.View->Up.data());
+  }
+  else
+  {
+    LookFromSouth(camera, box, static_cast<double>(options.Size[0]) / options.Size[1]);
+  }
+  SetClippingRange(camera, box);
+  return renderer;
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * terrain-render: a file of heights to a picture. What it does is told by --help; its exit status
+ * is 0, 2 for a wrong command line, 1 otherwise, with one line on stderr and no output left behind.
+ */
+#include "Failure.h"
+#include "Frames.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Outputs.h"
+#include "Progress.h"
+#include "Statistics.h"
+#include "Terrain.h"
+#include "View.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <new>
+
+namespace
+{
+/// From the options to the files they ask for.
+void Render(const Options& options)
+{
+  const Stopwatch watch;
+  Statistics statistics;
+  PendingFile picture(options.Output);
+  PendingFile depth(options.Depth);
+  PendingFile stats(options.Stats);
+
+  auto progress = std::make_unique<ProgressBar>();
+  const vtkSmartPointer<vtkImageData> heights = ReadHeights(options, *progress, statistics);
+  const vtkSmartPointer<vtkActor> terrain = PrepareTerrain(heights, options, *progress, statistics);
+  progress.reset();
+
+  const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(options);
+  const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(terrain, options);
+  window->AddRenderer(renderer);
+  DrawFrames(window, renderer, options.Frames, statistics);
+  statistics.AddTime("total", watch.GetMilliseconds());
+
+  WritePicture(window, picture);
+  if (depth.IsWanted())
+  {
+    WriteDepths(DrawDepths(window, renderer), depth);
+  }
+  if (stats.IsWanted())
+  {
+    WriteText(statistics.ToJson(), stats);
+  }
+  ThrowOnError(options.Output);
+  for (PendingFile* file : { &depth, &stats, &picture })
+  {
+    file->Commit();
+  }
+  std::cout << std::filesystem::absolute(options.Output).lexically_normal().string() << '\n';
+}
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    Options options;
+    if (const std::optional<int> status = ParseCommandLine(argc, argv, options))
+    {
+      return *status;
+    }
+    CatchMessages();
+    Render(options);
+    return EXIT_SUCCESS;
+  }
+  catch (const Failure& failure)
+  {
+    std::cerr << "terrain-render: " << failure.what() << '\n';
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << "terrain-render: out of memory\n";
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "terrain-render: " << error.what() << '\n';
+  }
+  return EXIT_FAILURE;
+}
