@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What terrain-render does with bad and odd heights: a correct picture, or one sentence, status 1
+// and no file.
+#include "TerrainRenderFixture.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace
+{
+class TerrainRenderInput : public TerrainRenderFixture
+{
+protected:
+  /// Asserts that drawing the file fails with a sentence that names it, and leaves nothing behind.
+  void ExpectHeightsRefused(const std::string& heights, const std::string& mention = "")
+  {
+    const std::vector<std::string> before = this->ListFiles();
+    const RunResult result = this->Draw(heights);
+    ExpectRefused(result, 1, heights);
+    EXPECT_NE(result.Errors.find(mention), std::string::npos) << result.Errors;
+    EXPECT_EQ(this->ListFiles(), before);
+  }
+};
+}
+
+TEST_F(TerrainRenderInput, MissingFile)
+{
+  this->ExpectHeightsRefused(this->Path("nowhere.tif"));
+}
+
+TEST_F(TerrainRenderInput, Folder)
+{
+  std::filesystem::create_directory(this->Path("folder.tif"));
+  this->ExpectHeightsRefused(this->Path("folder.tif"));
+}
+
+TEST_F(TerrainRenderInput, EmptyFile)
+{
+  this->ExpectHeightsRefused(this->WriteText("empty.tif", ""));
+}
+
+TEST_F(TerrainRenderInput, TextNamedTif)
+{
+  this->ExpectHeightsRefused(this->WriteText("text.tif", "These are no heights.\n"));
+}
+
+TEST_F(TerrainRenderInput, TruncatedTiff)
+{
+  const std::string path = this->WriteHill("truncated.tif");
+  const auto size = std::filesystem::file_size(path);
+  for (const auto kept : { size / 2, size - 100, std::uintmax_t(100), std::uintmax_t(4) })
+  {
+    std::filesystem::resize_file(path, kept);
+    this->ExpectHeightsRefused(path);
+  }
+}
+
+TEST_F(TerrainRenderInput, NoSamples)
+{
+  this->ExpectHeightsRefused(
+    this->WriteText("none.vrt", R"(<VRTDataset rasterXSize="0" rasterYSize="0"></VRTDataset>)"));
+}
+
+TEST_F(TerrainRenderInput, MoreSamplesThanMemory)
+{
+  this->ExpectHeightsRefused(this->WriteText("vast.vrt",
+    R"(<VRTDataset rasterXSize="2000000000" rasterYSize="2000000000">)"
+    R"(<VRTRasterBand dataType="Float64" band="1"/></VRTDataset>)"));
+}
+
+TEST_F(TerrainRenderInput, NoCells)
+{
+  for (const auto& [width, height] :
+    { std::pair<int, int>(1, 1), std::pair<int, int>(1, 9), std::pair<int, int>(9, 1) })
+  {
+    RasterDescription line;
+    line.Width = width;
+    line.Height = height;
+    this->ExpectHeightsRefused(this->WriteRaster("line.tif", line), "no surface");
+  }
+}
+
+TEST_F(TerrainRenderInput, OneCell)
+{
+  RasterDescription cell;
+  cell.Sample = [](int i, int j) { return 0.2 * i + 0.1 * j; };
+  this->ExpectDrawn(this->Draw(this->WriteRaster("cell.tif", cell)), 1000);
+}
+
+TEST_F(TerrainRenderInput, ConstantHeights)
+{
+  for (const double height : { 0.0, 1234.5, -400.0 })
+  {
+    RasterDescription flat;
+    flat.Width = 40;
+    flat.Height = 30;
+    flat.Sample = [height](int, int) { return height; };
+    this->ExpectDrawn(this->Draw(this->WriteRaster("flat.tif", flat)), 1000);
+  }
+}
+
+TEST_F(TerrainRenderInput, AllNoData)
+{
+  RasterDescription none;
+  none.Width = 40;
+  none.Height = 30;
+  none.HasNoData = true;
+  none.Sample = [](int, int) { return -32767.0; };
+  this->ExpectHeightsRefused(this->WriteRaster("none.tif", none), "no surface");
+  none.HasNoData = false;
+  none.Sample = [](int, int) { return std::numeric_limits<double>::quiet_NaN(); };
+  this->ExpectHeightsRefused(this->WriteRaster("nan.tif", none), "no surface");
+}
+
+TEST_F(TerrainRenderInput, NotFiniteAndNoDataAreHoles)
+{
+  RasterDescription holes;
+  holes.Width = 61;
+  holes.Height = 61;
+  holes.HasNoData = true;
+  holes.Sample = [](int i, int j)
+  {
+    if (std::abs(i - 30) < 10 && std::abs(j - 30) < 10)
+    {
+      const double values[] = { std::numeric_limits<double>::quiet_NaN(),
+        std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+        -32767.0 };
+      return values[(i + j) % 4];
+    }
+    return 5.0;
+  };
+  // from straight above, 60 x 60 m in the middle of the picture
+  const RunResult result =
+    this->Draw(this->WriteRaster("holes.tif", holes), { "--camera", "30,-30,205,30,-30,5" });
+  this->ExpectDrawn(result, 1000);
+  const Depths depths = this->ReadDepths();
+  EXPECT_TRUE(std::isnan(depths.At(80, 60)));
+  EXPECT_NEAR(depths.At(80, 40), 200.0, 0.01);
+  EXPECT_NEAR(depths.At(60, 60), 200.0, 0.01);
+}
+
+TEST_F(TerrainRenderInput, Rotation)
+{
+  RasterDescription rotated;
+  rotated.Width = 8;
+  rotated.Height = 8;
+  rotated.GeoTransform = { 0.0, 0.8, 0.6, 0.0, 0.6, -0.8 };
+  this->ExpectHeightsRefused(this->WriteRaster("rotated.tif", rotated), "rotat");
+}
+
+TEST_F(TerrainRenderInput, ThreeBandsAreHeightsOfTheFirst)
+{
+  RasterDescription bands;
+  bands.Width = 20;
+  bands.Height = 20;
+  bands.Bands = 3;
+  bands.Sample = [](int i, int) { return i; };
+  this->ExpectDrawn(this->Draw(this->WriteRaster("bands.tif", bands)), 1000);
+}
+
+TEST_F(TerrainRenderInput, ColoursAreNoHeights)
+{
+  RasterDescription image;
+  image.Width = 20;
+  image.Height = 20;
+  image.Bands = 3;
+  image.IsBytes = true;
+  this->ExpectHeightsRefused(this->WriteRaster("image.tif", image));
+}
+
+TEST_F(TerrainRenderInput, FarFromTheOrigin)
+{
+  RasterDescription far;
+  far.Width = 65;
+  far.Height = 65;
+  far.Sample = [](int i, int j) { return 10.0 * std::sin(i / 9.0) * std::cos(j / 7.0); };
+  far.GeoTransform = { 500000.0, 30.0, 0.0, 9000000.0, 0.0, -30.0 };
+  this->ExpectDrawn(this->Draw(this->WriteRaster("far.tif", far)), 1000);
+}
+
+TEST_F(TerrainRenderInput, CameraInsideAndUnderTheTerrain)
+{
+  const std::string hill = this->WriteHill();
+  // inside the hill, below its top, looking out to the east; the raster's rows run south from y = 0
+  this->ExpectDrawn(this->Draw(hill, { "--camera", "32,-24,5,40,-24,6" }), 100);
+  // under the plain, looking up: the hill covers the picture
+  this->ExpectDrawn(this->Draw(hill, { "--camera", "32,-24,-10,32,-24,10" }), 19000);
+  // just above the top
+  this->ExpectDrawn(this->Draw(hill, { "--camera", "32,-24,20.01,40,-24,19" }), 100);
+}
+
+TEST_F(TerrainRenderInput, CameraThatLooksAway)
+{
+  const RunResult result = this->Draw(this->WriteHill(), { "--camera", "32,-24,50,32,-24,90" });
+  this->ExpectDrawn(result, 0);
+  EXPECT_EQ(this->ReadDepths().CountHits(), 0);
+}

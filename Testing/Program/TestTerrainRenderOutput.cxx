@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What terrain-render writes, and that it writes everything or nothing.
+#include "TerrainRenderFixture.h"
+
+#include "vtk_jsoncpp.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace
+{
+class TerrainRenderOutput : public TerrainRenderFixture
+{
+};
+
+/// A plain at height 3 of 41 x 41 samples of 1 m whose northern half has no data.
+RasterDescription HalfPlain()
+{
+  RasterDescription plain;
+  plain.Width = 41;
+  plain.Height = 41;
+  plain.HasNoData = true;
+  plain.Sample = [](int, int j) { return j < 20 ? -32767.0 : 3.0; };
+  return plain;
+}
+
+/// Part of the pixels with a surface in the first whose depth in the second differs by more than a
+/// hundredth, or that have none there.
+double DisagreeingPart(const Depths& first, const Depths& second)
+{
+  constexpr double kTolerance = 0.01;
+  int different = 0;
+  for (std::size_t k = 0; k < first.Values.size(); ++k)
+  {
+    if (std::isfinite(first.Values[k]))
+    {
+      const double difference = std::abs(first.Values[k] - second.Values[k]);
+      different += difference <= kTolerance * first.Values[k] ? 0 : 1;
+    }
+  }
+  return static_cast<double>(different) / first.CountHits();
+}
+}
+
+TEST_F(TerrainRenderOutput, DefaultsNeedNoArguments)
+{
+  const RunResult result = this->Run({ "--size", "320x180" });
+  ASSERT_EQ(result.Status, 0) << result.Errors;
+  EXPECT_EQ(this->ListFiles(), std::vector<std::string>{ "terrain.png" });
+  EXPECT_EQ(this->ReadPictureSize("terrain.png"), (std::vector<int>{ 320, 180 }));
+}
+
+TEST_F(TerrainRenderOutput, PictureHasTheSizeAskedFor)
+{
+  const std::string hill = this->WriteHill();
+  for (const char* size : { "1x1", "7x300", "333x17" })
+  {
+    const RunResult result = this->Run({ hill, "--size", size, "--output", "sized.png" });
+    ASSERT_EQ(result.Status, 0) << size << result.Errors;
+    const std::vector<int> read = this->ReadPictureSize("sized.png");
+    EXPECT_EQ(std::to_string(read[0]) + "x" + std::to_string(read[1]), size);
+  }
+}
+
+TEST_F(TerrainRenderOutput, DepthsLieAlongTheViewingDirection)
+{
+  // straight down from 400 above the plain: the same depth everywhere, not longer off the middle
+  const RunResult result = this->Draw(this->WriteRaster("plain.tif", HalfPlain()),
+    { "--camera", "20,-20,403,20,-20,3", //
+      "--view-angle", "5" });
+  this->ExpectDrawn(result, 5000);
+  const Depths depths = this->ReadDepths();
+  EXPECT_EQ(depths.Width, 160);
+  EXPECT_EQ(depths.Height, 120);
+  EXPECT_TRUE(depths.IsFloat32);
+  EXPECT_TRUE(depths.NoDataIsNaN);
+  for (const float depth : depths.Values)
+  {
+    if (std::isfinite(depth))
+    {
+      ASSERT_NEAR(depth, 400.0, 400.0 * 2e-6);
+    }
+  }
+  // row 0 is on top, and north is: there is nothing
+  EXPECT_TRUE(std::isnan(depths.At(80, 20)));
+  EXPECT_TRUE(std::isfinite(depths.At(80, 100)));
+}
+
+TEST_F(TerrainRenderOutput, ExaggerationMovesTheSurface)
+{
+  const RunResult result = this->Draw(this->WriteRaster("plain.tif", HalfPlain()),
+    { "--camera", "20,-20,400,20,-20,0", "--view-angle", "5", "--exaggeration", "10" });
+  this->ExpectDrawn(result, 5000);
+  EXPECT_NEAR(this->ReadDepths().At(80, 100), 370.0, 0.001);
+}
+
+TEST_F(TerrainRenderOutput, NothingNearTheEyeIsLost)
+{
+  RasterDescription plain;
+  plain.Width = 1001;
+  plain.Height = 1001;
+  // the diagonal is 1414: what is 0.15 away has to be there
+  const RunResult result =
+    this->Draw(this->WriteRaster("plain.tif", plain), { "--camera", "500,-500,0.15,500,-500,0" });
+  this->ExpectDrawn(result, 160 * 120);
+  EXPECT_NEAR(this->ReadDepths().At(80, 60), 0.15, 1e-4);
+}
+
+TEST_F(TerrainRenderOutput, TechniquesAgree)
+{
+  const std::string hill = this->WriteHill();
+  this->ExpectDrawn(this->Draw(hill, { "--technique", "mesh" }), 5000);
+  const Depths reference = this->ReadDepths();
+  for (const char* technique : { "linear", "exponential", "equidistant" })
+  {
+    this->ExpectDrawn(this->Draw(hill, { "--technique", technique }), 5000);
+    EXPECT_LT(DisagreeingPart(reference, this->ReadDepths()), 0.01) << technique;
+  }
+}
+
+TEST_F(TerrainRenderOutput, WindowsDrawTheSame)
+{
+  const std::string hill = this->WriteHill();
+  this->ExpectDrawn(this->Draw(hill, { "--window", "egl", "--stats", "egl.json" }), 5000);
+  const std::string picture = this->ReadText("picture.png");
+  EXPECT_NE(this->ReadText("egl.json").find("EGL"), std::string::npos);
+  this->ExpectDrawn(this->Draw(hill, { "--window", "osmesa", "--stats", "osmesa.json" }), 5000);
+  EXPECT_NE(this->ReadText("osmesa.json").find("OS"), std::string::npos);
+  if (this->ReadText("egl.json").find("llvmpipe") != std::string::npos)
+  {
+    EXPECT_EQ(this->ReadText("picture.png"), picture);
+  }
+}
+
+TEST_F(TerrainRenderOutput, StatisticsHaveCountsAndTimes)
+{
+  const std::string hill = this->WriteHill();
+  this->ExpectDrawn(this->Draw(hill, { "--frames", "3", "--stats", "stats.json" }));
+  Json::Value stats;
+  ASSERT_TRUE(Json::Reader().parse(this->ReadText("stats.json"), stats));
+  EXPECT_EQ(stats["frames"].asInt(), 3);
+  EXPECT_EQ(stats["width"].asInt(), 160);
+  EXPECT_EQ(stats["height"].asInt(), 120);
+  EXPECT_EQ(stats["columns"].asInt(), 65);
+  EXPECT_EQ(stats["rows"].asInt(), 49);
+  EXPECT_EQ(stats["samples"].asInt(), 65 * 49);
+  EXPECT_EQ(stats["technique"].asString(), "equidistant");
+  EXPECT_GT(stats["mesh_triangles"].asInt(), 0);
+  EXPECT_GT(stats["peak_memory_bytes"].asInt64(), 1000000);
+  for (const char* stage : { "read", "prepare", "first_frame", "frame_cpu", "frame_gpu", "total" })
+  {
+    ASSERT_TRUE(stats.isMember(stage)) << stage;
+    EXPECT_GE(stats[stage]["min"].asDouble(), 0.0) << stage;
+    EXPECT_GE(stats[stage]["median"].asDouble(), stats[stage]["min"].asDouble()) << stage;
+    EXPECT_GE(stats[stage]["max"].asDouble(), stats[stage]["median"].asDouble()) << stage;
+  }
+}
+
+TEST_F(TerrainRenderOutput, UnwritableFilesAreRefused)
+{
+  const std::string hill = this->WriteHill();
+  std::filesystem::create_directory(this->Path("folder.png"));
+  const std::vector<std::string> before = this->ListFiles();
+  for (const char* option : { "--output", "--depth", "--stats" })
+  {
+    for (const char* path : { "nowhere/file", "folder.png", "/proc/file", "/dev/full" })
+    {
+      const RunResult result = this->Run({ hill, "--size", "32x32", option, path });
+      ExpectRefused(result, 1, path);
+      EXPECT_EQ(this->ListFiles(), before);
+    }
+  }
+}
+
+TEST_F(TerrainRenderOutput, FullDiskLeavesNothingBehind)
+{
+  const std::string hill = this->WriteHill();
+  const std::vector<std::string> before = this->ListFiles();
+  for (const long limit : { 1L, 300L, 1000L })
+  {
+    const RunResult result = this->Run(
+      { hill, "--size", "400x300", "--output", "a.png", "--depth", "a.tif", "--stats", "a.json" },
+      limit);
+    EXPECT_EQ(result.Status, 1) << limit;
+    EXPECT_EQ(this->ListFiles(), before) << limit;
+  }
+}
+
+TEST_F(TerrainRenderOutput, FailureKeepsWhatWasThere)
+{
+  this->WriteText("picture.png", "an older picture");
+  ExpectRefused(this->Draw(this->Path("nowhere.tif")), 1, "nowhere.tif");
+  EXPECT_EQ(this->ReadText("picture.png"), "an older picture");
+  EXPECT_EQ(this->ListFiles(), std::vector<std::string>{ "picture.png" });
+}
