@@ -11,6 +11,8 @@ uniform float terrainStepLength;   // of an equidistant search, in cells
 uniform float terrainStepRelief;   // height codes that count as long as one cell
 uniform float terrainLargestGap;   // highest that the coarse mesh lies above the surface, codes
 
+#define TERRAIN_EDGE_STEPS 8 // halvings of a step in which the surface begins or ends
+
 // Height of a ray above the surface at a distance.
 struct TerrainSample
 {
@@ -94,6 +96,30 @@ float terrainSecant(TerrainSample a, TerrainSample b, float weightA, float weigh
   return mix(a.s, b.s, clamp(t, 0.0, 1.0));
 }
 
+// Of two samples one of which is valid, the valid one after moving them together to where the surface
+// begins or ends.
+TerrainSample terrainValidEdge(TerrainRay ray, TerrainSample a, TerrainSample b, inout TerrainMarch march)
+{
+  for (int i = 0; i < TERRAIN_EDGE_STEPS; ++i)
+  {
+    TerrainSample c = terrainSampleRay(ray, 0.5 * (a.s + b.s));
+    ++march.hit.crossings;
+    if (c.valid == a.valid)
+    {
+      a = c;
+    }
+    else
+    {
+      b = c;
+    }
+  }
+  if (a.valid)
+  {
+    return a;
+  }
+  return b;
+}
+
 // Root polishing between two samples on different sides; march.hit.found is false if there are no data.
 void terrainPolish(TerrainRay ray, TerrainSample a, TerrainSample b, inout TerrainMarch march)
 {
@@ -150,13 +176,29 @@ void terrainMarchTo(TerrainRay ray, float s, float end, inout TerrainMarch march
 {
   TerrainSample next = terrainSampleRay(ray, min(s, end));
   ++march.hit.crossings;
-  if (march.last.valid && next.valid)
+  if (march.last.valid || next.valid)
   {
-    if ((march.last.above < 0.0) != (next.above < 0.0))
+    bool both = march.last.valid == next.valid;
+    TerrainSample edge = next;
+    if (!both)
     {
-      terrainPolish(ray, march.last, next, march);
+      edge = terrainValidEdge(ray, march.last, next, march);
     }
-    march.running = next.above <= terrainLargestGap || next.above <= march.last.above;
+    TerrainSample a = edge;
+    if (march.last.valid)
+    {
+      a = march.last;
+    }
+    TerrainSample b = edge;
+    if (next.valid)
+    {
+      b = next;
+    }
+    if ((a.above < 0.0) != (b.above < 0.0))
+    {
+      terrainPolish(ray, a, b, march);
+    }
+    march.running = b.above <= terrainLargestGap || b.above <= a.above;
   }
   march.running = march.running && !march.hit.found && s < end;
   march.last = next;

@@ -63,6 +63,7 @@ set(core
   MinMaxPyramid
   PixelRays
   ProceduralTerrain
+  ReferenceRayCaster
   RoundNumbers
   SceneFrame
   StreamErosion

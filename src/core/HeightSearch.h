@@ -21,6 +21,7 @@
  *   than the mesh lies anywhere: if the ray meets the mesh again, it starts a search of its own.
  * - Lengths are counted in cells, and StepRelief height codes count as one cell. With StepRelief =
  *   codes / cells of the longer side, that is the paper's measure in the unit cube.
+ * - Where the surface begins or ends between two samples, bisection finds the last one on it.
  * - The secant keeps its bracket and halves the weight of an end that stays (the Illinois rule).
  */
 #ifndef terrain_HeightSearch_h
@@ -94,6 +95,9 @@ constexpr float kDefaultStepLength = 0.5f;
 constexpr int kDefaultLinearSteps = 4096;
 constexpr int kDefaultExponentialSteps = 16;
 constexpr int kDefaultSecantSteps = 4;
+
+/// Halvings of a step in which the surface begins or ends.
+constexpr int kEdgeSteps = 8;
 
 /// The searches over heights that have Code() and CellCodes() as CodedHeights and its members size
 /// and maximumCode.
@@ -203,6 +207,7 @@ struct HeightSearch
     return glm::mix(a.s, b.s, glm::clamp(t, 0.0f, 1.0f));
   }
 
+  Sample ValidEdge(const TerrainRay& ray, Sample a, Sample b, March& march) const;
   void Polish(const TerrainRay& ray, Sample a, Sample b, March& march) const;
   March MarchFrom(const TerrainRay& ray, const glm::vec2& segment) const;
   void MarchTo(const TerrainRay& ray, float s, float end, March& march) const;
@@ -210,6 +215,29 @@ struct HeightSearch
   TerrainHit SearchExponential(const TerrainRay& ray) const;
   TerrainHit SearchEquidistant(const TerrainRay& ray) const;
 };
+
+//------------------------------------------------------------------------------
+/// Of two samples one of which is valid, the valid one after moving them together to where the
+/// surface begins or ends, to StepLength / 2^kEdgeSteps.
+template <typename Heights>
+typename HeightSearch<Heights>::Sample HeightSearch<Heights>::ValidEdge(
+  const TerrainRay& ray, Sample a, Sample b, March& march) const
+{
+  for (int i = 0; i < kEdgeSteps; ++i)
+  {
+    const Sample c = this->SampleRay(ray, 0.5f * (a.s + b.s));
+    ++march.hit.crossings;
+    if (c.valid == a.valid)
+    {
+      a = c;
+    }
+    else
+    {
+      b = c;
+    }
+  }
+  return a.valid ? a : b;
+}
 
 //------------------------------------------------------------------------------
 /// Root polishing between two samples on different sides; march.hit.found stays false where there
@@ -272,13 +300,17 @@ void HeightSearch<Heights>::MarchTo(const TerrainRay& ray, float s, float end, M
 {
   const Sample next = this->SampleRay(ray, glm::min(s, end));
   ++march.hit.crossings;
-  if (march.last.valid && next.valid)
+  if (march.last.valid || next.valid)
   {
-    if ((march.last.above < 0.0f) != (next.above < 0.0f))
+    const bool both = march.last.valid == next.valid;
+    const Sample edge = both ? next : this->ValidEdge(ray, march.last, next, march);
+    const Sample a = march.last.valid ? march.last : edge;
+    const Sample b = next.valid ? next : edge;
+    if ((a.above < 0.0f) != (b.above < 0.0f))
     {
-      this->Polish(ray, march.last, next, march);
+      this->Polish(ray, a, b, march);
     }
-    march.running = next.above <= this->parameters.LargestGap || next.above <= march.last.above;
+    march.running = b.above <= this->parameters.LargestGap || b.above <= a.above;
   }
   march.running = march.running && !march.hit.found && s < end;
   march.last = next;
