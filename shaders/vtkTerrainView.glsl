@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // From the pixel to its ray and back to the view. Twin: src/core/PixelRays.h.
-// Needs vtkTerrainRay.glsl. Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start is
-// then exact to 1e-9 of a cell at any distance; else to 1e-7 of the distance.
+// Needs vtkTerrainRay.glsl. Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start
+// is then exact to 1e-9 of a cell at any distance; else to 1e-7 of the distance.
 
-// Vectors that depend on the pixel: [0] + x * [1] + y * [2]; [3..5] hold what float cuts off [0..2].
+// Vectors that depend on the pixel: [0] + x * [1] + y * [2]; [3..5] hold what float cuts off of
+// [0..2].
 uniform vec3 terrainOriginGC[6];
 uniform vec3 terrainDirectionGC[6];
 uniform vec3 terrainOriginVC[3];
@@ -13,6 +14,8 @@ uniform vec3 terrainDirectionVC[3];
 uniform mat3 terrainNormalMatrix;  // (-dz/dx, -dz/dy, 1) in codes per cell to view coordinates
 uniform vec4 terrainDepthRow;      // depth = 0.5 + 0.5 * dot(depth row, p) / dot(weight row, p)
 uniform vec4 terrainWeightRow;
+uniform vec3 terrainBoxMinimum;    // grid coordinates of the box of the terrain
+uniform vec3 terrainBoxMaximum;
 uniform float terrainNear;         // distances of the clipping planes along the viewing direction
 uniform float terrainFar;
 
@@ -43,6 +46,30 @@ TerrainRay terrainPixelRay(vec2 pixel, float startDistance, float endDistance)
   terrainReal3 anchor = floor(position);
   return TerrainRay(ivec2(anchor.xy), vec3(position.xy - anchor.xy, position.z), vec3(direction),
     0.0, endDistance - startDistance);
+}
+
+// Direction of a pixel's ray in grid coordinates, per unit of distance along the viewing direction.
+vec3 terrainAtPixelGC(vec2 pixel)
+{
+  return terrainDirectionGC[0] + pixel.x * terrainDirectionGC[1] + pixel.y * terrainDirectionGC[2];
+}
+
+// The part of the distances [range.x, range.y] of a pixel's ray within the box of the terrain, a
+// little widened; range.x >= range.y if there is none.
+vec2 terrainEnterBox(vec2 pixel, vec2 range)
+{
+  vec3 origin = vec3(terrainAtPixel(terrainOriginGC, pixel));
+  vec3 direction = terrainAtPixelGC(pixel);
+  vec3 still = vec3(equal(direction, vec3(0.0)));
+  vec3 inverse = (1.0 - still) / (direction + still);
+  vec3 lower = (terrainBoxMinimum - origin) * inverse;
+  vec3 upper = (terrainBoxMaximum - origin) * inverse;
+  vec3 nearest = mix(min(lower, upper), vec3(range.x), still);
+  vec3 farthest = mix(max(lower, upper), vec3(range.y), still);
+  float enter = max(max(nearest.x, nearest.y), nearest.z);
+  float leave = min(min(farthest.x, farthest.y), farthest.z);
+  float slack = 1e-5 * max(abs(enter), abs(leave));
+  return vec2(max(range.x, enter - slack), min(range.y, leave + slack));
 }
 
 // Direction of a pixel's ray in view coordinates, z = -1.

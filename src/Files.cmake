@@ -16,6 +16,7 @@ set(private_sources
   vtkOpenGLTerrainMapperShaders
   vtkTerrainCoordinateSystem
   vtkTerrainGeoreferencePrepare
+  vtkTerrainComputeProgram
   vtkTerrainHeightTexture
   vtkTerrainRasterFile
   vtkTerrainRasterLayout
@@ -41,11 +42,14 @@ if (VTK_VERSION VERSION_LESS 9.4)
 endif ()
 
 set(shaders
+  vtkTerrainCast
   vtkTerrainColor
   vtkTerrainHeights
   vtkTerrainPyramid
   vtkTerrainRay
   vtkTerrainSearch
+  vtkTerrainSighting
+  vtkTerrainSightingCS
   vtkTerrainSurface
   vtkTerrainTrace
   vtkTerrainView

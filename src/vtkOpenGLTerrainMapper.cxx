@@ -106,6 +106,7 @@ void vtkOpenGLTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SecantSteps: " << this->SecantSteps << "\n";
   os << indent << "StepLength: " << this->StepLength << "\n";
   os << indent << "ShowCrossings: " << this->ShowCrossings << "\n";
+  os << indent << "ComputeMode: " << static_cast<int>(this->ComputeMode) << "\n";
   os << indent << "MaximumShownCrossings: " << this->MaximumShownCrossings << "\n";
 }
 
@@ -176,6 +177,8 @@ vtkTerrainSetUniformMacro(LongSteps, int, 0);
 vtkTerrainSetUniformMacro(SecantSteps, int, 0);
 vtkTerrainSetUniformMacro(StepLength, double, 0.0);
 vtkTerrainSetUniformMacro(ShowCrossings, bool, false);
+vtkTerrainSetUniformMacro(
+  ComputeMode, vtkOpenGLTerrainMapper::ComputeModes, ComputeModes::Automatic);
 vtkTerrainSetUniformMacro(MaximumShownCrossings, int, 1);
 
 //------------------------------------------------------------------------------
@@ -210,6 +213,12 @@ void vtkOpenGLTerrainMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Internals->Heights.ReleaseGraphicsResources(window);
   this->Internals->ColorMap->ReleaseGraphicsResources(window);
   this->Internals->ColorMapTime = 0;
+  this->Internals->Sightings->ReleaseGraphicsResources(window);
+  if (this->Internals->SightingProgram.IsBuilt())
+  {
+    window->MakeCurrent();
+    this->Internals->SightingProgram.Release();
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -238,8 +247,9 @@ bool vtkOpenGLTerrainMapper::UpdateHeights()
     const terrain::HeightCodes& codes = internals.Heights.GetCodes();
     const glm::ivec2 size = internals.Heights.GetSize();
     const double margin = 1e-3 * std::max(codes.MaximumCode, 1e-3);
-    internals.BoxMinimumGC = glm::dvec3(0.0, 0.0, -margin);
-    internals.BoxMaximumGC = glm::dvec3(size - 1, codes.MaximumCode + margin);
+    const double beside = 1e-3; // cells by which rounding may not put a ray beside the grid
+    internals.BoxMinimumGC = glm::dvec3(-beside, -beside, -margin);
+    internals.BoxMaximumGC = glm::dvec3(glm::dvec2(size - 1) + beside, codes.MaximumCode + margin);
     buildBox(internals.Box, internals.Heights.GetGeometry(), codes.ToHeight(-margin),
       codes.ToHeight(codes.MaximumCode + margin), size.x, size.y);
   }
@@ -325,9 +335,10 @@ void vtkOpenGLTerrainMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
       internals.Heights.Activate();
       this->UpdateView(ren, act);
       this->UpdateColorMap(ren);
+      this->UpdateSightings(ren, act);
     }
   }
-  if (this->CastsRays(act) && internals.EyeInBox)
+  if (this->CastsRays(act) && (internals.EyeInBox || this->Technique == Techniques::Pyramid))
   {
     this->CurrentInput = internals.Box;
   }
@@ -356,7 +367,8 @@ void vtkOpenGLTerrainMapper::UpdateView(vtkRenderer* ren, vtkActor* act)
   static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())
     ->GetState()
     ->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
-  const glm::dvec4 pixels(viewport[0], viewport[1], viewport[2], viewport[3]);
+  internals.Viewport = { viewport[0], viewport[1], viewport[2], viewport[3] };
+  const glm::dvec4 pixels(internals.Viewport);
   internals.Rays = terrain::MakePixelRays(viewFromGrid, displayFromView, pixels);
   internals.ViewToGrid = glm::inverse(viewFromGrid);
   internals.ViewToModel = glm::inverse(viewFromModel);
@@ -401,6 +413,10 @@ void vtkOpenGLTerrainMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)
   if (this->UsesSurface(act))
   {
     this->Internals->Heights.Deactivate();
+    if (this->Internals->HasSightings)
+    {
+      this->Internals->Sightings->Deactivate();
+    }
     if (this->ColorsByHeight())
     {
       this->Internals->ColorMap->Deactivate();

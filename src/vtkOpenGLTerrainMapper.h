@@ -17,7 +17,10 @@
  * The fragment shader finds the hit where VTK sets the depth and hands VTK its position, normal and
  * depth; lights, materials, clipping planes, translucency and render passes then work on the hit.
  *
- * Techniques: Linear, Exponential and Equidistant are the searches of Fehér ("Terrain Rendering
+ * Techniques: Pyramid, the default, is exact: rays pass through a pyramid of minimum and maximum
+ * heights and meet the bilinear patches (Park and Oh, "GPU-only Terrain Rendering for Walk-through");
+ * it needs the polygons of port 0 for their bounds only. Linear, Exponential and Equidistant are the
+ * searches of Fehér ("Terrain Rendering
  * with the Combination of Mesh Simplification and Displacement Mapping"): steps along the ray, then
  * secant steps. Mesh draws the polygons of port 0 with normals from the heights.
  *
@@ -43,7 +46,7 @@
 #include <string> // For std::string
 
 class vtkImageData;
-class vtkShaderProgram;
+class vtkTerrainUniforms;
 
 class VTKTERRAIN_EXPORT vtkOpenGLTerrainMapper : public vtkOpenGLPolyDataMapper
 {
@@ -63,7 +66,7 @@ public:
   };
 
   ///@{
-  /// The technique; default Equidistant.
+  /// The technique; default Pyramid.
   void SetTechnique(Techniques technique);
   Techniques GetTechnique() const
   {
@@ -138,6 +141,24 @@ public:
   }
   ///@}
 
+  ///@{
+  /// Cast the rays of the technique Pyramid in a compute shader ahead of drawing, where OpenGL 4.3
+  /// is there, instead of in the fragment shader: the same picture. Compute shaders have the whole
+  /// chip where drawing has a part of it, and cast no ray twice in passes that draw the view more
+  /// than once. Default on, but for software rendering.
+  enum class ComputeModes
+  {
+    Automatic,
+    Off,
+    On
+  };
+  void SetComputeMode(ComputeModes mode);
+  ComputeModes GetComputeMode() const
+  {
+    return this->ComputeMode;
+  }
+  ///@}
+
   /// Number of times the heights went to the graphics card.
   int GetNumberOfHeightUploads() const;
 
@@ -197,19 +218,23 @@ private:
   std::string ShaderDefines(vtkActor* act) const;
   void UpdateView(vtkRenderer* ren, vtkActor* act);
   void UpdateColorMap(vtkRenderer* ren);
-  void SetViewUniforms(vtkShaderProgram* program);
-  void SetSearchUniforms(vtkShaderProgram* program);
-  void SetClipUniforms(vtkShaderProgram* program, vtkActor* act);
-  void SetColorUniforms(vtkShaderProgram* program);
-  void SetVertexUniforms(vtkShaderProgram* program);
+  bool UsesCompute(vtkActor* act) const;
+  std::string CastFunctions() const;
+  void UpdateSightings(vtkRenderer* ren, vtkActor* act);
+  void SetViewUniforms(vtkTerrainUniforms& uniforms);
+  void SetSearchUniforms(vtkTerrainUniforms& uniforms);
+  void SetClipUniforms(vtkTerrainUniforms& uniforms, vtkActor* act);
+  void SetColorUniforms(vtkTerrainUniforms& uniforms);
+  void SetVertexUniforms(vtkTerrainUniforms& uniforms);
 
-  Techniques Technique = Techniques::Equidistant;
+  Techniques Technique = Techniques::Pyramid;
   double VerticalExaggeration = 1.0;
   int Steps = 0;
   int LongSteps = 0;
   int SecantSteps = 0;
   double StepLength = 0.0;
   bool ShowCrossings = false;
+  ComputeModes ComputeMode = ComputeModes::Automatic;
   int MaximumShownCrossings = 64;
   vtkTimeStamp UniformTime;
   bool IgnoresUniformTime = false;

@@ -12,11 +12,14 @@
 
 #include "core/HeightSearch.h"
 
+#include "vtkTerrainCast.h"
 #include "vtkTerrainColor.h"
 #include "vtkTerrainHeights.h"
 #include "vtkTerrainPyramid.h"
 #include "vtkTerrainRay.h"
 #include "vtkTerrainSearch.h"
+#include "vtkTerrainSighting.h"
+#include "vtkTerrainSightingCS.h"
 #include "vtkTerrainSurface.h"
 #include "vtkTerrainTrace.h"
 #include "vtkTerrainView.h"
@@ -27,6 +30,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPlane.h"
@@ -41,6 +45,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -95,31 +100,24 @@ double fieldValue(vtkPolyData* mesh, const char* name, double fallback)
   return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : fallback;
 }
 
-using FloatVectors = std::array<std::array<float, 3>, 6>;
-
 /// A pixel vector as floats, followed by what float cuts off.
-FloatVectors split(const terrain::PixelVector& vector)
+std::array<glm::vec3, 6> split(const terrain::PixelVector& vector)
 {
-  FloatVectors result{};
+  std::array<glm::vec3, 6> result{};
   for (int i = 0; i < 3; ++i)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      const double value = vector[i][k];
-      result[i][k] = static_cast<float>(value);
-      result[i + 3][k] = static_cast<float>(value - result[i][k]);
-    }
+    result[i] = glm::vec3(vector[i]);
+    result[i + 3] = glm::vec3(vector[i] - glm::dvec3(result[i]));
   }
   return result;
 }
 
 void setVectors(
-  vtkShaderProgram* program, const char* name, const terrain::PixelVector& vector, int count)
+  vtkTerrainUniforms& uniforms, const char* name, const terrain::PixelVector& vector, int count)
 {
-  if (program->IsUniformUsed(name))
+  if (uniforms.Uses(name))
   {
-    const FloatVectors vectors = split(vector);
-    program->SetUniform3fv(name, count, vectors.front().data());
+    uniforms.SetArray(name, count, split(vector).data());
   }
 }
 }
@@ -141,6 +139,10 @@ std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act) const
   if (this->CastsRays(act) && !this->Internals->EyeInBox)
   {
     defines += "#define TERRAIN_BELOW_MESH\n";
+  }
+  if (this->CastsRays(act) && this->Internals->HasSightings)
+  {
+    defines += "#define TERRAIN_READ_SIGHTINGS\n";
   }
   if (act->GetProperty()->GetInterpolation() == VTK_FLAT)
   {
@@ -166,6 +168,14 @@ std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act) const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOpenGLTerrainMapper::CastFunctions() const
+{
+  return std::string(
+           this->Technique == Techniques::Pyramid ? vtkTerrainPyramid : vtkTerrainSearch) +
+    vtkTerrainTrace + vtkTerrainCast;
+}
+
+//------------------------------------------------------------------------------
 bool vtkOpenGLTerrainMapper::ColorsByHeight() const
 {
   return this->ScalarVisibility && !this->Colors && this->Internals->Heights.HasSurface();
@@ -187,8 +197,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
     std::string functions = std::string(vtkTerrainHeights) + vtkTerrainRay + vtkTerrainView;
     if (this->CastsRays(act))
     {
-      functions += this->Technique == Techniques::Pyramid ? vtkTerrainPyramid : vtkTerrainSearch;
-      functions += vtkTerrainTrace;
+      functions += this->Internals->HasSightings ? vtkTerrainSighting : this->CastFunctions();
     }
     functions += std::string(vtkTerrainSurface) + vtkTerrainColor;
     substitute(this, fragment, "//VTK::Camera::Dec", "//VTK::Camera::Dec\n" + functions);
@@ -198,7 +207,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
   {
     // the surface that is hit decides what is its front, not the proxy
     std::string source = shaders[vtkShader::Fragment]->GetSource();
-    vtkShaderProgram::Substitute(source, "gl_FrontFacing", "terrainPoint.front");
+    vtkShaderProgram::Substitute(source, "gl_FrontFacing == false", "!terrainPoint.front");
     shaders[vtkShader::Fragment]->SetSource(source);
   }
 }
@@ -235,7 +244,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderDepth(ShaderMap shaders, vtkRenderer* 
   if (this->CastsRays(act))
   {
     substitute(this, fragment, "//VTK::Depth::Impl",
-      "TerrainSurface terrainPoint = terrainCast(gl_FragCoord.xy, terrainEntry(vertexVC));\n"
+      "TerrainSurface terrainPoint = terrainSeen(gl_FragCoord.xy, vertexVC);\n"
       "  if (!terrainPoint.found) { discard; }\n"
       "  vertexVC = terrainPoint.positionVC;\n"
       "  gl_FragDepth = terrainFragmentDepth(vertexVC, gl_FragCoord.z);\n");
@@ -243,8 +252,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderDepth(ShaderMap shaders, vtkRenderer* 
   else if (this->UsesSurface(act))
   {
     substitute(this, fragment, "//VTK::Depth::Impl",
-      "TerrainSurface terrainPoint = terrainBelow(vertexVC,\n"
-      "    terrainDirectionAt(gl_FragCoord.xy));\n"
+      "TerrainSurface terrainPoint = terrainBelow(vertexVC, gl_FrontFacing);\n"
       "  //VTK::Depth::Impl\n");
   }
   this->Superclass::ReplaceShaderDepth(shaders, ren, act);
@@ -299,21 +307,94 @@ void vtkOpenGLTerrainMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
   this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
-  this->SetVertexUniforms(cellBO.Program);
+  vtkTerrainProgramUniforms uniforms(cellBO.Program);
+  this->SetVertexUniforms(uniforms);
   if (this->UsesSurface(act))
   {
-    this->Internals->Heights.SetUniforms(cellBO.Program);
-    this->SetViewUniforms(cellBO.Program);
-    this->SetSearchUniforms(cellBO.Program);
-    this->SetClipUniforms(cellBO.Program, act);
-    this->SetColorUniforms(cellBO.Program);
+    this->Internals->Heights.SetUniforms(uniforms);
+    this->SetViewUniforms(uniforms);
+    this->SetSearchUniforms(uniforms);
+    this->SetClipUniforms(uniforms, act);
+    this->SetColorUniforms(uniforms);
+    if (uniforms.Uses("terrainSightings"))
+    {
+      uniforms.Set("terrainSightings", this->Internals->Sightings->GetTextureUnit());
+      uniforms.Set("terrainViewportOrigin", glm::ivec2(this->Internals->Viewport));
+      uniforms.Set("terrainCells", this->Internals->Heights.GetSize() - 1);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkShaderProgram* program)
+bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
 {
-  if (!program->IsUniformUsed("terrainExaggeration"))
+  if (!this->CastsRays(act) || this->Technique != Techniques::Pyramid ||
+    this->ComputeMode == ComputeModes::Off || !vtkTerrainComputeProgram::IsSupported())
+  {
+    return false;
+  }
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const bool software = renderer && std::strstr(renderer, "llvmpipe");
+  return this->ComputeMode == ComputeModes::On || !software;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::UpdateSightings(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& internals = *this->Internals;
+  internals.HasSightings = false;
+  if (!this->UsesCompute(act))
+  {
+    return;
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow());
+  const std::string source = "#extension GL_ARB_gpu_shader_fp64 : enable\n" +
+    this->ShaderDefines(act) + vtkTerrainHeights + vtkTerrainRay + vtkTerrainView +
+    this->CastFunctions() + vtkTerrainSightingCS;
+  if (internals.SightingProgramBuiltWith != source || !internals.SightingProgram.IsBuilt())
+  {
+    internals.SightingProgramBuiltWith = source;
+    const std::string words = internals.SightingProgram.Build(source);
+    if (!words.empty())
+    {
+      vtkErrorMacro("The compute shader does not build: " << words);
+    }
+  }
+  if (!internals.SightingProgram.IsBuilt())
+  {
+    return;
+  }
+  const int width = internals.Viewport.z;
+  const int height = internals.Viewport.w;
+  vtkTextureObject* texture = internals.Sightings;
+  if (texture->GetContext() != window || static_cast<int>(texture->GetWidth()) != width ||
+    static_cast<int>(texture->GetHeight()) != height)
+  {
+    texture->ReleaseGraphicsResources(texture->GetContext());
+    texture->SetContext(window);
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    texture->Allocate2D(
+      static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT);
+  }
+  window->GetShaderCache()->ReleaseCurrentShader();
+  internals.SightingProgram.Use();
+  internals.Heights.SetUniforms(internals.SightingProgram);
+  this->SetViewUniforms(internals.SightingProgram);
+  this->SetClipUniforms(internals.SightingProgram, act);
+  internals.SightingProgram.Set("terrainViewportOrigin", glm::ivec2(internals.Viewport));
+  texture->Activate();
+  glBindImageTexture(0, texture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  glDispatchCompute(static_cast<GLuint>((width + 7) / 8), static_cast<GLuint>((height + 7) / 8), 1);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  glUseProgram(0);
+  internals.HasSightings = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkTerrainUniforms& uniforms)
+{
+  if (!uniforms.Uses("terrainExaggeration"))
   {
     return;
   }
@@ -328,35 +409,34 @@ void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkShaderProgram* program)
   // in the buffer z is (z - shift) * scale; drawn is origin + exaggeration * (z - origin)
   const double factor = this->Internals->Why.empty() ? this->VerticalExaggeration : 1.0;
   const double origin = this->Internals->Heights.GetGeometry().Origin.z;
-  const std::array<float, 2> exaggeration{ static_cast<float>(factor),
-    static_cast<float>((1.0 - factor) * (origin - shift) * scale) };
-  program->SetUniform2f("terrainExaggeration", exaggeration.data());
+  uniforms.Set("terrainExaggeration",
+    glm::vec2(glm::dvec2(factor, (1.0 - factor) * (origin - shift) * scale)));
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetViewUniforms(vtkShaderProgram* program)
+void vtkOpenGLTerrainMapper::SetViewUniforms(vtkTerrainUniforms& uniforms)
 {
   const terrain::PixelRays& rays = this->Internals->Rays;
-  setVectors(program, "terrainOriginGC", rays.OriginGC, 6);
-  setVectors(program, "terrainDirectionGC", rays.DirectionGC, 6);
-  setVectors(program, "terrainOriginVC", rays.OriginVC, 3);
-  setVectors(program, "terrainDirectionVC", rays.DirectionVC, 3);
-  glm::mat3 normalMatrix(rays.NormalMatrix);
-  program->SetUniformMatrix3x3("terrainNormalMatrix", &normalMatrix[0][0]);
-  const glm::vec4 depthRow(rays.DepthRow);
-  const glm::vec4 weightRow(rays.WeightRow);
-  program->SetUniform4f("terrainDepthRow", &depthRow[0]);
-  program->SetUniform4f("terrainWeightRow", &weightRow[0]);
-  program->SetUniformf("terrainNear", static_cast<float>(rays.Near));
-  program->SetUniformf("terrainFar", static_cast<float>(rays.Far));
-  glm::mat4 viewToGrid(this->Internals->ViewToGrid);
-  program->SetUniformMatrix4x4("terrainViewToGrid", &viewToGrid[0][0]);
+  setVectors(uniforms, "terrainOriginGC", rays.OriginGC, 6);
+  setVectors(uniforms, "terrainDirectionGC", rays.DirectionGC, 6);
+  setVectors(uniforms, "terrainOriginVC", rays.OriginVC, 3);
+  setVectors(uniforms, "terrainDirectionVC", rays.DirectionVC, 3);
+  uniforms.Set("terrainNormalMatrix", glm::mat3(rays.NormalMatrix));
+  uniforms.Set("terrainDepthRow", glm::vec4(rays.DepthRow));
+  uniforms.Set("terrainWeightRow", glm::vec4(rays.WeightRow));
+  uniforms.Set("terrainNear", static_cast<float>(rays.Near));
+  uniforms.Set("terrainFar", static_cast<float>(rays.Far));
+  uniforms.Set("terrainViewToGrid", glm::mat4(this->Internals->ViewToGrid));
+  const std::array<glm::vec3, 2> box{ glm::vec3(this->Internals->BoxMinimumGC),
+    glm::vec3(this->Internals->BoxMaximumGC) };
+  uniforms.SetArray("terrainBoxMinimum", 1, &box[0]);
+  uniforms.SetArray("terrainBoxMaximum", 1, &box[1]);
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetSearchUniforms(vtkShaderProgram* program)
+void vtkOpenGLTerrainMapper::SetSearchUniforms(vtkTerrainUniforms& uniforms)
 {
-  if (!program->IsUniformUsed("terrainSecantSteps"))
+  if (!uniforms.Uses("terrainSecantSteps"))
   {
     return;
   }
@@ -385,37 +465,33 @@ void vtkOpenGLTerrainMapper::SetSearchUniforms(vtkShaderProgram* program)
   {
     search.LargestGap = std::numeric_limits<float>::max(); // rays do not start at the mesh
   }
-  program->SetUniformi("terrainSteps", search.Steps);
-  program->SetUniformi("terrainLongSteps", search.LongSteps);
-  program->SetUniformi("terrainSecantSteps", search.SecantSteps);
-  program->SetUniformf("terrainStepLength", search.StepLength);
-  program->SetUniformf("terrainStepRelief", search.StepRelief);
-  program->SetUniformf("terrainLargestGap", search.LargestGap);
+  uniforms.Set("terrainSteps", search.Steps);
+  uniforms.Set("terrainLongSteps", search.LongSteps);
+  uniforms.Set("terrainSecantSteps", search.SecantSteps);
+  uniforms.Set("terrainStepLength", search.StepLength);
+  uniforms.Set("terrainStepRelief", search.StepRelief);
+  uniforms.Set("terrainLargestGap", search.LargestGap);
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetClipUniforms(vtkShaderProgram* program, vtkActor* act)
+void vtkOpenGLTerrainMapper::SetClipUniforms(vtkTerrainUniforms& uniforms, vtkActor* act)
 {
-  if (!program->IsUniformUsed("terrainClipPlaneCount"))
+  if (!uniforms.Uses("terrainClipPlaneCount"))
   {
     return;
   }
   const int count = std::min(this->GetNumberOfClippingPlanes(), 6);
-  std::array<std::array<float, 4>, 6> planes{};
+  std::array<glm::vec4, 6> planes{};
   for (int i = 0; i < count; ++i)
   {
     double plane[4];
     this->GetClippingPlaneInDataCoords(act->GetMatrix(), i, plane);
     const glm::dvec4 planeVC =
       glm::dvec4(plane[0], plane[1], plane[2], plane[3]) * this->Internals->ViewToModel;
-    const double length = glm::length(glm::dvec3(planeVC));
-    for (int k = 0; k < 4; ++k)
-    {
-      planes[i][k] = static_cast<float>(planeVC[k] / length);
-    }
+    planes[i] = glm::vec4(planeVC / glm::length(glm::dvec3(planeVC)));
   }
-  program->SetUniformi("terrainClipPlaneCount", count);
-  program->SetUniform4fv("terrainClipPlanesVC", 6, planes.front().data());
+  uniforms.Set("terrainClipPlaneCount", count);
+  uniforms.SetArray("terrainClipPlanesVC", 6, planes.data());
 }
 
 //------------------------------------------------------------------------------
@@ -459,21 +535,19 @@ void vtkOpenGLTerrainMapper::UpdateColorMap(vtkRenderer* ren)
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetColorUniforms(vtkShaderProgram* program)
+void vtkOpenGLTerrainMapper::SetColorUniforms(vtkTerrainUniforms& uniforms)
 {
-  if (program->IsUniformUsed("terrainMaximumShownCrossings"))
+  if (uniforms.Uses("terrainMaximumShownCrossings"))
   {
-    program->SetUniformf(
-      "terrainMaximumShownCrossings", static_cast<float>(this->MaximumShownCrossings));
+    uniforms.Set("terrainMaximumShownCrossings", static_cast<float>(this->MaximumShownCrossings));
   }
-  if (program->IsUniformUsed("terrainColorMap"))
+  if (uniforms.Uses("terrainColorMap"))
   {
     const terrain::HeightCodes& codes = this->Internals->Heights.GetCodes();
     const double* range = this->Internals->ColorRange;
     const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
-    const std::array<float, 2> scale{ static_cast<float>(codes.Scale / width),
-      static_cast<float>((codes.Offset - range[0]) / width) };
-    program->SetUniformi("terrainColorMap", this->Internals->ColorMap->GetTextureUnit());
-    program->SetUniform2f("terrainColorScale", scale.data());
+    uniforms.Set("terrainColorMap", this->Internals->ColorMap->GetTextureUnit());
+    uniforms.Set("terrainColorScale",
+      glm::vec2(glm::dvec2(codes.Scale / width, (codes.Offset - range[0]) / width)));
   }
 }

@@ -5,9 +5,9 @@
 #include "vtkTerrainGL.h"
 #include "vtkTerrainHeightfield.h"
 #include "vtkTerrainParallelFor.h"
+#include "vtkTerrainUniforms.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkShaderProgram.h"
 
 #include <vector>
 
@@ -207,17 +207,17 @@ void vtkTerrainHeightTexture::Deactivate()
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainHeightTexture::SetUniforms(vtkShaderProgram* program)
+void vtkTerrainHeightTexture::SetUniforms(vtkTerrainUniforms& uniforms)
 {
-  program->SetUniformi("terrainHeights", this->Texture->GetTextureUnit());
-  program->SetUniform2i("terrainSize", &this->Size[0]);
-  program->SetUniformf("terrainBias", static_cast<float>(this->Codes.Bias));
-  program->SetUniformf("terrainMaximumCode", static_cast<float>(this->Codes.MaximumCode));
-  if (program->IsUniformUsed("terrainPyramid"))
+  uniforms.Set("terrainHeights", this->Texture->GetTextureUnit());
+  uniforms.Set("terrainSize", this->Size);
+  uniforms.Set("terrainBias", static_cast<float>(this->Codes.Bias));
+  uniforms.Set("terrainMaximumCode", static_cast<float>(this->Codes.MaximumCode));
+  if (uniforms.Uses("terrainPyramid"))
   {
-    program->SetUniformi("terrainPyramid", this->PyramidTexture->GetTextureUnit());
-    program->SetUniform2i("terrainPyramidSize", &this->PyramidSize[0]);
-    program->SetUniformi("terrainPyramidTop", this->PyramidTop);
-    program->SetUniformi("terrainPyramidStart", this->PyramidTop);
+    uniforms.Set("terrainPyramid", this->PyramidTexture->GetTextureUnit());
+    uniforms.Set("terrainPyramidSize", this->PyramidSize);
+    uniforms.Set("terrainPyramidTop", this->PyramidTop);
+    uniforms.Set("terrainPyramidStart", this->PyramidTop);
   }
 }

@@ -24,7 +24,7 @@
 #include <vector>
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
+class vtkTerrainUniforms;
 class vtkWindow;
 
 class vtkTerrainHeightTexture
@@ -45,7 +45,7 @@ public:
   /// (shaders/vtkTerrainHeights.glsl, shaders/vtkTerrainPyramid.glsl).
   void Activate();
   void Deactivate();
-  void SetUniforms(vtkShaderProgram* program);
+  void SetUniforms(vtkTerrainUniforms& uniforms);
 
   const terrain::HeightCodes& GetCodes() const
   {

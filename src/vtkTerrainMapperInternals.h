@@ -8,6 +8,7 @@
 #define vtkTerrainMapperInternals_h
 
 #include "vtkOpenGLTerrainMapper.h"
+#include "vtkTerrainComputeProgram.h"
 #include "vtkTerrainHeightTexture.h"
 
 #include "core/PixelRays.h"
@@ -43,6 +44,13 @@ public:
   vtkNew<vtkTextureObject> ColorMap;
   vtkMTimeType ColorMapTime = 0;
   double ColorRange[2] = { 0.0, 1.0 };
+
+  /// The sightings of all pixels, found by a compute shader (shaders/vtkTerrainSightingCS.glsl).
+  vtkTerrainComputeProgram SightingProgram;
+  std::string SightingProgramBuiltWith;
+  vtkNew<vtkTextureObject> Sightings;
+  glm::ivec4 Viewport{ 0 };
+  bool HasSightings = false;
 
   /// The defines that the shader of each primitive was built with.
   std::map<vtkOpenGLHelper*, std::string> ShaderBuiltWith;

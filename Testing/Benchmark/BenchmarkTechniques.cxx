@@ -7,7 +7,8 @@
 //
 //   BenchmarkTechniques SAMPLES WIDTH HEIGHT [FRAMES [SAMPLES_PER_QUAD [TECHNIQUE...]]]
 //
-// Techniques: coarse equidistant pyramid full (every cell two triangles).
+// Techniques: coarse, equidistant, pyramid (in the fragment shader), compute (pyramid in a compute
+// shader), full (every cell two triangles).
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainSource.h"
@@ -181,9 +182,11 @@ int main(int argc, char* argv[])
       mapper->SetInputConnection(hull->GetOutputPort());
     }
     mapper->SetHeightsData(image);
-    mapper->SetTechnique(technique == "pyramid" ? Techniques::Pyramid
-        : technique == "equidistant"            ? Techniques::Equidistant
-                                                : Techniques::Mesh);
+    mapper->SetTechnique(technique == "pyramid" || technique == "compute" ? Techniques::Pyramid
+        : technique == "equidistant"                                      ? Techniques::Equidistant
+                                                                          : Techniques::Mesh);
+    using Modes = vtkOpenGLTerrainMapper::ComputeModes;
+    mapper->SetComputeMode(technique == "compute" ? Modes::On : Modes::Off);
     for (const View& view : Views)
     {
       look(renderer, image, view);

@@ -195,7 +195,8 @@ int countWrong(Drawing& drawing)
   return wrong;
 }
 
-/// Sampling at a hundredth of a cell misses the tips of silhouettes: so many of the 4,800 pixels may differ.
+/// Sampling at a hundredth of a cell misses the tips of silhouettes: so many of the 4,800 pixels
+/// may differ.
 constexpr int SamplingMisses = 8;
 }
 
@@ -227,6 +228,22 @@ TEST(OpenGLTerrainMapper, DrawsWithEqualSteps)
   Drawing drawing(hills(0.0, 0.0, true), Techniques::Equidistant);
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
   EXPECT_LE(countWrong(drawing), PixelsX * PixelsY / 100);
+}
+
+TEST(OpenGLTerrainMapper, DrawsTheSameThroughAComputeShader)
+{
+  using Modes = vtkOpenGLTerrainMapper::ComputeModes;
+  Drawing drawing(hills(500000.0, 5000000.0, true));
+  drawing.Mapper->SetComputeMode(Modes::On);
+  drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
+  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  const auto computed = vtkTerrainTesting::Render(drawing.Scene.Window);
+  drawing.Mapper->SetComputeMode(Modes::Off);
+  const auto fragments = vtkTerrainTesting::Render(drawing.Scene.Window);
+  EXPECT_LE(vtkTerrainTesting::CountDifferentPixels(computed, fragments, 2), 2);
+  drawing.Mapper->SetComputeMode(Modes::On);
+  drawing.Look(5.0, 5.0, 150.0, 30.0, 20.0, 100.0);
+  EXPECT_LE(countWrong(drawing), SamplingMisses);
 }
 
 TEST(OpenGLTerrainMapper, DrawsTheUnderside)

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the ray of a pixel sees: clips the ray, traces it, passes by what is culled.
+// Needs vtkTerrainHeights.glsl, vtkTerrainRay.glsl, vtkTerrainView.glsl, vtkTerrainTrace.glsl.
+// Defines: TERRAIN_CULL_FRONT, TERRAIN_CULL_BACK if hits from above, from below are to be passed
+// by.
+
+uniform int terrainClipPlaneCount;
+uniform vec4 terrainClipPlanesVC[6]; // kept is dot(plane, position) >= 0
+
+// The first point of the surface on a pixel's ray.
+struct TerrainSighting
+{
+  bool found;
+  float distanceVC;  // along the viewing direction
+  ivec2 cell;
+  vec2 fraction;     // position in the cell, 0..1
+  bool front;        // seen from above
+  int crossings;     // work done, see TerrainHit
+};
+
+// The part of the distances [range.x, range.y] of a pixel's ray that no clipping plane cuts off.
+vec2 terrainClipRange(vec2 pixel, vec2 range)
+{
+  for (int i = 0; i < terrainClipPlaneCount; ++i)
+  {
+    float atStart = dot(terrainClipPlanesVC[i], terrainPositionVC(pixel, range.x));
+    float atEnd = dot(terrainClipPlanesVC[i], terrainPositionVC(pixel, range.y));
+    float crossing = mix(range.x, range.y, atStart / (atStart - atEnd));
+    range.x = atStart < 0.0 ? (atEnd < 0.0 ? range.y : crossing) : range.x;
+    range.y = atEnd < 0.0 ? (atStart < 0.0 ? range.x : crossing) : range.y;
+  }
+  return range;
+}
+
+// Cells that a ray may be long before what float rounds along it counts: a ray whose hit lies
+// farther is traced again from near the hit.
+const float terrainLongRay = 256.0;
+
+// The first hit of a pixel's ray between two distances; hit.s counts from range.x.
+TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front)
+{
+  TerrainRay ray = terrainPixelRay(pixel, range.x, range.y);
+  TerrainHit hit = terrainTrace(ray);
+  float pace = length(ray.directionGC.xy);
+  if (hit.found && hit.s * pace > terrainLongRay)
+  {
+    float back = hit.s - 4.0 / pace;
+    TerrainHit near = terrainTrace(terrainPixelRay(pixel, range.x + back, range.y));
+    near.s += back;
+    near.crossings += hit.crossings;
+    if (near.found)
+    {
+      hit = near;
+    }
+  }
+  vec2 gradient = terrainPatchGradient(terrainCellCodes(hit.cell), hit.fraction);
+  front = ray.directionGC.z <= dot(gradient, ray.directionGC.xy);
+  return hit;
+}
+
+// What the ray of a pixel sees from a distance on.
+TerrainSighting terrainCast(vec2 pixel, float entryDistance)
+{
+  vec2 range = terrainEnterBox(pixel, vec2(max(entryDistance, terrainNear), terrainFar));
+  range = terrainClipRange(pixel, range);
+  TerrainSighting sighting;
+  sighting.found = false;
+  sighting.crossings = 0;
+  while (range.x < range.y)
+  {
+    bool front;
+    TerrainHit hit = terrainTraceRange(pixel, range, front);
+    sighting = TerrainSighting(hit.found, range.x + hit.s, hit.cell, hit.fraction, front,
+      sighting.crossings + hit.crossings);
+#ifdef TERRAIN_CULL_FRONT
+    bool culled = hit.found && front;
+#else
+    bool culled = false;
+#endif
+#ifdef TERRAIN_CULL_BACK
+    culled = culled || (hit.found && !front);
+#endif
+    if (!culled)
+    {
+      break;
+    }
+    // on from behind the hit: by a hundredth of a cell, and by what float can tell
+    float pace = 0.01 / max(length(terrainAtPixelGC(pixel).xy), 1e-30);
+    range.x += hit.s + max(pace, 1e-6 * sighting.distanceVC);
+    sighting.found = false;
+  }
+  return sighting;
+}

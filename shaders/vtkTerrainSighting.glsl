@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The sightings of all pixels of a viewport as a texture, which a compute shader has filled
+// (vtkTerrainSightingCS.glsl). One texel a pixel: distance along the viewing direction, < 0 for
+// none; position in cells, to 1/1000 of a cell in grids of 16384 cells, which is for normals and
+// colours; work done plus 1, < 0 if the back is seen.
+
+struct TerrainSighting
+{
+  bool found;
+  float distanceVC;
+  ivec2 cell;
+  vec2 fraction;
+  bool front;
+  int crossings;
+};
+
+uniform sampler2D terrainSightings;
+uniform ivec2 terrainViewportOrigin; // pixel of the texel (0, 0)
+uniform ivec2 terrainCells;          // cells of the grid
+
+TerrainSighting terrainReadSighting(vec2 pixel)
+{
+  vec4 texel = texelFetch(terrainSightings, ivec2(pixel) - terrainViewportOrigin, 0);
+  ivec2 cell = clamp(ivec2(texel.yz), ivec2(0), terrainCells - 1);
+  return TerrainSighting(texel.x >= 0.0, texel.x, cell, texel.yz - vec2(cell), texel.w > 0.0,
+    int(abs(texel.w)) - 1);
+}
