@@ -10,6 +10,7 @@ set(classes
   vtkTerrainGeoid
   vtkTerrainGeoreference
   vtkTerrainRasterReader
+  vtkTerrainReproject
   vtkTerrainSource
 )
 
@@ -22,6 +23,7 @@ set(private_sources
   vtkTerrainRasterFile
   vtkTerrainRasterLayout
   vtkTerrainRasterPiece
+  vtkTerrainReprojectPlan
 )
 
 set(private_headers

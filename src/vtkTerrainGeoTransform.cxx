@@ -157,25 +157,28 @@ void vtkTerrainGeoTransform::ForwardTransformDerivative(
   const double in[3], double out[3], double derivative[3][3])
 {
   const bool places = this->Source == SourceType::Places;
+  // The point, then its neighbours before and after along each axis.
   double points[7][3];
   for (double* point : points)
   {
     CopyPoint(in, point);
   }
-  double steps[3];
+  const double steps[3] = { places ? kStepDegrees : kStepMetres,
+    places ? kStepDegrees : kStepMetres, kStepMetres };
+  double(*before)[3] = points + 1;
+  double(*after)[3] = points + 4;
   for (int axis = 0; axis < 3; ++axis)
   {
-    steps[axis] = places && axis < 2 ? kStepDegrees : kStepMetres;
-    points[2 * axis][axis] -= steps[axis];
-    points[2 * axis + 1][axis] += steps[axis];
+    before[axis][axis] -= steps[axis];
+    after[axis][axis] += steps[axis];
   }
   this->Bring(points[0], points[0], 7, true);
-  CopyPoint(points[6], out);
+  CopyPoint(points[0], out);
   for (int axis = 0; axis < 3; ++axis)
   {
     for (int i = 0; i < 3; ++i)
     {
-      derivative[i][axis] = (points[2 * axis + 1][i] - points[2 * axis][i]) / (2.0 * steps[axis]);
+      derivative[i][axis] = (after[axis][i] - before[axis][i]) / (2.0 * steps[axis]);
     }
   }
 }

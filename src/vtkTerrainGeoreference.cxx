@@ -382,6 +382,32 @@ bool vtkTerrainGeoreference::SceneToFile(const double* scene, double* file, vtkI
     });
 }
 
+bool vtkTerrainGeoreference::FileHeightsToPlaces(
+  const double* places, double* heights, vtkIdType count)
+{
+  this->Prepare();
+  const vtkInternals& internals = *this->Internals;
+  if (!internals.WhyNot.empty())
+  {
+    return false;
+  }
+  vtkSMPTools::For(0, count, kGrain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<double> geoid(static_cast<std::size_t>(end - begin), 0.0);
+      if (internals.GeoidSign != 0.0)
+      {
+        internals.Geoid->GetHeights(places + 3 * begin, geoid.data(), end - begin);
+      }
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        heights[i] = heights[i] * internals.HeightUnit +
+          internals.GeoidSign * geoid[static_cast<std::size_t>(i - begin)];
+      }
+    });
+  return true;
+}
+
 bool vtkTerrainGeoreference::GetAxes(
   const double place[3], double east[3], double north[3], double up[3])
 {

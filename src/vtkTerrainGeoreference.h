@@ -162,6 +162,10 @@ public:
   bool FileToScene(const double* file, double* scene, vtkIdType count);
   bool SceneToFile(const double* scene, double* file, vtkIdType count);
 
+  /// Brings heights of the file to those of the scene's places: unit, sea level, ellipsoid. One
+  /// height and one place of three doubles a point.
+  bool FileHeightsToPlaces(const double* places, double* heights, vtkIdType count);
+
   /// Unit vectors east, north and up at a place, in scene axes.
   bool GetAxes(const double place[3], double east[3], double north[3], double up[3]);
 
