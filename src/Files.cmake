@@ -64,6 +64,7 @@ set(core
   CoarseMeshSurface
   Geodesics
   GeographicText
+  GeoidGrid
   GridReference
   HeightSearch
   HeightUnits
@@ -84,6 +85,7 @@ set(core_without_contraction
 # They pass std::string to GeographicLib, and are compiled for its string ABI.
 set(core_with_geographic_strings
   GeographicText
+  GeoidGrid
 )
 
 set(sources ${private_sources})

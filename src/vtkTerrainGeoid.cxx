@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainGeoid.h"
 
+#include "core/GeoidGrid.h"
+
 #include "vtkObjectFactory.h"
 
-#include <GeographicLib/Geoid.hpp>
-
 #include <cmath>
-#include <exception>
 #include <fstream>
 #include <limits>
 #include <mutex>
@@ -36,6 +35,13 @@ std::vector<std::string> Candidates(const std::string& model)
   return { model };
 }
 
+std::string DefaultDirectory()
+{
+  char directory[terrain::kGeoidTextSize];
+  terrain::GeoidGrid::GetDefaultDirectory(directory);
+  return directory;
+}
+
 /// Size in bytes, -1 if the file cannot be opened.
 std::streamoff FileSize(const std::string& path)
 {
@@ -52,7 +58,7 @@ public:
   bool IsThreadSafe = false;
   std::string WhyNot;
   std::string FileName;
-  std::unique_ptr<GeographicLib::Geoid> Geoid;
+  std::unique_ptr<terrain::GeoidGrid> Geoid;
 };
 
 vtkStandardNewMacro(vtkTerrainGeoid);
@@ -96,8 +102,7 @@ void vtkTerrainGeoid::Load()
   internals.Geoid.reset();
   internals.FileName.clear();
   internals.WhyNot.clear();
-  const std::string directory =
-    this->Directory.empty() ? GeographicLib::Geoid::DefaultGeoidPath() : this->Directory;
+  const std::string directory = this->Directory.empty() ? DefaultDirectory() : this->Directory;
   const std::vector<std::string> names = Candidates(this->Model);
   for (const std::string& name : names)
   {
@@ -108,16 +113,17 @@ void vtkTerrainGeoid::Load()
     {
       continue;
     }
-    try
+    char message[terrain::kGeoidTextSize];
+    internals.IsThreadSafe = size <= kHeldInMemory;
+    internals.Geoid =
+      terrain::GeoidGrid::Open(name.c_str(), directory.c_str(), internals.IsThreadSafe, message);
+    if (internals.Geoid)
     {
-      internals.IsThreadSafe = size <= kHeldInMemory;
-      internals.Geoid =
-        std::make_unique<GeographicLib::Geoid>(name, directory, true, internals.IsThreadSafe);
       internals.FileName = path;
     }
-    catch (const std::exception& error)
+    else
     {
-      internals.WhyNot = "the geoid data " + path + " cannot be read: " + error.what();
+      internals.WhyNot = "the geoid data " + path + " cannot be read: " + message;
     }
     return;
   }
@@ -163,15 +169,7 @@ void vtkTerrainGeoid::GetHeights(const double* places, double* heights, vtkIdTyp
     heights[i] = std::numeric_limits<double>::quiet_NaN();
     if (internals.Geoid && std::abs(latitude) <= 90.0 && std::isfinite(longitude))
     {
-      try
-      {
-        heights[i] = (*internals.Geoid)(latitude, longitude);
-      }
-      catch (const std::exception&)
-      {
-        // A file that became unreadable: no height.
-        continue;
-      }
+      heights[i] = internals.Geoid->GetHeight(latitude, longitude);
     }
   }
 }
