@@ -46,4 +46,10 @@ for file in $(git ls-files); do
   bytes=$(wc -c <"$file")
   [ "$bytes" -le 400000 ] || offence "$file: $bytes bytes, at most 400000"
 done
+# The README's C++ is that of the example, which is built and run.
+snippet=$(sed -n '/^```cpp$/,/^```$/p' README.md | grep -v '^```' | grep -v '^$')
+example=$(sed 's/^ *//' Examples/Pipeline/main.cxx)
+printf '%s\n' "$snippet" | while read -r line; do
+  printf '%s\n' "$example" | grep -qxF -e "$line" || echo "README.md: not in Examples/Pipeline: $line"
+done | grep . >&2 && failed=1
 exit $failed

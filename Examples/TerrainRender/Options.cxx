@@ -16,8 +16,7 @@ constexpr int kWrongCommandLine = 2;
 
 const std::map<std::string, Technique> kTechniques = { { "mesh", Technique::Mesh },
   { "linear", Technique::Linear }, { "exponential", Technique::Exponential },
-  { "equidistant", Technique::Equidistant }, { "pyramid", Technique::Pyramid },
-  { "strips", Technique::Strips } };
+  { "equidistant", Technique::Equidistant }, { "pyramid", Technique::Pyramid } };
 
 const std::map<std::string, Window> kWindows = { { "auto", Window::Automatic },
   { "egl", Window::EGL }, { "osmesa", Window::OSMesa }, { "x", Window::X } };
@@ -136,27 +135,28 @@ struct Texts
 
 void Declare(CLI::App& app, Options& options, Texts& texts)
 {
-  app.add_option("HEIGHTS", options.Heights,
+  const auto add = [&app](const char* name, auto& value, const char* type, const char* help)
+  { return app.add_option(name, value, help)->type_name(type); };
+  add("HEIGHTS", options.Heights, "FILE",
     "file of heights, any raster GDAL opens; the built-in landscape without");
-  app.add_option("--output", options.Output, "picture, PNG; default terrain.png");
-  app.add_option("--size", texts.Size, "WIDTHxHEIGHT of the picture in pixels; default 1280x720");
-  app
-    .add_option("--technique", options.Search,
-      "how the surface is found: mesh, linear, exponential, equidistant (default), pyramid, strips")
+  add("--output", options.Output, "FILE", "picture, PNG; default terrain.png");
+  add("--size", texts.Size, "WIDTHxHEIGHT", "of the picture in pixels; default 1280x720");
+  add("--technique", options.Search, "NAME",
+    "how the surface is found: mesh, linear, exponential, equidistant (default), pyramid")
     ->transform(CLI::CheckedTransformer(kTechniques).description(""));
-  app.add_option(
-    "--mesh-cells", texts.MeshCells, "samples along the side of a coarse quad; default: chosen");
-  app.add_option("--camera", texts.Camera,
-    "ex,ey,ez,fx,fy,fz[,ux,uy,uz]: eye, focal point and up in world coordinates, z exaggerated; "
-    "default: all of the terrain in view, from the south");
-  app.add_option("--view-angle", texts.ViewAngle, "vertical field of view in degrees; default 30");
-  app.add_option("--exaggeration", texts.Exaggeration, "drawn height over true height; default 1");
-  app.add_option("--depth", options.Depth,
+  add("--mesh-cells", texts.MeshCells, "N",
+    "samples along the side of a coarse quad; default: chosen from the size of the raster");
+  add("--camera", texts.Camera, "EX,EY,EZ,FX,FY,FZ[,UX,UY,UZ]",
+    "eye, focal point and up in world coordinates, z exaggerated; default: all of the terrain in "
+    "view, from the south");
+  add("--view-angle", texts.ViewAngle, "DEGREES", "vertical field of view; default 30");
+  add("--exaggeration", texts.Exaggeration, "FACTOR", "drawn height over true height; default 1");
+  add("--depth", options.Depth, "FILE",
     "GeoTIFF of float32: distance along the viewing direction, NaN where there is no surface");
-  app.add_option("--window", options.Target, "auto (default), egl, osmesa, x")
+  add("--window", options.Target, "NAME", "auto (default), egl, osmesa, x")
     ->transform(CLI::CheckedTransformer(kWindows).description(""));
-  app.add_option("--frames", texts.Frames, "how often the picture is drawn; default 1");
-  app.add_option("--stats", options.Stats, "JSON of counts, sizes and times");
+  add("--frames", texts.Frames, "N", "how often the picture is drawn; default 1");
+  add("--stats", options.Stats, "FILE", "JSON of counts, sizes and times");
   app.set_version_flag("--version", TERRAIN_RENDER_VERSION);
 }
 

@@ -18,8 +18,7 @@ enum class Technique
   Linear,
   Exponential,
   Equidistant,
-  Pyramid,
-  Strips
+  Pyramid
 };
 
 /// Which window is drawn into; Automatic leaves the choice to VTK.

@@ -86,8 +86,8 @@ void AddTints(
 /// the heights lies there.
 vtkSmartPointer<vtkColorTransferFunction> ReliefColors(double lowest, double highest)
 {
-  constexpr std::array<Tint, 6> kLand = { { { 0.0, { 0.36, 0.49, 0.31 } },
-    { 0.2, { 0.55, 0.61, 0.38 } }, { 0.45, { 0.76, 0.69, 0.48 } }, { 0.7, { 0.61, 0.48, 0.37 } },
+  constexpr std::array<Tint, 6> kLand = { { { 0.0, { 0.46, 0.58, 0.38 } },
+    { 0.2, { 0.62, 0.67, 0.43 } }, { 0.45, { 0.80, 0.73, 0.52 } }, { 0.7, { 0.66, 0.53, 0.42 } },
     { 0.88, { 0.71, 0.68, 0.66 } }, { 1.0, { 0.97, 0.97, 0.98 } } } };
   constexpr std::array<Tint, 3> kSea = { { { 0.0, { 0.07, 0.19, 0.36 } },
     { 0.7, { 0.25, 0.48, 0.66 } }, { 0.999, { 0.60, 0.77, 0.83 } } } };

@@ -122,12 +122,12 @@ void AddLights(vtkRenderer* renderer)
   sun->SetPosition(-1.0, 1.0, 1.2);
   sun->SetFocalPoint(0.0, 0.0, 0.0);
   sun->SetColor(1.0, 0.98, 0.94);
-  sun->SetIntensity(0.95);
+  sun->SetIntensity(1.05);
   renderer->AddLight(sun);
   const vtkNew<vtkLight> sky;
   sky->SetLightTypeToHeadlight();
   sky->SetColor(0.86, 0.92, 1.0);
-  sky->SetIntensity(0.3);
+  sky->SetIntensity(0.35);
   renderer->AddLight(sky);
 }
 }
