@@ -52,6 +52,7 @@ std::string ReadFile(const std::string& path)
     setrlimit(RLIMIT_FSIZE, &limit);
   }
   std::vector<char*> pointers;
+  pointers.reserve(command.size() + 1);
   for (std::string& word : command)
   {
     pointers.push_back(word.data());
@@ -115,7 +116,7 @@ std::string TerrainRenderFixture::WriteText(const std::string& name, const std::
 std::string TerrainRenderFixture::WriteRaster(
   const std::string& name, const RasterDescription& description) const
 {
-  const std::string path = this->Path(name);
+  std::string path = this->Path(name);
   GDALDatasetH dataset = GDALCreate(GDALGetDriverByName("GTiff"), path.c_str(), description.Width,
     description.Height, description.Bands, description.IsBytes ? GDT_Byte : GDT_Float32, nullptr);
   std::vector<double> transform = description.GeoTransform;
@@ -155,10 +156,23 @@ std::string TerrainRenderFixture::WriteHill(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
+std::string TerrainRenderFixture::Program()
+{
+  return TERRAIN_RENDER_PROGRAM;
+}
+
+//------------------------------------------------------------------------------
 RunResult TerrainRenderFixture::Run(const std::vector<std::string>& arguments, long fileLimit) const
 {
-  std::vector<std::string> command = { TERRAIN_RENDER_PROGRAM };
+  std::vector<std::string> command = { Program() };
   command.insert(command.end(), arguments.begin(), arguments.end());
+  return this->RunCommand(command, fileLimit);
+}
+
+//------------------------------------------------------------------------------
+RunResult TerrainRenderFixture::RunCommand(
+  const std::vector<std::string>& command, long fileLimit) const
+{
   const pid_t child = fork();
   if (child == 0)
   {

@@ -77,6 +77,10 @@ protected:
   /// Runs the program in the folder of the test. No file grows beyond `fileLimit` bytes; 0: no
   /// limit.
   RunResult Run(const std::vector<std::string>& arguments, long fileLimit = 0) const;
+  /// Runs any command in the folder of the test.
+  RunResult RunCommand(const std::vector<std::string>& command, long fileLimit = 0) const;
+  /// Path of the program.
+  static std::string Program();
   /// The same for a small picture "picture.png" and depths "depth.tif".
   RunResult Draw(const std::string& heights, std::vector<std::string> arguments = {}) const;
 

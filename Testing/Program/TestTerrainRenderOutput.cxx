@@ -157,6 +157,22 @@ TEST_F(TerrainRenderOutput, StatisticsHaveCountsAndTimes)
   }
 }
 
+TEST_F(TerrainRenderOutput, ProgressIsShownToTerminalsOnly)
+{
+  const std::string hill = this->WriteHill();
+  const RunResult quiet = this->Draw(hill);
+  EXPECT_EQ(quiet.Errors, "");
+  const std::string terminal = "/usr/bin/script";
+  if (!std::filesystem::exists(terminal))
+  {
+    GTEST_SKIP() << "no program that gives another one a terminal";
+  }
+  const RunResult shown = this->RunCommand(
+    { terminal, "-qec", Program() + " " + hill + " --size 32x32", this->Path("typescript") });
+  EXPECT_EQ(shown.Status, 0);
+  EXPECT_NE(shown.Output.find("% reading"), std::string::npos) << shown.Output;
+}
+
 TEST_F(TerrainRenderOutput, UnwritableFilesAreRefused)
 {
   const std::string hill = this->WriteHill();
