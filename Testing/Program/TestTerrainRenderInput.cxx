@@ -198,3 +198,18 @@ TEST_F(TerrainRenderInput, CameraThatLooksAway)
   this->ExpectDrawn(result, 0);
   EXPECT_EQ(this->ReadDepths().CountHits(), 0);
 }
+
+TEST_F(TerrainRenderInput, RealFilesOfManyFormats)
+{
+  const std::string data = TERRAIN_RENDER_DATA_DIR;
+  if (data.empty())
+  {
+    GTEST_SKIP() << "VTKTERRAIN_DATA_DIR is not set";
+  }
+  // USGS DEM, PNG, SRTM with voids, GeoTIFF whose fill value is not declared, float GeoTIFF
+  for (const char* name : { "SainteHelens.dem", "aconcagua_srtm3_u16.png", "S34E018.hgt",
+         "craterlake_elev_30m.tif", "monterey_topobathy_f32.tif" })
+  {
+    this->ExpectDrawn(this->Draw(data + "/" + name, { "--technique", "pyramid" }), 4000);
+  }
+}
