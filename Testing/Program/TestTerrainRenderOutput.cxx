@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 namespace
 {
@@ -138,7 +139,8 @@ TEST_F(TerrainRenderOutput, StatisticsHaveCountsAndTimes)
   const std::string hill = this->WriteHill();
   this->ExpectDrawn(this->Draw(hill, { "--frames", "3", "--stats", "stats.json" }));
   Json::Value stats;
-  ASSERT_TRUE(Json::Reader().parse(this->ReadText("stats.json"), stats));
+  std::istringstream text(this->ReadText("stats.json"));
+  ASSERT_TRUE(Json::parseFromStream(Json::CharReaderBuilder(), text, &stats, nullptr));
   EXPECT_EQ(stats["frames"].asInt(), 3);
   EXPECT_EQ(stats["width"].asInt(), 160);
   EXPECT_EQ(stats["height"].asInt(), 120);
