@@ -68,10 +68,16 @@ set(core
   GridReference
   HeightSearch
   HeightUnits
+  HierarchyBands
+  HierarchyBuild
+  HierarchyLayout
+  HierarchyNesting
+  HierarchyTile
   MinMaxPyramid
   PixelRays
   ProceduralTerrain
   ReferenceRayCaster
+  Refinement
   RoundNumbers
   SceneFrame
   StreamErosion

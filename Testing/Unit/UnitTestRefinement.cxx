@@ -1,0 +1,430 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HierarchyTestTools.h"
+
+#include <gtest/gtest.h>
+
+using namespace hierarchytest;
+using terrain::CullingMethod;
+using terrain::MemoryHierarchy;
+using terrain::RefinementMethod;
+using terrain::RefinementOptions;
+using terrain::RefinementView;
+using terrain::Refiner;
+using terrain::StripMesh;
+
+namespace
+{
+const std::vector<std::array<std::int64_t, 2>> Sizes{ { { 1, 1 } }, { { 1, 9 } }, { { 2, 2 } },
+  { { 3, 3 } }, { { 2, 7 } }, { { 6, 5 } }, { { 17, 17 } }, { { 33, 20 } }, { { 65, 65 } },
+  { { 66, 64 } }, { { 70, 130 } }, { { 100, 3 } } };
+const std::vector<std::string> Patterns{ "none", "all", "speckles", "corner", "lake", "single" };
+
+StripMesh Refine(
+  const MemoryHierarchy& hierarchy, const RefinementView& view, const RefinementOptions& options)
+{
+  Refiner refiner(hierarchy.View());
+  StripMesh mesh;
+  refiner.Refine(view, options, mesh);
+  return mesh;
+}
+
+RefinementOptions WithTolerance(double tolerance)
+{
+  RefinementOptions options;
+  options.Tolerance = tolerance;
+  return options;
+}
+
+/// Height of the triangle's plane at (x, y) in cells, with heights of a mesh's vertices.
+double PlaneAt(const Triangle& t, const std::array<double, 3>& heights, double x, double y)
+{
+  const auto area = static_cast<double>(Area2(t));
+  const auto weight = [&](int i)
+  {
+    const Sample& a = t[(i + 1) % 3];
+    const Sample& b = t[(i + 2) % 3];
+    return ((static_cast<double>(a[0]) - x) * (static_cast<double>(b[1]) - y) -
+             (static_cast<double>(a[1]) - y) * (static_cast<double>(b[0]) - x)) /
+      area;
+  };
+  return weight(0) * heights[0] + weight(1) * heights[1] + weight(2) * heights[2];
+}
+
+/// Largest screen-space error of a triangle, in pixels, over a grid of points finer than the
+/// samples, each with its own distance to the eye.
+double ScreenError(const Raster& raster, const RefinementView& view, const Triangle& t,
+  const std::array<double, 3>& heights)
+{
+  const terrain::GridGeometry geometry = MakeGeometry();
+  const auto [west, east] = std::minmax({ t[0][0], t[1][0], t[2][0] });
+  const auto [south, north] = std::minmax({ t[0][1], t[1][1], t[2][1] });
+  double error = 0.0;
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::int64_t y2 = 2 * south; y2 <= 2 * north; ++y2)
+  {
+    for (std::int64_t x2 = 2 * west; x2 <= 2 * east; ++x2)
+    {
+      const double x = 0.5 * static_cast<double>(x2);
+      const double y = 0.5 * static_cast<double>(y2);
+      bool inside = true;
+      for (int i = 0; i < 3; ++i)
+      {
+        std::array<double, 3> one{ { 0.0, 0.0, 0.0 } };
+        one[i] = 1.0;
+        inside = inside && PlaneAt(t, one, x, y) >= -1e-12;
+      }
+      if (!inside)
+      {
+        continue;
+      }
+      const std::int64_t i = std::min<std::int64_t>(x2 / 2, raster.Width - 2);
+      const std::int64_t j = std::min<std::int64_t>(y2 / 2, raster.Height - 2);
+      const double u = x - static_cast<double>(i);
+      const double v = y - static_cast<double>(j);
+      const double h = (1 - u) * (1 - v) * raster.At(i, j) + u * (1 - v) * raster.At(i + 1, j) +
+        (1 - u) * v * raster.At(i, j + 1) + u * v * raster.At(i + 1, j + 1);
+      error = std::max(error, std::abs(h - PlaneAt(t, heights, x, y)));
+      distance = std::min(distance, glm::distance(view.Eye, geometry.ToModel({ x, y }, h)));
+    }
+  }
+  return error * view.PixelsPerUnit / distance;
+}
+}
+
+TEST(Refinement, IsConformingForAnySizeAndHoles)
+{
+  for (const auto& size : Sizes)
+  {
+    for (const std::string& pattern : Patterns)
+    {
+      const Raster raster = WithHoles(MakeHills(size[0], size[1]), pattern);
+      const MemoryHierarchy hierarchy = Build(raster);
+      for (const double tolerance : { 0.3, 3.0, 30.0 })
+      {
+        for (const bool morphing : { false, true })
+        {
+          RefinementOptions options = WithTolerance(tolerance);
+          options.Morphing = morphing;
+          const StripMesh mesh = Refine(hierarchy, MakeView(raster, 0.3, 0.2, 20.0), options);
+          EXPECT_EQ(WhyNotConforming(mesh), "")
+            << size[0] << " x " << size[1] << " " << pattern << " tolerance " << tolerance;
+        }
+      }
+    }
+  }
+}
+
+TEST(Refinement, CoversTheRasterWithoutHolesAtAnyTolerance)
+{
+  for (const auto& size : Sizes)
+  {
+    const Raster raster = MakeHills(size[0], size[1]);
+    const MemoryHierarchy hierarchy = Build(raster);
+    for (const double tolerance : { 0.01, 1.0, 10.0, 1000.0 })
+    {
+      const StripMesh mesh =
+        Refine(hierarchy, MakeView(raster, 0.3, 0.2, 20.0), WithTolerance(tolerance));
+      std::int64_t area = 0;
+      for (const Triangle& t : Triangles(mesh))
+      {
+        area += Area2(t);
+      }
+      EXPECT_EQ(area, 2 * (size[0] - 1) * (size[1] - 1)) << size[0] << " x " << size[1];
+    }
+  }
+}
+
+TEST(Refinement, DrawsNoHoleAndAtSmallToleranceEverythingElse)
+{
+  for (const auto& size : Sizes)
+  {
+    for (const std::string& pattern : Patterns)
+    {
+      const Raster raster = WithHoles(MakeHills(size[0], size[1]), pattern);
+      const MemoryHierarchy hierarchy = Build(raster);
+      for (const double tolerance : { 1.0e-5, 2.0, 50.0 })
+      {
+        const StripMesh mesh =
+          Refine(hierarchy, MakeView(raster, 0.3, 0.2, 20.0), WithTolerance(tolerance));
+        std::int64_t area = 0;
+        for (const Triangle& t : Triangles(mesh))
+        {
+          area += Area2(t);
+          const std::array<double, 3> heights{ { raster.At(t[0][0], t[0][1]),
+            raster.At(t[1][0], t[1][1]), raster.At(t[2][0], t[2][1]) } };
+          EXPECT_TRUE(
+            std::isfinite(ScreenError(raster, MakeView(raster, 0.3, 0.2, 20.0), t, heights)));
+        }
+        EXPECT_LE(area, 2 * raster.ValidCells());
+        if (tolerance < 1.0e-3)
+        {
+          EXPECT_EQ(area, 2 * raster.ValidCells()) << size[0] << " x " << size[1] << pattern;
+        }
+      }
+    }
+  }
+}
+
+TEST(Refinement, KeepsEveryTriangleWithinTheTolerance)
+{
+  for (const auto& size : Sizes)
+  {
+    for (const std::string& pattern : Patterns)
+    {
+      const Raster raster = WithHoles(MakeHills(size[0], size[1]), pattern);
+      const MemoryHierarchy hierarchy = Build(raster);
+      for (const double tolerance : { 1.0, 4.0, 20.0 })
+      {
+        for (const bool morphing : { false, true })
+        {
+          const RefinementView view = MakeView(raster, 0.4, -0.5, 30.0);
+          RefinementOptions options = WithTolerance(tolerance);
+          options.Morphing = morphing;
+          const StripMesh mesh = Refine(hierarchy, view, options);
+          for (const auto& indices : IndexTriangles(mesh))
+          {
+            Triangle t;
+            std::array<double, 3> heights{};
+            for (int i = 0; i < 3; ++i)
+            {
+              const terrain::StripVertex& vertex = mesh.Vertices[indices[i]];
+              t[i] = { { vertex.Column, vertex.Row } };
+              heights[i] = static_cast<double>(vertex.Height) + vertex.Displacement;
+            }
+            if (Area2(t) > 1)
+            {
+              EXPECT_LE(ScreenError(raster, view, t, heights), tolerance * (1.0 + 1.0e-5) + 1.0e-4)
+                << size[0] << " x " << size[1] << " " << pattern << (morphing ? " morphing" : "");
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Refinement, PlainAndImprovedMakeTheSameTriangles)
+{
+  for (const auto& size : Sizes)
+  {
+    for (const std::string& pattern : Patterns)
+    {
+      const Raster raster = WithHoles(MakeHills(size[0], size[1]), pattern);
+      const MemoryHierarchy hierarchy = Build(raster);
+      for (const double tolerance : { 0.3, 3.0, 30.0 })
+      {
+        RefinementOptions options = WithTolerance(tolerance);
+        const RefinementView view = MakeView(raster, 0.7, 0.6, 10.0);
+        const StripMesh improved = Refine(hierarchy, view, options);
+        options.Method = RefinementMethod::Plain;
+        const StripMesh plain = Refine(hierarchy, view, options);
+        EXPECT_EQ(WhyNotConforming(plain), "");
+        EXPECT_EQ(TriangleSet(plain), TriangleSet(improved));
+        EXPECT_LE(improved.Strip.size(), plain.Strip.size() + 4);
+      }
+    }
+  }
+}
+
+TEST(Refinement, FlatGroundTakesFourTriangles)
+{
+  Raster raster = MakeHills(129, 129);
+  std::fill(raster.Heights.begin(), raster.Heights.end(), 5.0f);
+  const StripMesh mesh = Refine(Build(raster), MakeView(raster, 0.5, 0.5, 1.0), WithTolerance(0.1));
+  EXPECT_EQ(mesh.Triangles, 4);
+  EXPECT_EQ(mesh.Vertices.size(), 5u);
+}
+
+TEST(Refinement, KeepsTheTriangleBudget)
+{
+  const Raster raster = MakeHills(257, 200);
+  const MemoryHierarchy hierarchy = Build(raster);
+  const RefinementView view = MakeView(raster, 0.3, 0.2, 20.0);
+  const std::int64_t free = Refine(hierarchy, view, WithTolerance(0.1)).Triangles;
+  for (const std::int64_t budget : { 4, 10, 100, 1000, 5000 })
+  {
+    for (const bool morphing : { false, true })
+    {
+      RefinementOptions options = WithTolerance(0.1);
+      options.TriangleBudget = budget;
+      options.Morphing = morphing;
+      const StripMesh mesh = Refine(hierarchy, view, options);
+      EXPECT_LE(mesh.Triangles, budget);
+      EXPECT_GT(mesh.Tolerance, 0.1);
+      if (budget >= 1000)
+      {
+        EXPECT_GE(mesh.Triangles, budget * 8 / 10);
+      }
+      EXPECT_EQ(WhyNotConforming(mesh), "");
+    }
+  }
+  RefinementOptions options = WithTolerance(0.1);
+  options.TriangleBudget = 2 * free;
+  EXPECT_EQ(Refine(hierarchy, view, options).Tolerance, 0.1);
+}
+
+TEST(Refinement, CullingLosesNothingThatIsSeen)
+{
+  for (const std::string& pattern : { std::string("none"), std::string("lake") })
+  {
+    const Raster raster = WithHoles(MakeHills(65, 80), pattern);
+    const MemoryHierarchy hierarchy = Build(raster);
+    RefinementView view = MakeView(raster, 0.5, 0.4, 15.0);
+    const StripMesh whole = Refine(hierarchy, view, WithTolerance(2.0));
+    for (int turn = 0; turn < 6; ++turn)
+    {
+      const double angle = 1.0471975511965976 * turn;
+      const glm::dvec3 left(std::cos(angle), std::sin(angle), 0.0);
+      const glm::dvec3 right(-std::sin(angle), std::cos(angle), 0.1);
+      view.Planes = { glm::dvec4(left, -glm::dot(left, view.Eye)),
+        glm::dvec4(right, -glm::dot(right, view.Eye)) };
+      for (const CullingMethod culling : { CullingMethod::Nested, CullingMethod::Lazy })
+      {
+        RefinementOptions options = WithTolerance(2.0);
+        options.Culling = culling;
+        const StripMesh mesh = Refine(hierarchy, view, options);
+        EXPECT_LT(mesh.Triangles, whole.Triangles);
+        if (culling == CullingMethod::Nested)
+        {
+          EXPECT_EQ(WhyNotConforming(mesh), "");
+        }
+        const std::set<Triangle> kept = TriangleSet(mesh);
+        for (const Triangle& t : TriangleSet(whole))
+        {
+          for (const Sample& corner : t)
+          {
+            const glm::dvec3 p = MakeGeometry().ToModel(
+              glm::dvec2(corner[0], corner[1]), raster.At(corner[0], corner[1]));
+            if (glm::dot(left, p - view.Eye) > 0.0 && glm::dot(right, p - view.Eye) > 0.0)
+            {
+              EXPECT_EQ(kept.count(t), 1u);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Refinement, ParallelProjectionHasOneErrorEverywhere)
+{
+  const Raster raster = MakeHills(129, 129);
+  RefinementView view = MakeView(raster, 0.5, 0.5, 1.0e7);
+  view.Parallel = true;
+  view.PixelsPerUnit = 1.0;
+  const MemoryHierarchy hierarchy = Build(raster);
+  const StripMesh far = Refine(hierarchy, view, WithTolerance(2.0));
+  view.Eye.z = 0.0;
+  EXPECT_EQ(TriangleSet(far), TriangleSet(Refine(hierarchy, view, WithTolerance(2.0))));
+  EXPECT_GT(far.Triangles, 100);
+  EXPECT_LT(far.Triangles, 20000);
+}
+
+namespace
+{
+/// Heights of the drawn surface at all samples.
+std::vector<double> DrawnSurface(const Raster& raster, const StripMesh& mesh)
+{
+  std::vector<double> surface(raster.Heights.size(), 0.0);
+  for (const auto& indices : IndexTriangles(mesh))
+  {
+    Triangle triangle;
+    std::array<double, 3> heights{};
+    for (int i = 0; i < 3; ++i)
+    {
+      const terrain::StripVertex& vertex = mesh.Vertices[indices[i]];
+      triangle[i] = { { vertex.Column, vertex.Row } };
+      heights[i] = static_cast<double>(vertex.Height) + vertex.Displacement;
+    }
+    const auto [west, east] = std::minmax({ triangle[0][0], triangle[1][0], triangle[2][0] });
+    const auto [south, north] = std::minmax({ triangle[0][1], triangle[1][1], triangle[2][1] });
+    for (std::int64_t y = south; y <= north; ++y)
+    {
+      for (std::int64_t x = west; x <= east; ++x)
+      {
+        const auto px = static_cast<double>(x);
+        const auto py = static_cast<double>(y);
+        if (PlaneAt(triangle, { { 1, 0, 0 } }, px, py) >= 0.0 &&
+          PlaneAt(triangle, { { 0, 1, 0 } }, px, py) >= 0.0 &&
+          PlaneAt(triangle, { { 0, 0, 1 } }, px, py) >= 0.0)
+        {
+          surface[x + raster.Width * y] = PlaneAt(triangle, heights, px, py);
+        }
+      }
+    }
+  }
+  return surface;
+}
+
+/// Largest change of the surface in 300 steps of the eye. Of a point at distance d it is in pixels,
+/// dz lambda / d, over the step in the same distances, |step| / d, in units of the tolerance.
+double LargestChange(bool morphing)
+{
+  const Raster raster = MakeHills(129, 129);
+  const MemoryHierarchy hierarchy = Build(raster);
+  RefinementOptions options = WithTolerance(6.0);
+  options.Morphing = morphing;
+  Refiner refiner(hierarchy.View());
+  StripMesh mesh;
+  std::vector<double> before;
+  glm::dvec3 eye(0.0);
+  double largest = 0.0;
+  for (int step = 0; step < 300; ++step)
+  {
+    const RefinementView view = MakeView(raster, 0.1 + 0.4 * step / 300.0, -0.6, 60.0);
+    refiner.Refine(view, options, mesh);
+    std::vector<double> surface = DrawnSurface(raster, mesh);
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      largest = std::max(largest,
+        std::abs(surface[i] - before[i]) * view.PixelsPerUnit /
+          (options.Tolerance * glm::distance(eye, view.Eye)));
+    }
+    before.swap(surface);
+    eye = view.Eye;
+  }
+  return largest;
+}
+
+/// Bound of LargestChange with morphing. One vertex changes by (1.25^2 / 0.5) = 3.1 at most; its
+/// ancestors that morph at the same time add to it.
+constexpr double kMorphChange = 8.0;
+}
+
+TEST(Refinement, MorphedSurfaceMovesWithTheEyeAndDoesNotJump)
+{
+  const double morphed = LargestChange(true);
+  EXPECT_LT(morphed, kMorphChange);
+  EXPECT_GT(LargestChange(false), 10.0 * kMorphChange);
+}
+
+TEST(Refinement, RefusesBadViewsAndOptions)
+{
+  const Raster raster = MakeHills(9, 9);
+  const RefinementView good = MakeView(raster, 0.5, 0.5, 10.0);
+  EXPECT_EQ(Refiner::WhyNotRefine(good, RefinementOptions()), "");
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double tolerance : { 0.0, -1.0, std::nan(""), infinity })
+  {
+    EXPECT_NE(Refiner::WhyNotRefine(good, WithTolerance(tolerance)), "");
+  }
+  for (const double bad : { 0.0, -1.0, std::nan(""), infinity })
+  {
+    RefinementView view = good;
+    view.PixelsPerUnit = bad;
+    EXPECT_NE(Refiner::WhyNotRefine(view, RefinementOptions()), "");
+    view = good;
+    view.Exaggeration = bad;
+    EXPECT_NE(Refiner::WhyNotRefine(view, RefinementOptions()), "");
+  }
+  RefinementView view = good;
+  view.Eye.x = infinity;
+  EXPECT_NE(Refiner::WhyNotRefine(view, RefinementOptions()), "");
+  view = good;
+  view.Planes.emplace_back(std::nan(""), 0.0, 0.0, 1.0);
+  EXPECT_NE(Refiner::WhyNotRefine(view, RefinementOptions()), "");
+  RefinementOptions options;
+  options.TriangleBudget = -1;
+  EXPECT_NE(Refiner::WhyNotRefine(good, options), "");
+}

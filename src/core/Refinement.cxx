@@ -1,0 +1,375 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/Refinement.h"
+
+#include "core/RefinementKernel.h"
+#include "core/RefinementSinks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace terrain
+{
+namespace
+{
+template <bool UseDistance, bool UseCulling, bool UseHoles>
+struct Switches
+{
+  static constexpr bool Distance = UseDistance;
+  static constexpr bool Culling = UseCulling;
+  static constexpr bool Holes = UseHoles;
+};
+
+/// Counting stops at this many times the budget, and starts again with a larger tolerance.
+constexpr std::int64_t kCountLimit = 8;
+/// By this factor.
+constexpr double kToleranceStep = 4.0;
+/// Beyond this tolerance only spheres around the eye are refined.
+constexpr double kLargestTolerance = 1.0e30;
+
+bool IsFinite(const glm::dvec3& v)
+{
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+}
+
+void StripMesh::Clear()
+{
+  this->Vertices.clear();
+  this->Strip.clear();
+  this->Triangles = 0;
+}
+
+struct Refiner::Work
+{
+  explicit Work(const HierarchyView& hierarchy)
+    : Hierarchy(hierarchy)
+  {
+  }
+
+  HierarchyView Hierarchy;
+  RefinementFrame Frame;
+  std::array<std::vector<AxisEntry>, 2> Axes;
+  /// First and last column, first and last row of the square.
+  std::array<std::array<AxisEntry, 2>, 2> Ends{};
+  double Scale = 0.0;
+  MeshSink Mesh;
+  SampleSink Samples;
+
+  void Tabulate(double scale);
+  void SetView(const RefinementView& view);
+  void SetTolerance(const RefinementView& view, double tolerance);
+  void SetPlanes(const RefinementView& view, CullingMethod culling);
+
+  std::uint64_t Centre() const
+  {
+    const auto half = static_cast<std::uint64_t>(this->Hierarchy.Layout->Cells() / 2);
+    return half | (half << 32);
+  }
+  VertexSite CentreSite() const;
+
+  template <bool Distance, typename Sink>
+  std::int64_t Run(Sink& sink, RefinementMethod method, std::uint32_t centre,
+    const std::array<std::uint32_t, 4>& corners);
+  template <typename Switch, typename Sink>
+  std::int64_t RunKernel(Sink& sink, RefinementMethod method, std::uint32_t centre,
+    const std::array<std::uint32_t, 4>& corners);
+  double ToleranceFor(const RefinementView& view, const RefinementOptions& options);
+};
+
+/// Positions and terms of all columns and rows, and the offsets between depths. Scaled space is
+/// model space relative to the grid's origin, times `scale`.
+void Refiner::Work::Tabulate(double scale)
+{
+  if (this->Scale == scale)
+  {
+    return;
+  }
+  this->Scale = scale;
+  const HierarchyLayout& layout = *this->Hierarchy.Layout;
+  const std::array<std::int64_t, 2> last{ { layout.Width() - 1, layout.Height() - 1 } };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double spacing =
+      scale * (axis == 0 ? this->Hierarchy.Geometry.Spacing.x : this->Hierarchy.Geometry.Spacing.y);
+    const auto entry = [&](std::int64_t cell, std::uint32_t term)
+    {
+      const std::int64_t sample = std::min(cell, last[axis]);
+      return AxisEntry{ static_cast<double>(sample) * spacing, term,
+        static_cast<std::uint32_t>(sample) };
+    };
+    this->Axes[axis].clear();
+    for (int pair = 0; pair < layout.Pairs(); ++pair)
+    {
+      for (std::int64_t step = 0; step < layout.Count(pair, axis); ++step)
+      {
+        this->Axes[axis].push_back(
+          entry(step << layout.Shift(pair), layout.Term(pair, axis, step)));
+      }
+    }
+    this->Ends[axis][0] = entry(0, 0);
+    this->Ends[axis][1] = entry(layout.Cells(), 0);
+  }
+  std::array<std::size_t, 2> begin{ { 0, 0 } };
+  for (int depth = 0; depth < layout.Depths(); ++depth)
+  {
+    const int pair = depth / 2;
+    DepthTable& table = this->Frame.Depths[depth];
+    table.Shift = layout.Shift(pair);
+    table.Columns = &this->Axes[0][begin[0]];
+    table.Rows = &this->Axes[1][begin[1]];
+    for (int direction = 0; direction < 8; ++direction)
+    {
+      const std::array<int, 2>& unit = HierarchyLayout::Directions[direction];
+      table.Offsets[direction] = static_cast<std::uint64_t>(
+        -(unit[0] + (std::int64_t(unit[1]) * (std::int64_t(1) << 32))) * layout.Step(pair));
+    }
+    if ((depth & 1) != 0)
+    {
+      begin[0] += static_cast<std::size_t>(layout.Count(pair, 0));
+      begin[1] += static_cast<std::size_t>(layout.Count(pair, 1));
+    }
+  }
+}
+
+void Refiner::Work::SetView(const RefinementView& view)
+{
+  const double scale = 1.0 / std::max(1.0, view.Exaggeration);
+  this->Tabulate(scale);
+  this->Frame.DepthCount = this->Hierarchy.Layout->Depths();
+  this->Frame.Records = this->Hierarchy.Records;
+  this->Frame.HeightScale = view.Exaggeration * scale;
+  this->Frame.Eye = (view.Eye - this->Hierarchy.Geometry.Origin) * scale;
+  this->Frame.LastColumn = static_cast<std::uint32_t>(this->Hierarchy.Layout->Width() - 1);
+  this->Frame.LastRow = static_cast<std::uint32_t>(this->Hierarchy.Layout->Height() - 1);
+  this->Frame.RadiusScale = view.Parallel ? 0.0 : 1.0;
+  this->Frame.DistanceScale = view.Parallel ? 0.0 : 1.0;
+  this->Frame.DistanceOffset = view.Parallel ? 1.0 : 0.0;
+}
+
+void Refiner::Work::SetTolerance(const RefinementView& view, double tolerance)
+{
+  // Errors beside holes are horizontal: flattening must not make them smaller.
+  const double stretch =
+    this->Hierarchy.Summary.HasHoles ? std::max(1.0, view.Exaggeration) : view.Exaggeration;
+  const double unit = view.Parallel ? 1.0 : this->Scale;
+  this->Frame.ErrorScale = stretch * unit * view.PixelsPerUnit / tolerance;
+}
+
+void Refiner::Work::SetPlanes(const RefinementView& view, CullingMethod culling)
+{
+  this->Frame.PlaneCount = 0;
+  this->Frame.LazyDepth = culling == CullingMethod::Lazy
+    ? std::max(0, this->Hierarchy.Layout->Depths() - kLazyDepths)
+    : 32;
+  if (culling == CullingMethod::None)
+  {
+    return;
+  }
+  for (const glm::dvec4& plane : view.Planes)
+  {
+    const glm::dvec3 normal(plane);
+    const double length = glm::length(normal);
+    if (length > 0.0 && this->Frame.PlaneCount < static_cast<int>(this->Frame.Planes.size()))
+    {
+      const double offset = plane.w + glm::dot(normal, this->Hierarchy.Geometry.Origin);
+      this->Frame.Planes[this->Frame.PlaneCount++] =
+        glm::dvec4(normal / length, this->Scale * offset / length);
+    }
+  }
+}
+
+VertexSite Refiner::Work::CentreSite() const
+{
+  const DepthTable& depth = this->Frame.Depths[0];
+  VertexSite site{};
+  site.Column = &depth.Columns[1];
+  site.Row = &depth.Rows[1];
+  site.Record = site.Column->Term + site.Row->Term;
+  site.Position = this->Centre();
+  return site;
+}
+
+template <typename Switch, typename Sink>
+std::int64_t Refiner::Work::RunKernel(Sink& sink, RefinementMethod method, std::uint32_t centre,
+  const std::array<std::uint32_t, 4>& corners)
+{
+  RefinementKernel<Switch, Sink> kernel(this->Frame, sink);
+  const std::uint32_t drawn = this->Frame.Records[this->CentreSite().Record].Drawn();
+  const std::uint32_t mask = (1u << this->Frame.PlaneCount) - 1u;
+  sink.Reserve();
+  if (method == RefinementMethod::Plain)
+  {
+    kernel.Plain(this->Centre(), centre, drawn, corners, mask);
+  }
+  else
+  {
+    kernel.Improved(this->Centre(), centre, drawn, corners, mask);
+  }
+  return kernel.Triangles();
+}
+
+template <bool Distance, typename Sink>
+std::int64_t Refiner::Work::Run(Sink& sink, RefinementMethod method, std::uint32_t centre,
+  const std::array<std::uint32_t, 4>& corners)
+{
+  const bool culls = this->Frame.PlaneCount > 0;
+  const bool holes = this->Hierarchy.Summary.HasHoles;
+  if constexpr (Distance)
+  {
+    return this->RunKernel<Switches<true, false, false>>(sink, method, centre, corners);
+  }
+  else if (culls)
+  {
+    return holes ? this->RunKernel<Switches<false, true, true>>(sink, method, centre, corners)
+                 : this->RunKernel<Switches<false, true, false>>(sink, method, centre, corners);
+  }
+  else
+  {
+    return holes ? this->RunKernel<Switches<false, false, true>>(sink, method, centre, corners)
+                 : this->RunKernel<Switches<false, false, false>>(sink, method, centre, corners);
+  }
+}
+
+/// The tolerance of the options, raised until the budget suffices: counts how many triangles each
+/// tolerance takes, over a range that starts higher when there are too many to count. Around the
+/// eye no tolerance is large enough: then it is infinite, and the depth is limited.
+double Refiner::Work::ToleranceFor(const RefinementView& view, const RefinementOptions& options)
+{
+  const double share = options.Morphing ? kMorphBegin : 1.0;
+  const std::int64_t budget = std::max<std::int64_t>(options.TriangleBudget, 4) - 4;
+  const auto count = [&](double tolerance)
+  {
+    CountSink sink(kCountLimit * (budget + 4) + 64);
+    this->SetTolerance(view, share * tolerance);
+    this->Run<false>(sink, RefinementMethod::Improved, 0, { { 0, 0, 0, 0 } });
+    return sink;
+  };
+  double tolerance = options.Tolerance;
+  for (; tolerance < kLargestTolerance; tolerance *= kToleranceStep)
+  {
+    const CountSink sink = count(tolerance);
+    const double factor = sink.Stopped() ? 0.0 : sink.FactorFor(budget);
+    if (factor > 0.0 && std::isfinite(factor))
+    {
+      return tolerance * factor;
+    }
+    if (factor > 0.0)
+    {
+      break;
+    }
+  }
+  tolerance = std::numeric_limits<double>::infinity();
+  for (CountSink sink = count(tolerance); sink.Stopped() || sink.Triangles() > budget;
+       sink = count(tolerance))
+  {
+    --this->Frame.DepthCount;
+  }
+  return tolerance;
+}
+
+Refiner::Refiner(const HierarchyView& hierarchy)
+  : Private(std::make_unique<Work>(hierarchy))
+{
+}
+
+Refiner::~Refiner() = default;
+
+std::string Refiner::WhyNotRefine(const RefinementView& view, const RefinementOptions& options)
+{
+  if (!std::isfinite(options.Tolerance) || options.Tolerance <= 0.0)
+  {
+    return "the tolerance must be a positive number of pixels, not " +
+      std::to_string(options.Tolerance);
+  }
+  if (options.TriangleBudget < 0)
+  {
+    return "the triangle budget must not be negative, it is " +
+      std::to_string(options.TriangleBudget);
+  }
+  if (!std::isfinite(view.PixelsPerUnit) || view.PixelsPerUnit <= 0.0)
+  {
+    return "the viewport must have a height and the camera a view angle between 0 and 180 degrees";
+  }
+  if (!IsFinite(view.Eye))
+  {
+    return "the camera's position is not finite";
+  }
+  if (!std::isfinite(view.Exaggeration) || view.Exaggeration <= 0.0)
+  {
+    return "the exaggeration must be positive, not " + std::to_string(view.Exaggeration);
+  }
+  for (const glm::dvec4& plane : view.Planes)
+  {
+    if (!IsFinite(glm::dvec3(plane)) || !std::isfinite(plane.w))
+    {
+      return "the camera's planes are not finite";
+    }
+  }
+  return std::string();
+}
+
+void Refiner::Refine(const RefinementView& view, const RefinementOptions& options, StripMesh& mesh)
+{
+  Work& work = *this->Private;
+  mesh.Clear();
+  mesh.Tolerance = options.Tolerance;
+  const HierarchyLayout& layout = *work.Hierarchy.Layout;
+  if (layout.Width() < 2 || layout.Height() < 2)
+  {
+    return;
+  }
+  work.SetView(view);
+  work.SetPlanes(view, options.Culling);
+  if (options.TriangleBudget > 0)
+  {
+    mesh.Tolerance = work.ToleranceFor(view, options);
+  }
+  work.SetTolerance(view, (options.Morphing ? kMorphBegin : 1.0) * mesh.Tolerance);
+  MeshSink& sink = work.Mesh;
+  sink.Vertices.swap(mesh.Vertices);
+  sink.Clear();
+  sink.Morphing = options.Morphing;
+  std::array<std::uint32_t, 4> corners{};
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    corners[corner] = sink.Corner(work.Ends[0][corner & 1], work.Ends[1][corner >> 1], corner,
+      work.Hierarchy.Summary.Corners[corner]);
+  }
+  sink.Morphing = false;
+  const std::uint32_t centre = sink.Vertex(work.Frame, work.CentreSite(), 0, 0);
+  sink.Morphing = options.Morphing;
+  mesh.Triangles = work.Run<false>(sink, options.Method, centre, corners);
+  sink.Vertices.swap(mesh.Vertices);
+  sink.Strip.Take(mesh.Strip);
+}
+
+std::int64_t Refiner::RefineByDistance(const RefinementView& view, double range,
+  RefinementMethod method, std::vector<std::uint32_t>& strip)
+{
+  Work& work = *this->Private;
+  work.SetView(view);
+  work.SetPlanes(view, CullingMethod::None);
+  const HierarchyLayout& layout = *work.Hierarchy.Layout;
+  const glm::dvec2 spacing = work.Hierarchy.Geometry.Spacing;
+  double reach = work.Scale * std::max(spacing.x, spacing.y) * static_cast<double>(layout.Cells());
+  reach *= 0.5 * range / (1.0 - std::sqrt(0.5));
+  for (int depth = 0; depth < layout.Depths(); ++depth)
+  {
+    work.Frame.Depths[depth].Range2 = reach * reach;
+    reach *= std::sqrt(0.5);
+  }
+  SampleSink& sink = work.Samples;
+  sink.Strip.Clear();
+  std::array<std::uint32_t, 4> corners{};
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    corners[corner] = work.Ends[0][corner & 1].Sample | (work.Ends[1][corner >> 1].Sample << 16);
+  }
+  const std::uint32_t centre = sink.Vertex(work.Frame, work.CentreSite(), 0, 0);
+  const std::int64_t triangles = work.Run<true>(sink, method, centre, corners);
+  sink.Strip.Take(strip);
+  return triangles;
+}
+}
