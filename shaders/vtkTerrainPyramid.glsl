@@ -28,7 +28,7 @@ uniform int terrainPyramidStart;
 #define TERRAIN_VISIT(node, level)
 #endif
 
-// A ray mirrored so that it runs north-east, clipped to the grid; cells are mirrored likewise.
+// A ray mirrored so that it runs north-east; cells are mirrored likewise.
 struct TerrainPath
 {
   ivec2 mirror;     // cell ^ mirror takes cells to the grid and back: -1 where mirrored, else 0
@@ -71,8 +71,7 @@ vec2 terrainNodeExtremes(ivec2 node, int level)
   return vec2(texelFetch(terrainPyramid, min(node, lastTexel), level - 1).rg) - terrainBias;
 }
 
-// Mirrors a ray and clips it to the grid's rectangle and to the codes; empty if sBegin > sEnd.
-TerrainPath terrainMakePath(TerrainRay ray)
+TerrainPath terrainMirrorRay(TerrainRay ray)
 {
   TerrainPath path;
   bvec2 backward = lessThan(ray.directionGC.xy, vec2(0.0));
@@ -90,13 +89,22 @@ TerrainPath terrainMakePath(TerrainRay ray)
   path.firstCell = path.mirror * cells;
   path.lastCell = path.firstCell + cells - 1;
   path.slack = 1e-6 * (terrainMaximumCode + abs(path.origin.z));
+  path.sBegin = ray.sBegin;
+  path.sEnd = ray.sEnd;
+  return path;
+}
 
+// Clips to the grid's rectangle and to the codes; empty if sBegin > sEnd.
+TerrainPath terrainClipPath(TerrainPath path)
+{
+  bvec2 still = equal(path.direction.xy, vec2(0.0));
+  bool level = path.inverse.z == 0.0;
   vec2 firstLine = vec2(path.firstCell - path.anchor);
   vec2 lastLine = vec2(path.lastCell + 1 - path.anchor);
-  vec2 enter = mix((firstLine - path.origin.xy) * path.inverse.xy, vec2(ray.sBegin), still);
+  vec2 enter = mix((firstLine - path.origin.xy) * path.inverse.xy, vec2(path.sBegin), still);
   vec2 leave = (lastLine - path.lineOrigin) * path.inverse.xy;
-  path.sBegin = max(max(enter.x, enter.y), ray.sBegin);
-  path.sEnd = min(min(leave.x, leave.y), ray.sEnd);
+  path.sBegin = max(max(enter.x, enter.y), path.sBegin);
+  path.sEnd = min(min(leave.x, leave.y), path.sEnd);
 
   vec2 planes = vec2(-path.slack, terrainMaximumCode + path.slack) - path.origin.z;
   vec2 meet = planes * path.inverse.z;
@@ -107,7 +115,7 @@ TerrainPath terrainMakePath(TerrainRay ray)
     path.origin.y < firstLine.y || path.origin.y > lastLine.y);
   bool outside = (still.x && beside.x) || (still.y && beside.y) ||
     (level && (planes.x > 0.0 || planes.y < 0.0)) || terrainPyramidTop < 1;
-  float sum = dot(ray.originGC, vec3(1.0)) + dot(ray.directionGC, vec3(1.0));
+  float sum = dot(path.origin, vec3(1.0)) + dot(path.direction, vec3(1.0));
   outside = outside || !(abs(sum) < 1e38); // not a number, or infinite
   path.sEnd = outside ? path.sBegin - 1.0 : path.sEnd;
   return path;
@@ -227,7 +235,7 @@ TerrainHit terrainMeetCell(TerrainPath path, TerrainStep at, TerrainSpan span)
 // The first point of the surface on a ray.
 TerrainHit terrainTracePyramid(TerrainRay ray)
 {
-  TerrainPath path = terrainMakePath(ray);
+  TerrainPath path = terrainClipPath(terrainMirrorRay(ray));
   TerrainStep at = terrainFirstStep(path);
   TerrainHit hit = terrainNoHit();
   bool ended = !(path.sBegin <= path.sEnd);

@@ -46,6 +46,7 @@ endif ()
 
 set(shaders
   vtkTerrainCast
+  vtkTerrainBeam
   vtkTerrainColor
   vtkTerrainHeights
   vtkTerrainPyramid

@@ -88,7 +88,7 @@ struct CodedPyramid
   /// Level of the first node, 1..LevelCount(); more is taken as LevelCount().
   int start = 1;
 
-  /// A ray mirrored so that it runs north-east, clipped to the grid; cells are mirrored likewise.
+  /// A ray mirrored so that it runs north-east; cells are mirrored likewise.
   struct Path
   {
     glm::ivec2 mirror;    ///< cell ^ mirror takes cells to the grid and back: -1 or 0
@@ -131,8 +131,9 @@ struct CodedPyramid
       static_cast<float>(this->heights.bias);
   }
 
-  Path MakePath(const TerrainRay& ray) const;
-  void ClipPath(const TerrainRay& ray, Path& path) const;
+  Path MirrorRay(const TerrainRay& ray) const;
+  /// Clips to the grid's rectangle and to the codes; empty if sBegin > sEnd.
+  Path ClipPath(Path path) const;
   Step FirstStep(const Path& path) const;
   Span NodeSpan(const Path& path, const Step& at) const;
   /// The next step: down a level at distance s; or else into the next node, one level up if the
@@ -156,7 +157,7 @@ struct CodedPyramid
 };
 
 template <typename Texel>
-typename CodedPyramid<Texel>::Path CodedPyramid<Texel>::MakePath(const TerrainRay& ray) const
+typename CodedPyramid<Texel>::Path CodedPyramid<Texel>::MirrorRay(const TerrainRay& ray) const
 {
   Path path;
   const glm::bvec2 backward = glm::lessThan(glm::vec2(ray.directionGC), glm::vec2(0.0f));
@@ -176,23 +177,24 @@ typename CodedPyramid<Texel>::Path CodedPyramid<Texel>::MakePath(const TerrainRa
   path.firstCell = path.mirror * cells;
   path.lastCell = path.firstCell + cells - 1;
   path.slack = 1e-6f * (this->heights.maximumCode + std::abs(path.origin.z));
-  this->ClipPath(ray, path);
+  path.sBegin = ray.sBegin;
+  path.sEnd = ray.sEnd;
   return path;
 }
 
 template <typename Texel>
-void CodedPyramid<Texel>::ClipPath(const TerrainRay& ray, Path& path) const
+typename CodedPyramid<Texel>::Path CodedPyramid<Texel>::ClipPath(Path path) const
 {
   const glm::bvec2 still = glm::equal(glm::vec2(path.direction), glm::vec2(0.0f));
   const glm::vec2 firstLine = glm::vec2(path.firstCell - path.anchor);
   const glm::vec2 lastLine = glm::vec2(path.lastCell + 1 - path.anchor);
   const glm::vec2 enter = glm::mix(
-    (firstLine - glm::vec2(path.origin)) * glm::vec2(path.inverse), glm::vec2(ray.sBegin), still);
+    (firstLine - glm::vec2(path.origin)) * glm::vec2(path.inverse), glm::vec2(path.sBegin), still);
   const glm::vec2 leave = (lastLine - path.lineOrigin) * glm::vec2(path.inverse);
-  path.sBegin = std::max(std::max(enter.x, enter.y), ray.sBegin);
-  path.sEnd = std::min(std::min(leave.x, leave.y), ray.sEnd);
+  path.sBegin = std::max(std::max(enter.x, enter.y), path.sBegin);
+  path.sEnd = std::min(std::min(leave.x, leave.y), path.sEnd);
 
-  const bool level = std::abs(path.direction.z) < 1e-30f;
+  const bool level = path.inverse.z == 0.0f;
   const glm::vec2 planes =
     glm::vec2(-path.slack, this->heights.maximumCode + path.slack) - path.origin.z;
   const glm::vec2 meet = planes * path.inverse.z;
@@ -204,9 +206,10 @@ void CodedPyramid<Texel>::ClipPath(const TerrainRay& ray, Path& path) const
   bool outside = (still.x && beside.x) || (still.y && beside.y) ||
     (level && (planes.x > 0.0f || planes.y < 0.0f)) || this->pyramid->LevelCount() < 1;
   const float sum =
-    glm::dot(ray.originGC, glm::vec3(1.0f)) + glm::dot(ray.directionGC, glm::vec3(1.0f));
+    glm::dot(path.origin, glm::vec3(1.0f)) + glm::dot(path.direction, glm::vec3(1.0f));
   outside = outside || !(std::abs(sum) < 1e38f); // not a number, or infinite
   path.sEnd = outside ? path.sBegin - 1.0f : path.sEnd;
+  return path;
 }
 
 template <typename Texel>
@@ -302,7 +305,7 @@ template <typename Texel>
 template <typename Visit>
 TerrainHit CodedPyramid<Texel>::TracePyramid(const TerrainRay& ray, Visit&& visit) const
 {
-  const Path path = this->MakePath(ray);
+  const Path path = this->ClipPath(this->MirrorRay(ray));
   TerrainHit hit;
   if (!(path.sBegin <= path.sEnd))
   {
