@@ -9,6 +9,7 @@ set(classes
   vtkTerrainGeoTransform
   vtkTerrainGeoid
   vtkTerrainGeoreference
+  vtkTerrainMinMaxPyramid
   vtkTerrainRasterReader
   vtkTerrainReproject
   vtkTerrainSource
