@@ -93,7 +93,8 @@ TEST(PyramidBeam, IsNeverBeyondTheFirstHitOfItsRays)
       for (int k = 0; k < 9; ++k)
       {
         // The centres and corners of the tile's pixels lie within its square.
-        const TerrainRay ray = camera.Ray(0.5 * (k % 3), 0.5 * (k / 3), length);
+        const int row = k / 3;
+        const TerrainRay ray = camera.Ray(0.5 * (k % 3), 0.5 * row, length);
         const double first = terrain::FirstMeeting(terrain::RayPieces(field.Coded.heights, ray));
         ASSERT_GE(first, start) << "trial " << trial << " ray " << k;
         hits += !std::isinf(first);
