@@ -13,7 +13,9 @@
 //   terrainPyramidTop    LevelCount(); 0 where the grid has no cells
 //   terrainPyramidStart  level of the first node, 1..top (0 if there are no cells)
 // Defines:
-//   TERRAIN_VISIT(node, level)  optional: run for every node visited; nodes count from the south-west
+//   TERRAIN_COLUMNS   optional: the surface of constant columns instead of bilinear patches
+//   TERRAIN_VISIT(node, level)  optional: run for every node visited, which counts from the
+//                     south-west
 
 #ifdef TERRAIN_HEIGHTS_INTEGER
 uniform usampler2D terrainPyramid;
@@ -168,14 +170,31 @@ vec2 terrainNodeBounds(TerrainPath path, TerrainStep at)
   return terrainNodeExtremes(node, at.level) + vec2(path.slack, -path.slack);
 }
 
-// Visits the node of a step: down if the path's heights meet the bounds, from where they do.
-TerrainStep terrainVisitNode(TerrainPath path, TerrainStep at, TerrainSpan span, out bool down)
+// True if a node is no larger than a tolerance (terrainTracePyramidWithin()) allows at a distance.
+bool terrainIsWithin(vec4 tolerance, float s, int level, vec2 bounds)
+{
+  vec2 allowed = tolerance.xy + s * tolerance.zw;
+  return float(1 << level) <= allowed.x && bounds.x - bounds.y <= allowed.y;
+}
+
+// Visits the node of a step: down if the path's heights meet the bounds, from where they do; small
+// if the node where they do is within the tolerance.
+TerrainStep terrainVisitNode(TerrainPath path, TerrainStep at, TerrainSpan span, vec4 tolerance,
+  out bool down, out bool small)
 {
   vec2 bounds = terrainNodeBounds(path, at);
   down = min(at.z, span.z) <= bounds.x && max(at.z, span.z) >= bounds.y;
+  small = down && terrainIsWithin(tolerance, at.s, at.level, bounds);
   float bound = path.direction.z < 0.0 ? bounds.x : bounds.y;
   float s = clamp(at.s + (bound - at.z) * path.inverse.z, at.s, span.s);
   return terrainNextStep(path, at, span, down, down ? s : span.s);
+}
+
+// Code of the sample whose column has a quarter of a cell: east, north half or not.
+float terrainColumnCode(vec4 codes, bvec2 quarter)
+{
+  vec2 row = quarter.y ? codes.zw : codes.xy;
+  return quarter.x ? row.y : row.x;
 }
 
 // First t in 0..1 with c + b t + a t^2 = 0, where c and e are the values at 0 and 1; -1 if there is
@@ -195,8 +214,8 @@ float terrainFirstRoot(float c, float e, float a)
   return c == 0.0 || e <= 0.0 || dips ? t : -1.0;
 }
 
-// Where a segment from one position in a cell to another first meets the cell's patch, as a fraction
-// of the segment; -1 if it does not. Positions are fractions of the cell and height codes.
+// Where a segment from one position in a cell to another first meets the cell's patch, as a part of
+// the segment; -1 if it does not. Positions are fractions of the cell and height codes.
 float terrainIntersectPatch(vec4 codes, vec3 begin, vec3 end)
 {
   vec2 move = end.xy - begin.xy;
@@ -205,8 +224,35 @@ float terrainIntersectPatch(vec4 codes, vec3 begin, vec3 end)
     end.z - terrainPatchCode(codes, end.xy), -twist * move.x * move.y);
 }
 
-// Position on a path in a cell, as fractions of the cell in the grid; line: see TerrainStep, and the
-// side of the cell where it lies, 0 or 1.
+// The same for the columns around the samples, each as high as its sample: the cell shows a quarter
+// of four of them. Top faces and side walls are met.
+float terrainIntersectColumns(vec4 codes, vec3 begin, vec3 end)
+{
+  bvec2 from = greaterThanEqual(begin.xy, vec2(0.5));
+  bvec2 to = greaterThanEqual(end.xy, vec2(0.5));
+  // Where the segment goes over into other columns: a wall is crossed if and only if sides differ.
+  vec2 wall = mix(vec2(1.0), clamp((0.5 - begin.xy) / (end.xy - begin.xy), vec2(0.0), vec2(1.0)),
+    notEqual(from, to));
+  bvec2 between = wall.x <= wall.y ? bvec2(to.x, from.y) : bvec2(from.x, to.y);
+  float t1 = min(wall.x, wall.y);
+  float t2 = max(wall.x, wall.y);
+  vec3 columns = vec3(terrainColumnCode(codes, from), terrainColumnCode(codes, between),
+    terrainColumnCode(codes, to));
+  vec2 z = begin.z + (end.z - begin.z) * vec2(t1, t2);
+  float side = begin.z < columns.x ? -1.0 : 1.0;
+  // Height above each column where the segment begins and ends on it, seen from its first side.
+  vec3 above = side * (vec3(begin.z, z) - columns);
+  vec3 after = side * (vec3(z, end.z) - columns);
+  float t = after.z <= 0.0 ? t2 + (1.0 - t2) * above.z / (above.z - after.z) : -1.0;
+  t = above.z <= 0.0 ? t2 : t;
+  t = after.y <= 0.0 ? t1 + (t2 - t1) * above.y / (above.y - after.y) : t;
+  t = above.y <= 0.0 ? t1 : t;
+  t = after.x <= 0.0 ? t1 * above.x / (above.x - after.x) : t;
+  return above.x <= 0.0 ? 0.0 : t;
+}
+
+// Position on a path in a cell, as fractions of the cell in the grid; line: see TerrainStep, and
+// the side of the cell where it lies, 0 or 1.
 vec2 terrainCellFraction(TerrainPath path, ivec2 cell, float s, int line, float side)
 {
   vec2 fraction =
@@ -225,15 +271,29 @@ TerrainHit terrainMeetCell(TerrainPath path, TerrainStep at, TerrainSpan span)
   vec2 begin = terrainCellFraction(path, at.cell, at.s, at.line, 0.0);
   vec2 end = terrainCellFraction(
     path, at.cell, span.s, span.ends ? 0 : span.crossEast ? 1 : 2, 1.0);
+#ifdef TERRAIN_COLUMNS
+  float t = terrainIntersectColumns(codes, vec3(begin, at.z), vec3(end, span.z));
+#else
   float t = terrainIntersectPatch(codes, vec3(begin, at.z), vec3(end, span.z));
+#endif
   hit.found = terrainCellValid(codes) && t >= 0.0;
   hit.s = at.s + t * (span.s - at.s);
   hit.fraction = begin + t * (end - begin);
   return hit;
 }
 
-// The first point of the surface on a ray.
-TerrainHit terrainTracePyramid(TerrainRay ray)
+// Where a path enters the box of a node that is small enough.
+TerrainHit terrainMeetBox(TerrainPath path, TerrainStep at)
+{
+  return TerrainHit(true, at.s, at.cell ^ path.mirror,
+    terrainCellFraction(path, at.cell, at.s, at.line, 0.0), 0);
+}
+
+// The first point of the surface on a ray. The search may end at a node of the pyramid that, in
+// cells and in height codes, is no larger than tolerance.xy + s * tolerance.zw: the hit is then
+// where the ray enters the node's box, hence off the surface by less than that, and found even if
+// the ray would pass by the surface within the box. 0 is exact; less than 2 cells has no effect.
+TerrainHit terrainTracePyramidWithin(TerrainRay ray, vec4 tolerance)
 {
   TerrainPath path = terrainClipPath(terrainMirrorRay(ray));
   TerrainStep at = terrainFirstStep(path);
@@ -242,6 +302,7 @@ TerrainHit terrainTracePyramid(TerrainRay ray)
   // Bound of the nodes visited: PyramidTraversal.h.
   int most = 2 * (terrainSize.x + terrainSize.y) + terrainPyramidTop;
   int crossings = 0;
+  bool small = false;
   while (!ended && crossings < most)
   {
     // Two loops in turn, so that rays that run side by side do the same work at the same time.
@@ -250,8 +311,8 @@ TerrainHit terrainTracePyramid(TerrainRay ray)
       ++crossings;
       TerrainSpan span = terrainNodeSpan(path, at);
       bool down;
-      at = terrainVisitNode(path, at, span, down);
-      ended = span.ends && !down;
+      at = terrainVisitNode(path, at, span, tolerance, down, small);
+      ended = (span.ends && !down) || small;
     }
     while (!ended && at.level == 0 && crossings < most)
     {
@@ -262,6 +323,16 @@ TerrainHit terrainTracePyramid(TerrainRay ray)
       at = terrainNextStep(path, at, span, false, span.s);
     }
   }
+  if (small)
+  {
+    hit = terrainMeetBox(path, at);
+  }
   hit.crossings = crossings;
   return hit;
+}
+
+// The first point of the surface on a ray.
+TerrainHit terrainTracePyramid(TerrainRay ray)
+{
+  return terrainTracePyramidWithin(ray, vec4(0.0));
 }

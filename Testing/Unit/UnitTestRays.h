@@ -48,52 +48,72 @@ struct CellPiece
   }
 };
 
-/// The pieces of a ray over all cells that have a surface, in order along the ray.
-template <typename Texel>
-std::vector<CellPiece> RayPieces(const CodedHeights<Texel>& heights, const TerrainRay& ray)
+/// The part of a ray, in grid coordinates, over the square [low, low + size]; empty if Begin > End.
+inline CellPiece ClipToSquare(const TerrainRay& ray, const glm::dvec2& low, double size)
 {
-  const glm::dvec3 origin =
-    glm::dvec3(ray.originGC) + glm::dvec3(ray.anchorCell.x, ray.anchorCell.y, 0.0);
+  CellPiece piece;
+  piece.Begin = ray.sBegin;
+  piece.End = ray.sEnd;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double direction = ray.directionGC[axis];
+    const double ahead = low[axis] - ray.anchorCell[axis] - static_cast<double>(ray.originGC[axis]);
+    if (direction == 0.0)
+    {
+      piece.End = ahead > 0.0 || ahead < -size ? piece.Begin - 1.0 : piece.End;
+      continue;
+    }
+    const double t0 = ahead / direction;
+    const double t1 = (ahead + size) / direction;
+    piece.Begin = std::max(piece.Begin, std::min(t0, t1));
+    piece.End = std::min(piece.End, std::max(t0, t1));
+  }
+  return piece;
+}
+
+/// The difference over the patch of a cell: south-west corner, codes, ray.
+inline void SetPatch(
+  CellPiece& piece, const glm::dvec2& corner, const glm::dvec4& codes, const TerrainRay& ray)
+{
   const glm::dvec3 direction(ray.directionGC);
+  const double twist = codes.x - codes.y - codes.z + codes.w;
+  const double east = codes.y - codes.x;
+  const double north = codes.z - codes.x;
+  const double u = ray.anchorCell.x - corner.x + static_cast<double>(ray.originGC.x);
+  const double v = ray.anchorCell.y - corner.y + static_cast<double>(ray.originGC.y);
+  piece.A = -twist * direction.x * direction.y;
+  piece.B = direction.z - east * direction.x - north * direction.y -
+    twist * (u * direction.y + v * direction.x);
+  piece.C = static_cast<double>(ray.originGC.z) - codes.x - east * u - north * v - twist * u * v;
+}
+
+/// The pieces of a ray over all cells that have a surface, in order along the ray. The surface is
+/// made of bilinear patches, or of columns around the samples, of which a cell has four quarters.
+template <typename Texel>
+std::vector<CellPiece> RayPieces(
+  const CodedHeights<Texel>& heights, const TerrainRay& ray, bool columns = false)
+{
   std::vector<CellPiece> pieces;
   for (int j = 0; j < heights.size.y - 1; ++j)
   {
     for (int i = 0; i < heights.size.x - 1; ++i)
     {
-      CellPiece piece;
-      piece.Begin = ray.sBegin;
-      piece.End = ray.sEnd;
-      const std::array<int, 2> cell{ i, j };
-      bool beside = false;
-      for (int axis = 0; axis < 2; ++axis)
-      {
-        const double low = cell[axis] - origin[axis];
-        const double t0 = low / direction[axis];
-        const double t1 = (low + 1.0) / direction[axis];
-        if (direction[axis] == 0.0)
-        {
-          beside = beside || low > 0.0 || low < -1.0;
-          continue;
-        }
-        piece.Begin = std::max(piece.Begin, std::min(t0, t1));
-        piece.End = std::min(piece.End, std::max(t0, t1));
-      }
+      const glm::dvec2 corner(i, j);
       const glm::dvec4 codes(heights.CellCodes({ i, j }));
-      if (beside || piece.Begin > piece.End || codes.x < 0.0 || codes.y < 0.0 || codes.z < 0.0 ||
-        codes.w < 0.0)
+      if (codes.x < 0.0 || codes.y < 0.0 || codes.z < 0.0 || codes.w < 0.0)
       {
         continue;
       }
-      const double twist = codes.x - codes.y - codes.z + codes.w;
-      const double east = codes.y - codes.x;
-      const double north = codes.z - codes.x;
-      const double u = origin.x - i;
-      const double v = origin.y - j;
-      piece.A = -twist * direction.x * direction.y;
-      piece.B = direction.z - east * direction.x - north * direction.y -
-        twist * (u * direction.y + v * direction.x);
-      piece.C = origin.z - codes.x - east * u - north * v - twist * u * v;
-      pieces.push_back(piece);
+      for (int quarter = 0; quarter < (columns ? 4 : 1); ++quarter)
+      {
+        const glm::dvec2 low = corner + 0.5 * glm::dvec2(quarter & 1, quarter >> 1);
+        CellPiece piece = ClipToSquare(ray, low, columns ? 0.5 : 1.0);
+        SetPatch(piece, corner, columns ? glm::dvec4(codes[quarter]) : codes, ray);
+        if (piece.Begin <= piece.End)
+        {
+          pieces.push_back(piece);
+        }
+      }
     }
   }
   std::sort(pieces.begin(), pieces.end(),

@@ -79,6 +79,43 @@ inline float IntersectPatch(const glm::vec4& codes, const glm::vec3& begin, cons
     end.z - PatchCode(codes, glm::vec2(end)), -twist * move.x * move.y);
 }
 
+/// Code of the sample whose column has a quarter of a cell: east, north half or not.
+inline float ColumnCode(const glm::vec4& codes, const glm::bvec2& quarter)
+{
+  const glm::vec2 row = quarter.y ? glm::vec2(codes.z, codes.w) : glm::vec2(codes.x, codes.y);
+  return quarter.x ? row.y : row.x;
+}
+
+/// As IntersectPatch(), for the columns around the samples, each as high as its sample (the paper's
+/// surface of section 4): the cell shows a quarter of four of them. Top faces and walls are met.
+inline float IntersectColumns(const glm::vec4& codes, const glm::vec3& begin, const glm::vec3& end)
+{
+  const glm::vec2 begin2(begin);
+  const glm::vec2 end2(end);
+  const glm::bvec2 from = glm::greaterThanEqual(begin2, glm::vec2(0.5f));
+  const glm::bvec2 to = glm::greaterThanEqual(end2, glm::vec2(0.5f));
+  // Where the segment goes over into other columns: a wall is crossed if and only if sides differ.
+  const glm::vec2 wall = glm::mix(glm::vec2(1.0f),
+    glm::clamp((0.5f - begin2) / (end2 - begin2), glm::vec2(0.0f), glm::vec2(1.0f)),
+    glm::notEqual(from, to));
+  const glm::bvec2 between = wall.x <= wall.y ? glm::bvec2(to.x, from.y) : glm::bvec2(from.x, to.y);
+  const float t1 = std::min(wall.x, wall.y);
+  const float t2 = std::max(wall.x, wall.y);
+  const glm::vec3 columns(
+    ColumnCode(codes, from), ColumnCode(codes, between), ColumnCode(codes, to));
+  const glm::vec2 z = begin.z + (end.z - begin.z) * glm::vec2(t1, t2);
+  const float side = begin.z < columns.x ? -1.0f : 1.0f;
+  // Height above each column where the segment begins and ends on it, seen from its first side.
+  const glm::vec3 above = side * (glm::vec3(begin.z, z) - columns);
+  const glm::vec3 after = side * (glm::vec3(z, end.z) - columns);
+  float t = after.z <= 0.0f ? t2 + (1.0f - t2) * above.z / (above.z - after.z) : -1.0f;
+  t = above.z <= 0.0f ? t2 : t;
+  t = after.y <= 0.0f ? t1 + (t2 - t1) * above.y / (above.y - after.y) : t;
+  t = above.y <= 0.0f ? t1 : t;
+  t = after.x <= 0.0f ? t1 * above.x / (above.x - after.x) : t;
+  return above.x <= 0.0f ? 0.0f : t;
+}
+
 /// Heights and their pyramid, both as texels, and the functions that trace rays through them.
 template <typename Texel>
 struct CodedPyramid
@@ -87,6 +124,8 @@ struct CodedPyramid
   const MinMaxPyramid<Texel>* pyramid = nullptr;
   /// Level of the first node, 1..LevelCount(); more is taken as LevelCount().
   int start = 1;
+  /// The surface of constant columns (TERRAIN_COLUMNS in the shader) instead of bilinear patches.
+  bool columns = false;
 
   /// A ray mirrored so that it runs north-east; cells are mirrored likewise.
   struct Path
@@ -141,15 +180,28 @@ struct CodedPyramid
   Step NextStep(const Path& path, const Step& at, const Span& span, bool down, float s) const;
   /// Highest and lowest code that the path must not pass in a node, widened by the slack.
   glm::vec2 NodeBounds(const Path& path, const Step& at) const;
-  /// Visits the node of a step: down if the path's heights meet the bounds, from where they do.
-  Step VisitNode(const Path& path, const Step& at, const Span& span, bool& down) const;
+  /// Visits the node of a step: down if the path's heights meet the bounds, from where they do;
+  /// small if the node where they do is within the tolerance.
+  Step VisitNode(const Path& path, const Step& at, const Span& span, const glm::vec4& tolerance,
+    bool& down, bool& small) const;
   glm::vec2 CellFraction(const Path& path, glm::ivec2 cell, float s, int line, float side) const;
   TerrainHit MeetCell(const Path& path, const Step& at, const Span& span) const;
 
-  /// The first point of the surface on a ray. Visit(node, level) is called for every node visited,
-  /// in order, node counted from the south-west.
+  /// The first point of the surface on a ray. The search may end at a node of the pyramid that, in
+  /// cells and in height codes, is no larger than tolerance.xy + s * tolerance.zw: the hit is then
+  /// where the ray enters the node's box, hence off the surface by less than that, and found even
+  /// if the ray would pass by the surface within the box. 0 is exact; less than 2 cells has no
+  /// effect. Visit(node, level) is called for every node visited, in order, node counted from the
+  /// south-west.
   template <typename Visit>
-  TerrainHit TracePyramid(const TerrainRay& ray, Visit&& visit) const;
+  TerrainHit TracePyramidWithin(
+    const TerrainRay& ray, const glm::vec4& tolerance, Visit&& visit) const;
+  /// The first point of the surface on a ray.
+  template <typename Visit>
+  TerrainHit TracePyramid(const TerrainRay& ray, Visit&& visit) const
+  {
+    return this->TracePyramidWithin(ray, glm::vec4(0.0f), visit);
+  }
   TerrainHit TracePyramid(const TerrainRay& ray) const
   {
     return this->TracePyramid(ray, [](glm::ivec2, int) {});
@@ -262,12 +314,21 @@ glm::vec2 CodedPyramid<Texel>::NodeBounds(const Path& path, const Step& at) cons
   return this->NodeExtremes(node, at.level) + glm::vec2(path.slack, -path.slack);
 }
 
+/// True if a node is no larger than a tolerance allows at a distance.
+inline bool IsWithin(const glm::vec4& tolerance, float s, int level, const glm::vec2& bounds)
+{
+  const glm::vec2 allowed =
+    glm::vec2(tolerance.x, tolerance.y) + s * glm::vec2(tolerance.z, tolerance.w);
+  return static_cast<float>(1 << level) <= allowed.x && bounds.x - bounds.y <= allowed.y;
+}
+
 template <typename Texel>
-typename CodedPyramid<Texel>::Step CodedPyramid<Texel>::VisitNode(
-  const Path& path, const Step& at, const Span& span, bool& down) const
+typename CodedPyramid<Texel>::Step CodedPyramid<Texel>::VisitNode(const Path& path, const Step& at,
+  const Span& span, const glm::vec4& tolerance, bool& down, bool& small) const
 {
   const glm::vec2 bounds = this->NodeBounds(path, at);
   down = std::min(at.z, span.z) <= bounds.x && std::max(at.z, span.z) >= bounds.y;
+  small = down && IsWithin(tolerance, at.s, at.level, bounds);
   const float bound = path.direction.z < 0.0f ? bounds.x : bounds.y;
   const float s = std::min(std::max(at.s + (bound - at.z) * path.inverse.z, at.s), span.s);
   return this->NextStep(path, at, span, down, down ? s : span.s);
@@ -294,7 +355,10 @@ TerrainHit CodedPyramid<Texel>::MeetCell(const Path& path, const Step& at, const
   const glm::vec2 begin = this->CellFraction(path, at.cell, at.s, at.line, 0.0f);
   const glm::vec2 end =
     this->CellFraction(path, at.cell, span.s, span.ends ? 0 : (span.crossEast ? 1 : 2), 1.0f);
-  const float t = IntersectPatch(codes, glm::vec3(begin, at.z), glm::vec3(end, span.z));
+  const glm::vec3 begin3(begin, at.z);
+  const glm::vec3 end3(end, span.z);
+  const float t =
+    this->columns ? IntersectColumns(codes, begin3, end3) : IntersectPatch(codes, begin3, end3);
   hit.found = glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0f))) && t >= 0.0f;
   hit.s = at.s + t * (span.s - at.s);
   hit.fraction = begin + t * (end - begin);
@@ -303,7 +367,8 @@ TerrainHit CodedPyramid<Texel>::MeetCell(const Path& path, const Step& at, const
 
 template <typename Texel>
 template <typename Visit>
-TerrainHit CodedPyramid<Texel>::TracePyramid(const TerrainRay& ray, Visit&& visit) const
+TerrainHit CodedPyramid<Texel>::TracePyramidWithin(
+  const TerrainRay& ray, const glm::vec4& tolerance, Visit&& visit) const
 {
   const Path path = this->ClipPath(this->MirrorRay(ray));
   TerrainHit hit;
@@ -323,8 +388,14 @@ TerrainHit CodedPyramid<Texel>::TracePyramid(const TerrainRay& ray, Visit&& visi
     if (at.level > 0)
     {
       bool down = false;
-      at = this->VisitNode(path, at, span, down);
-      ended = span.ends && !down;
+      bool small = false;
+      at = this->VisitNode(path, at, span, tolerance, down, small);
+      ended = (span.ends && !down) || small;
+      if (small)
+      {
+        hit = { true, at.s, at.cell ^ path.mirror,
+          this->CellFraction(path, at.cell, at.s, at.line, 0.0f), 0 };
+      }
     }
     else
     {
