@@ -46,8 +46,8 @@ if (VTK_VERSION VERSION_LESS 9.4)
 endif ()
 
 set(shaders
-  vtkTerrainCast
   vtkTerrainBeam
+  vtkTerrainCast
   vtkTerrainColor
   vtkTerrainHeights
   vtkTerrainPyramid
