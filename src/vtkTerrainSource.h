@@ -8,12 +8,12 @@
  * NoData; sample (0, 0), the south-western one, lies at the origin.
  *
  * The landscape is uplifted against the incision of rivers, so that its valleys drain; what is
- * finer is noise that follows the slope (terrain::ProceduralTerrain in src/core/, with the
+ * finer are gullies down the slopes (terrain::ProceduralTerrain in src/core/, with the
  * sources). The longer side holds the same landscape whatever its number of samples. The same
  * parameters give the same bits on every machine, whatever the number of threads and pieces.
  *
  * Cost: about a second to raise the landscape (less below 512 samples a side; kept until a
- * parameter changes), then about 0.1 s a million samples and thread. Memory: the output.
+ * parameter changes), then about 0.25 s a million samples and thread. Memory: the output.
  *
  * Limits: 1 x 1, 1 x N and N x 1 samples are legal. In short and unsigned short, heights are
  * rounded to whole metres, and those above the type's range are cut off there.
@@ -71,7 +71,7 @@ public:
   ///@}
 
   ///@{
-  /// Strength of the detail that is finer than the valleys, 0 (smooth) to 1; default 0.5.
+  /// Depth of the gullies on the slopes, 0 (none) to 1; default 0.5.
   vtkSetClampMacro(Roughness, double, 0.0, 1.0);
   vtkGetMacro(Roughness, double);
   ///@}

@@ -120,6 +120,70 @@ inline void NoiseRow(
     begin = end;
   }
 }
+
+/// cos(2 pi x) within 0.021, of period 1 to the bit, for |x| < 2^31: a cubic of a triangle wave.
+inline float PeriodicCosine(float x)
+{
+  const float part =
+    x - static_cast<float>(static_cast<std::int32_t>(x)); // (-1, 1), cosine is even
+  const float magnitude = part < 0.0F ? -part : part;
+  const float half = magnitude - 0.5F;
+  const float triangle = 4.0F * (half < 0.0F ? -half : half) - 1.0F;
+  return triangle * (1.5F - 0.5F * triangle * triangle);
+}
+
+/// Waves across a direction of flow that changes from sample to sample: gullies down a slope.
+///
+/// About the four lattice nodes around a sample, waves of one cell's length run along (acrossX,
+/// acrossY)[k] (unit vectors, lattice axes) with a random phase each; blended, they give values[k]
+/// in
+/// [-1, 1], and rates[k], their change per cell in that direction, over 2 pi.
+/// Source: the idea of Phacelle noise (R. Johansen 2025, after C. John's erosion noise), here with
+/// the four nearest nodes and a polynomial wave.
+inline void FlowNoiseRow(const LatticeAxis& axis, std::int64_t cellY, float offsetY,
+  std::uint32_t seed, const float* acrossX, const float* acrossY, float* values, float* rates)
+{
+  const std::size_t count = axis.Cells.size();
+  const float fadeY = Fade(offsetY);
+  std::size_t begin = 0;
+  while (begin < count)
+  {
+    const std::int64_t cell = axis.Cells[begin];
+    std::size_t end = begin + 1;
+    while (end < count && axis.Cells[end] == cell)
+    {
+      ++end;
+    }
+    float phases[4];
+    for (std::size_t node = 0; node < 4; ++node)
+    {
+      const auto x = static_cast<std::int64_t>(node % 2);
+      const auto y = static_cast<std::int64_t>(node / 2);
+      phases[node] = static_cast<float>(UnitReal(LatticeHash(cell + x, cellY + y, seed)));
+    }
+    const float* offsets = axis.Offsets.data();
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      const float x = offsets[k];
+      const float fadeX = Fade(x);
+      // Distance from node (0, 0) along the wave; the other nodes lie a step further.
+      const float along = acrossX[k] * x + acrossY[k] * offsetY;
+      const float p00 = along + phases[0];
+      const float p10 = along - acrossX[k] + phases[1];
+      const float p01 = along - acrossY[k] + phases[2];
+      const float p11 = along - acrossX[k] - acrossY[k] + phases[3];
+      const float w00 = (1.0F - fadeX) * (1.0F - fadeY);
+      const float w10 = fadeX * (1.0F - fadeY);
+      const float w01 = (1.0F - fadeX) * fadeY;
+      const float w11 = fadeX * fadeY;
+      values[k] = w00 * PeriodicCosine(p00) + w10 * PeriodicCosine(p10) +
+        w01 * PeriodicCosine(p01) + w11 * PeriodicCosine(p11);
+      rates[k] = w00 * PeriodicCosine(p00 + 0.25F) + w10 * PeriodicCosine(p10 + 0.25F) +
+        w01 * PeriodicCosine(p01 + 0.25F) + w11 * PeriodicCosine(p11 + 0.25F);
+    }
+    begin = end;
+  }
+}
 }
 
 #endif

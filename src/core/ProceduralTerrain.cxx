@@ -24,7 +24,15 @@ constexpr std::int64_t kFewestCells = 8;
 // The grid's heights end here, in units of Relief; the rest on both sides is for detail.
 constexpr double kGridLow = 0.05;
 constexpr double kGridHigh = 0.95;
-constexpr float kStrongestDetail = 0.05F;
+// Gullies: sizes from this many cells down to this many samples, and height over size and slope.
+constexpr double kCoarsestGully = 9.0;
+constexpr double kFinestGully = 5.0;
+constexpr double kGullyStrength = 0.22;
+constexpr double kGullyGain = 0.85; // of the next finer ones, beyond that for their size
+// Passes of smoothing before the slope is taken: gullies end where it turns, at crests and
+// thalwegs.
+constexpr int kSmoothings = 5;
+constexpr float kPi = 3.14159265F;
 // Steepest slope of the simulation, rise over run.
 constexpr double kSteepestSlope = 0.75;
 // Rate of uplift, in units of Relief a unit of time: low enough for rivers to shape all but the
@@ -34,7 +42,8 @@ constexpr double kUpliftScale = 0.2;
 // the largest displacement over size.
 constexpr double kCoarsestWarp = 0.18;
 constexpr double kFinestWarp = 1.2;
-constexpr double kWarpStrength = 0.3;
+constexpr double kWarpStrength = 0.36;
+constexpr double kWarpGain = 0.8; // of the next finer one, likewise
 // Seeds of independent noises.
 constexpr std::uint32_t kUpliftSeed = 0x5eed0001U;
 constexpr std::uint32_t kUndulateSeed = 0x5eed0010U;
@@ -156,14 +165,42 @@ struct Level
   }
 };
 
-/// Weights of the uniform cubic B-spline at offset t in [0, 1) of a cell; their sum is 1.
-std::array<float, 4> SplineWeights(float t)
+/// Binomial weights 1 2 1 along one axis of a grid, whose nodes lie `step` apart in memory and
+/// number `count`; the first and last ones stay.
+void Smooth(std::vector<double>& heights, std::int64_t step, std::int64_t count)
 {
-  const float s = 1.0F - t;
-  const float sixth = 1.0F / 6.0F;
-  return { s * s * s * sixth, (3.0F * t * t * t - 6.0F * t * t + 4.0F) * sixth,
-    (3.0F * s * s * s - 6.0F * s * s + 4.0F) * sixth, t * t * t * sixth };
+  const std::vector<double> before = heights;
+  const auto size = static_cast<std::int64_t>(heights.size());
+  for (std::int64_t node = 0; node < size; ++node)
+  {
+    const std::int64_t k = node / step % count;
+    if (k > 0 && k < count - 1)
+    {
+      heights[static_cast<std::size_t>(node)] = 0.5 * before[static_cast<std::size_t>(node)] +
+        0.25 *
+          (before[static_cast<std::size_t>(node - step)] +
+            before[static_cast<std::size_t>(node + step)]);
+    }
+  }
 }
+
+/// Weights of the uniform cubic B-spline at offset t in [0, 1) of a cell (their sum is 1), and
+/// their derivatives.
+struct SplineWeights
+{
+  std::array<float, 4> Values;
+  std::array<float, 4> Slopes;
+
+  explicit SplineWeights(float t)
+  {
+    const float s = 1.0F - t;
+    const float sixth = 1.0F / 6.0F;
+    this->Values = { s * s * s * sixth, (3.0F * t * t * t - 6.0F * t * t + 4.0F) * sixth,
+      (3.0F * s * s * s - 6.0F * s * s + 4.0F) * sixth, t * t * t * sixth };
+    this->Slopes = { -0.5F * s * s, 1.5F * t * t - 2.0F * t, -1.5F * s * s + 2.0F * s,
+      0.5F * t * t };
+  }
+};
 }
 
 ProceduralTerrain::ProceduralTerrain(const ProceduralTerrainParameters& parameters)
@@ -215,29 +252,23 @@ void ProceduralTerrain::Simulate()
   this->StoreGrid(level.Erosion.Heights);
 }
 
-// Heights to units of Relief, and beside each the strength of detail: slope times cell, limited.
+// Heights to units of Relief, beside each the smooth one that leads the gullies; with room for
+// detail on both sides.
 void ProceduralTerrain::StoreGrid(const std::vector<double>& heights)
 {
   const double highest = *std::max_element(heights.begin(), heights.end());
   const double scale = highest > 0.0 ? (kGridHigh - kGridLow) / highest : 0.0;
-  this->Grid.assign(heights.size() * 2, 0.0F);
-  for (std::int64_t j = 0; j < this->GridHeight; ++j)
+  std::vector<double> smooth = heights;
+  for (int pass = 0; pass < kSmoothings; ++pass)
   {
-    for (std::int64_t i = 0; i < this->GridWidth; ++i)
-    {
-      const auto at = [&](std::int64_t x, std::int64_t y)
-      {
-        x = std::clamp<std::int64_t>(x, 0, this->GridWidth - 1);
-        y = std::clamp<std::int64_t>(y, 0, this->GridHeight - 1);
-        return scale * heights[static_cast<std::size_t>(x + this->GridWidth * y)];
-      };
-      const double x = 0.5 * (at(i + 1, j) - at(i - 1, j));
-      const double y = 0.5 * (at(i, j + 1) - at(i, j - 1));
-      const double strength = 0.6 * this->Parameters.Roughness * std::sqrt(x * x + y * y);
-      const auto index = static_cast<std::size_t>(2 * (i + this->GridWidth * j));
-      this->Grid[index] = static_cast<float>(kGridLow + at(i, j));
-      this->Grid[index + 1] = std::min(static_cast<float>(strength), kStrongestDetail);
-    }
+    Smooth(smooth, 1, this->GridWidth);
+    Smooth(smooth, this->GridWidth, this->GridHeight);
+  }
+  this->Grid.resize(2 * heights.size());
+  for (std::size_t node = 0; node < heights.size(); ++node)
+  {
+    this->Grid[2 * node] = static_cast<float>(kGridLow + scale * heights[node]);
+    this->Grid[2 * node + 1] = static_cast<float>(scale * smooth[node]);
   }
 }
 
@@ -258,10 +289,14 @@ struct ProceduralTerrain::Row
   std::vector<Octave> Warps;   // for x and y in turn, coarsest first
   std::vector<Octave> Details; // coarsest first
   std::vector<float> Noise;
-  std::vector<float> Weight;
-  std::vector<float> WarpX;
+  std::vector<float> Rate;
+  std::vector<float> WarpX; // in cells of the grid, as all that follows
   std::vector<float> WarpY;
-  std::vector<float> Sum;
+  std::vector<float> AcrossX; // unit vector across the slope
+  std::vector<float> AcrossY;
+  std::vector<float> SlopeX; // of the detail so far too
+  std::vector<float> SlopeY;
+  std::vector<float> Steepness; // of the smooth grid
 
   Octave MakeOctave(double size, double cellsPerSample, float amplitude, std::uint32_t seed) const
   {
@@ -278,27 +313,29 @@ struct ProceduralTerrain::Row
     const std::uint32_t seed = Mix(owner.Parameters.Seed);
     const double cellsPerSample = owner.CellsPerSample;
     std::uint32_t warp = 0;
+    double strength = kWarpStrength;
     for (double size = kCoarsestWarp * static_cast<double>(owner.Cells); size > kFinestWarp;
          size /= 3.0)
     {
       for (int axis = 0; axis < 2; ++axis, ++warp)
       {
         this->Warps.push_back(this->MakeOctave(size, cellsPerSample,
-          static_cast<float>(kWarpStrength * size), Mix(seed ^ (kWarpSeed + warp))));
+          static_cast<float>(strength * size), Mix(seed ^ (kWarpSeed + warp))));
       }
+      strength *= kWarpGain;
     }
-    float amplitude = 1.0F;
+    double gain = 1.0;
     std::uint32_t k = 0;
-    for (double size = 1.9; size > 2.0 * cellsPerSample; size *= 0.5)
+    for (double size = kCoarsestGully; size > kFinestGully * cellsPerSample; size *= 0.5)
     {
-      this->Details.push_back(
-        this->MakeOctave(size, cellsPerSample, amplitude, Mix(seed ^ (kDetailSeed + k))));
-      amplitude *= 0.5F;
+      this->Details.push_back(this->MakeOctave(
+        size, cellsPerSample, static_cast<float>(gain * size), Mix(seed ^ (kDetailSeed + k))));
+      gain *= kGullyGain;
       ++k;
     }
     const auto n = static_cast<std::size_t>(count);
-    for (std::vector<float>* row :
-      { &this->Noise, &this->Weight, &this->WarpX, &this->WarpY, &this->Sum })
+    for (std::vector<float>* row : { &this->Noise, &this->Rate, &this->WarpX, &this->WarpY,
+           &this->AcrossX, &this->AcrossY, &this->SlopeX, &this->SlopeY, &this->Steepness })
     {
       row->resize(n);
     }
@@ -312,31 +349,8 @@ struct ProceduralTerrain::Row
   }
 };
 
-// Ridged multifractal, each octave stronger on the ridges of the coarser ones; within [-1, 1].
-void ProceduralTerrain::Detail(std::int64_t j, Row& row) const
-{
-  const auto n = static_cast<std::size_t>(row.Count);
-  std::fill(row.Sum.begin(), row.Sum.end(), 0.0F);
-  std::fill(row.Weight.begin(), row.Weight.end(), 1.0F);
-  float total = 0.0F;
-  for (const Row::Octave& octave : row.Details)
-  {
-    row.Evaluate(octave, j);
-    for (std::size_t k = 0; k < n; ++k)
-    {
-      const float ridge = 1.0F - 2.0F * std::fabs(row.Noise[k]);
-      row.Sum[k] += octave.Amplitude * row.Weight[k] * (2.0F * ridge * ridge - 1.0F);
-      row.Weight[k] = std::clamp(ridge * 1.2F, 0.2F, 1.0F);
-    }
-    total += octave.Amplitude;
-  }
-  for (std::size_t k = 0; total > 0.0F && k < n; ++k)
-  {
-    row.Sum[k] /= total;
-  }
-}
-
-void ProceduralTerrain::SampleRow(std::int64_t j, Row& row, float* heights) const
+// Where noise moves the samples of the row, before they are looked up in the grid.
+void ProceduralTerrain::Warp(std::int64_t j, Row& row) const
 {
   const auto n = static_cast<std::size_t>(row.Count);
   std::fill(row.WarpX.begin(), row.WarpX.end(), 0.0F);
@@ -350,29 +364,88 @@ void ProceduralTerrain::SampleRow(std::int64_t j, Row& row, float* heights) cons
       warp[k] += row.Warps[w].Amplitude * row.Noise[k];
     }
   }
-  this->Detail(j, row);
-  const auto relief = static_cast<float>(this->Parameters.Relief);
+}
+
+// Height of the grid's spline, and slope of the smooth one, at the samples of the row.
+void ProceduralTerrain::LookUp(std::int64_t j, Row& row, float* heights) const
+{
   const auto margin = static_cast<double>(this->Margin);
   const double y = margin + static_cast<double>(j) * this->CellsPerSample;
-  for (std::size_t k = 0; k < n; ++k)
+  // Within the grid even if every noise were at its bound.
+  const auto lastX = static_cast<double>(this->GridWidth - 3);
+  const auto lastY = static_cast<double>(this->GridHeight - 3);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(row.Count); ++k)
   {
     const auto i = static_cast<double>(row.FirstI + static_cast<std::int64_t>(k));
-    const double u = margin + i * this->CellsPerSample + static_cast<double>(row.WarpX[k]);
-    const double v = y + static_cast<double>(row.WarpY[k]);
-    const auto x0 = static_cast<std::int64_t>(u); // u, v > 1: the margin is wider than the warp
+    const double u =
+      std::clamp(margin + i * this->CellsPerSample + static_cast<double>(row.WarpX[k]), 1.0, lastX);
+    const double v = std::clamp(y + static_cast<double>(row.WarpY[k]), 1.0, lastY);
+    const auto x0 = static_cast<std::int64_t>(u);
     const auto y0 = static_cast<std::int64_t>(v);
-    const std::array<float, 4> wx = SplineWeights(static_cast<float>(u - static_cast<double>(x0)));
-    const std::array<float, 4> wy = SplineWeights(static_cast<float>(v - static_cast<double>(y0)));
+    const SplineWeights wx(static_cast<float>(u - static_cast<double>(x0)));
+    const SplineWeights wy(static_cast<float>(v - static_cast<double>(y0)));
     float height = 0.0F;
-    float strength = 0.0F;
+    float slopeX = 0.0F;
+    float slopeY = 0.0F;
     const float* node =
       &this->Grid[static_cast<std::size_t>(2 * (x0 - 1 + this->GridWidth * (y0 - 1)))];
     for (std::size_t b = 0; b < 4; ++b, node += 2 * this->GridWidth)
     {
-      height += wy[b] * (wx[0] * node[0] + wx[1] * node[2] + wx[2] * node[4] + wx[3] * node[6]);
-      strength += wy[b] * (wx[0] * node[1] + wx[1] * node[3] + wx[2] * node[5] + wx[3] * node[7]);
+      height += wy.Values[b] *
+        (wx.Values[0] * node[0] + wx.Values[1] * node[2] + wx.Values[2] * node[4] +
+          wx.Values[3] * node[6]);
+      slopeX += wy.Values[b] *
+        (wx.Slopes[0] * node[1] + wx.Slopes[1] * node[3] + wx.Slopes[2] * node[5] +
+          wx.Slopes[3] * node[7]);
+      slopeY += wy.Slopes[b] *
+        (wx.Values[0] * node[1] + wx.Values[1] * node[3] + wx.Values[2] * node[5] +
+          wx.Values[3] * node[7]);
     }
-    heights[k] = relief * std::clamp(height + strength * row.Sum[k], 0.0F, 1.0F);
+    heights[k] = height;
+    row.SlopeX[k] = slopeX;
+    row.SlopeY[k] = slopeY;
+    row.Steepness[k] = std::sqrt(slopeX * slopeX + slopeY * slopeY);
+  }
+}
+
+// Gullies down the slope, each size down the slope that the coarser ones have left: they branch.
+void ProceduralTerrain::Detail(std::int64_t j, Row& row, float* heights) const
+{
+  const auto n = static_cast<std::size_t>(row.Count);
+  const auto strength = static_cast<float>(kGullyStrength * this->Parameters.Roughness);
+  for (const Row::Octave& octave : row.Details)
+  {
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      const float x = row.SlopeX[k];
+      const float y = row.SlopeY[k];
+      const float inverse = 1.0F / std::sqrt(x * x + y * y + 1e-12F);
+      row.AcrossX[k] = -y * inverse;
+      row.AcrossY[k] = x * inverse;
+    }
+    const LatticeAxis axis(j, 1, octave.Origin, octave.Step);
+    FlowNoiseRow(octave.Axis, axis.Cells[0], axis.Offsets[0], octave.Seed, row.AcrossX.data(),
+      row.AcrossY.data(), row.Noise.data(), row.Rate.data());
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      const float amplitude = strength * row.Steepness[k];
+      const float rate = 2.0F * kPi * amplitude * row.Rate[k];
+      heights[k] += amplitude * octave.Amplitude * row.Noise[k];
+      row.SlopeX[k] += rate * row.AcrossX[k];
+      row.SlopeY[k] += rate * row.AcrossY[k];
+    }
+  }
+}
+
+void ProceduralTerrain::SampleRow(std::int64_t j, Row& row, float* heights) const
+{
+  this->Warp(j, row);
+  this->LookUp(j, row, heights);
+  this->Detail(j, row, heights);
+  const auto relief = static_cast<float>(this->Parameters.Relief);
+  for (std::int64_t k = 0; k < row.Count; ++k)
+  {
+    heights[k] = relief * std::clamp(heights[k], 0.0F, 1.0F);
   }
 }
 
