@@ -311,7 +311,8 @@ std::vector<double> vtkTerrainRasterFile::GetDeclaredNoData() const
 }
 
 //------------------------------------------------------------------------------
-double vtkTerrainRasterFile::SampleLowest() const
+// The lowest height in some blocks of the file, fill values left out, and whether there are any.
+void vtkTerrainRasterFile::SampleHeights(double& lowest, bool& fillOccurs) const
 {
   int blockWidth = 1;
   int blockHeight = 1;
@@ -321,7 +322,8 @@ double vtkTerrainRasterFile::SampleLowest() const
   const std::int64_t across = (this->GetWidth() + width - 1) / width;
   const std::int64_t count = across * ((this->GetHeight() + height - 1) / height);
   const std::int64_t samples = std::min(count, kSampledBlocks);
-  double lowest = std::numeric_limits<double>::infinity();
+  lowest = std::numeric_limits<double>::infinity();
+  fillOccurs = false;
   std::vector<double> values;
   for (std::int64_t k = 0; k < samples; ++k)
   {
@@ -336,23 +338,26 @@ double vtkTerrainRasterFile::SampleLowest() const
     {
       const bool fill = value == kUnlikelyHeight || value < kDeepestSea;
       lowest = !fill && value < lowest ? value : lowest;
+      fillOccurs = fillOccurs || fill;
     }
   }
-  return lowest;
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> vtkTerrainRasterFile::GetUndeclaredNoData() const
+std::vector<double> vtkTerrainRasterFile::GetUndeclaredNoData(bool& occur) const
 {
   const GDALDataType type = this->GetType();
   const bool isSigned =
     type == GDT_Int16 || type == GDT_Int32 || type == GDT_Float32 || type == GDT_Float64;
+  occur = false;
   if (!isSigned)
   {
     return {};
   }
   std::vector<double> values(kImpossibleHeights.begin(), kImpossibleHeights.end());
-  if (this->SampleLowest() > kDeepSea)
+  double lowest = 0.0;
+  this->SampleHeights(lowest, occur);
+  if (lowest > kDeepSea)
   {
     values.push_back(kUnlikelyHeight);
   }

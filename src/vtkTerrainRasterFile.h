@@ -112,8 +112,9 @@ public:
 
   /// The declared NoData value if it can occur in the band's type.
   std::vector<double> GetDeclaredNoData() const;
-  /// Well-known fill values that the band does not declare and that can only be fill.
-  std::vector<double> GetUndeclaredNoData() const;
+  /// Well-known fill values that can only be fill in this band; sets `occur` if some of the blocks
+  /// that are looked at hold one.
+  std::vector<double> GetUndeclaredNoData(bool& occur) const;
   /// True if a mask or an alpha band says which pixels have data.
   bool HasMask() const;
 
@@ -136,8 +137,7 @@ public:
 private:
   GDALRasterBandH FindBand(int overview) const;
   void CheckColors() const;
-  /// The lowest height in some blocks of the file, fill values left out.
-  double SampleLowest() const;
+  void SampleHeights(double& lowest, bool& fillOccurs) const;
 
   GDALDatasetH Dataset = nullptr;
   GDALRasterBandH Band = nullptr;

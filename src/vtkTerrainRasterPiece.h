@@ -31,7 +31,7 @@ struct vtkTerrainRasterRequest
   /// Values of the file that are no heights; the second ones are counted as found in Undeclared.
   std::vector<double> NoData;
   std::vector<double> UndeclaredNoData;
-  /// Overviews were made without knowing the undeclared values: they are not used with them.
+  /// False if overviews may have been made of values that are no heights, as if they were.
   bool UseOverviews = true;
 
   /// height = Offset + Scale * value; other than 0 and 1 for floating-point samples only.

@@ -411,14 +411,21 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkTerrainRasterReader::Read(vtkTerrainRasterPlan& plan, vtkImageData* image)
 {
   vtkTerrainRasterRequest& request = plan.Request;
-  request.NoData = plan.File.GetDeclaredNoData();
-  if (request.NoData.empty() && this->DetectNoData && !this->UseNoDataValue)
+  if (request.Extent[1] < request.Extent[0] || request.Extent[3] < request.Extent[2])
   {
-    request.UndeclaredNoData = plan.File.GetUndeclaredNoData();
+    return;
   }
+  request.NoData = plan.File.GetDeclaredNoData();
   if (this->UseNoDataValue)
   {
     request.NoData.push_back(this->NoDataValue);
+    request.UseOverviews = false;
+  }
+  else if (request.NoData.empty() && this->DetectNoData)
+  {
+    bool occur = false;
+    request.UndeclaredNoData = plan.File.GetUndeclaredNoData(occur);
+    request.UseOverviews = !occur;
   }
   double reported = 0.0;
   request.Progress = [this, &reported](double done)

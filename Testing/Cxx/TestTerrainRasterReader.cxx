@@ -7,11 +7,13 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -440,6 +442,56 @@ TEST(TerrainRasterReader, PiecesEqualTheWhole)
         }
       }
     }
+  }
+}
+
+TEST(TerrainRasterReader, PiecesHaveGhostsAndKeepHiddenPoints)
+{
+  RasterFile file;
+  file.Width = 20;
+  file.Height = 20;
+  file.Values.assign(400, 5.0);
+  file.Values[7] = -32768.0;
+  file.Values[399] = -32768.0;
+  const std::string path = vtkTerrainTesting::TemporaryFile("ghosts.tif");
+  GDALDatasetH dataset = file.Create(path);
+  GDALSetRasterNoDataValue(GDALGetRasterBand(dataset, 1), -32768.0);
+  GDALClose(dataset);
+  int hidden = 0;
+  int owned = 0;
+  for (int piece = 0; piece < 4; ++piece)
+  {
+    vtkNew<vtkTerrainRasterReader> reader;
+    reader->SetFileName(path);
+    reader->UpdatePiece(piece, 4, 1);
+    vtkImageData* image = reader->GetOutput();
+    vtkUnsignedCharArray* ghosts = image->GetPointGhostArray();
+    ASSERT_NE(ghosts, nullptr);
+    EXPECT_LT(image->GetNumberOfPoints(), 200);
+    for (vtkIdType point = 0; point < image->GetNumberOfPoints(); ++point)
+    {
+      const unsigned char mark = ghosts->GetValue(point);
+      hidden += (mark & vtkDataSetAttributes::HIDDENPOINT) ? 1 : 0;
+      owned += (mark & vtkDataSetAttributes::DUPLICATEPOINT) ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(hidden, 2);
+  // The pipeline splits cells: pieces share the samples on their borders.
+  EXPECT_EQ(owned, 21 * 21);
+}
+
+TEST(TerrainRasterReader, PieceWithoutDataIsLegal)
+{
+  RasterFile file;
+  file.Values = { 3 };
+  const std::string path = file.Write("onepoint.tif");
+  for (int piece = 0; piece < 8; ++piece)
+  {
+    vtkNew<vtkTerrainRasterReader> reader;
+    reader->SetFileName(path);
+    reader->UpdatePiece(piece, 8, 0);
+    EXPECT_STREQ(reader->GetErrorMessage(), "");
+    EXPECT_LE(reader->GetOutput()->GetNumberOfPoints(), 1);
   }
 }
 

@@ -214,3 +214,24 @@ TEST_F(TerrainRasterReaderNoData, MeansLeaveOutUndeclaredFill)
   ExpectHeights(this->Reader, { 20 });
   EXPECT_NE(std::string(this->Reader->GetWarningMessage()), "");
 }
+
+TEST_F(TerrainRasterReaderNoData, OverviewsOfUndeclaredFillAreNotUsed)
+{
+  RasterFile file;
+  file.Width = 32;
+  file.Height = 32;
+  file.Values.assign(1024, 100.0);
+  for (std::size_t k = 0; k < 1024; k += 2)
+  {
+    file.Values[k] = -32767.0;
+  }
+  const std::string path = vtkTerrainTesting::TemporaryFile("filloverviews.tif");
+  GDALDatasetH dataset = file.Create(path);
+  int level = 4;
+  ASSERT_EQ(
+    GDALBuildOverviews(dataset, "AVERAGE", 1, &level, 0, nullptr, nullptr, nullptr), CE_None);
+  GDALClose(dataset);
+  this->Reader->SetFileName(path);
+  this->Reader->SetMaximumSize(8);
+  ExpectHeights(this->Reader, std::vector<double>(64, 100.0));
+}
