@@ -38,25 +38,29 @@ vec2 terrainClipRange(vec2 pixel, vec2 range)
 // farther is traced again from near the hit.
 const float terrainLongRay = 256.0;
 
-// The first hit of a pixel's ray between two distances; hit.s counts from range.x.
+// The first hit of a pixel's ray between two distances; hit.s counts from range.x. The loop is there
+// so that the trace stands in the program once.
 TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front)
 {
-  TerrainRay ray = terrainPixelRay(pixel, range.x, range.y);
-  TerrainHit hit = terrainTrace(ray);
-  float pace = length(ray.directionGC.xy);
-  if (hit.found && hit.s * pace > terrainLongRay)
+  TerrainHit hit = terrainNoHit();
+  vec3 direction = terrainAtPixelGC(pixel);
+  float pace = length(direction.xy);
+  float begin = 0.0;
+  bool again = true;
+  for (int attempt = 0; again && attempt < 2; ++attempt)
   {
-    float back = hit.s - 4.0 / pace;
-    TerrainHit near = terrainTrace(terrainPixelRay(pixel, range.x + back, range.y));
-    near.s += back;
-    near.crossings += hit.crossings;
-    if (near.found)
+    TerrainHit next = terrainTrace(terrainPixelRay(pixel, range.x + begin, range.y));
+    next.crossings += hit.crossings;
+    next.s += begin;
+    if (next.found || attempt == 0)
     {
-      hit = near;
+      hit = next;
     }
+    again = hit.found && (hit.s - begin) * pace > terrainLongRay;
+    begin = hit.s - 4.0 / max(pace, 1e-30);
   }
   vec2 gradient = terrainPatchGradient(terrainCellCodes(hit.cell), hit.fraction);
-  front = ray.directionGC.z <= dot(gradient, ray.directionGC.xy);
+  front = direction.z <= dot(gradient, direction.xy);
   return hit;
 }
 
