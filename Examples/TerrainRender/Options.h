@@ -46,7 +46,7 @@ struct Options
   std::string Output = "terrain.png";
   /// Width and height of the picture, in pixels, 1 to kMaximumSize.
   std::array<int, 2> Size{ 1280, 720 };
-  Technique Search = Technique::Equidistant;
+  Technique Search = Technique::Pyramid;
   /// Samples along the side of a coarse quad, >= 1; 0: chosen by the program.
   int MeshCells = 0;
   std::optional<Camera> View;
