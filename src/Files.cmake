@@ -10,9 +10,11 @@ set(classes
   vtkTerrainGeoid
   vtkTerrainGeoreference
   vtkTerrainMinMaxPyramid
+  vtkTerrainHierarchy
   vtkTerrainRasterReader
   vtkTerrainReproject
   vtkTerrainSource
+  vtkTerrainStrips
 )
 
 set(private_sources
@@ -72,9 +74,11 @@ set(core
   HeightUnits
   HierarchyBands
   HierarchyBuild
+  HierarchyFile
   HierarchyLayout
   HierarchyNesting
   HierarchyTile
+  MappedFile
   MinMaxPyramid
   PixelRays
   ProceduralTerrain

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainHierarchy.h"
+
+#include "vtkTerrainHeightfield.h"
+#include "vtkTerrainHierarchyData.h"
+#include "vtkTerrainParallelFor.h"
+
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+
+#include <limits>
+
+vtkStandardNewMacro(vtkTerrainHierarchy);
+
+namespace
+{
+/// Rows of an image as float heights with NaN for no data.
+terrain::HeightRows RowsOf(vtkImageData* image)
+{
+  return [image](std::int64_t first, std::int64_t count, float* heights)
+  {
+    vtkTerrainHeightfield::Dispatch(image,
+      [&](const auto& view)
+      {
+        const std::int64_t begin = first * view.Width;
+        for (std::int64_t i = 0; i < count * view.Width; ++i)
+        {
+          heights[i] = view.IsValid(begin + i) ? static_cast<float>(view.Samples[begin + i])
+                                               : std::numeric_limits<float>::quiet_NaN();
+        }
+      });
+    return std::string();
+  };
+}
+}
+
+vtkTerrainHierarchy::vtkTerrainHierarchy() = default;
+vtkTerrainHierarchy::~vtkTerrainHierarchy() = default;
+
+void vtkTerrainHierarchy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  int dimensions[2];
+  this->GetDimensions(dimensions);
+  os << indent << "Dimensions: " << dimensions[0] << " x " << dimensions[1] << "\n"
+     << indent << "InFile: " << (this->Data && this->Data->IsFile) << "\n"
+     << indent << "Damaged: " << this->IsDamaged() << "\n"
+     << indent << "CoordinateSystem: " << this->GetCoordinateSystem() << "\n"
+     << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+}
+
+bool vtkTerrainHierarchy::Finish(const std::string& error)
+{
+  this->ErrorMessage = error;
+  return error.empty();
+}
+
+bool vtkTerrainHierarchy::SetHeights(vtkImageData* heights, const ProgressFunction& progress)
+{
+  this->Data.reset();
+  this->Modified();
+  std::string error = vtkTerrainHeightfield::WhyNotHeights(heights);
+  if (!error.empty())
+  {
+    return this->Finish(error);
+  }
+  const int* dims = heights->GetDimensions();
+  error = terrain::HierarchyLayout::WhyNotSize(dims[0], dims[1]);
+  if (error.empty())
+  {
+    auto data = std::make_shared<vtkTerrainHierarchyData>();
+    error = terrain::BuildHierarchy(data->Memory, dims[0], dims[1],
+      vtkTerrainHeightfield::Geometry(heights), RowsOf(heights), vtkTerrainParallelFor, progress);
+    if (error.empty())
+    {
+      this->Data = data;
+    }
+  }
+  return this->Finish(error);
+}
+
+bool vtkTerrainHierarchy::OpenFile(const std::string& path, bool verify)
+{
+  this->Data.reset();
+  this->Modified();
+  auto data = std::make_shared<vtkTerrainHierarchyData>();
+  data->IsFile = true;
+  const std::string error = data->File.Open(path, verify);
+  if (error.empty())
+  {
+    this->Data = data;
+  }
+  return this->Finish(error.empty() ? error : path + ": " + error);
+}
+
+bool vtkTerrainHierarchy::WriteFile(const std::string& path, const ProgressFunction& progress)
+{
+  if (!this->Data)
+  {
+    return this->Finish("there is no hierarchy to write");
+  }
+  const std::string error =
+    terrain::WriteHierarchyFile(path, this->Data->View(), this->GetCoordinateSystem(), progress);
+  return this->Finish(error.empty() ? error : path + ": " + error);
+}
+
+bool vtkTerrainHierarchy::PrepareFile(const std::string& path, int width, int height,
+  const double origin[3], const double spacing[2], const std::string& coordinateSystem,
+  const RowFunction& rows, const ProgressFunction& progress)
+{
+  terrain::GridGeometry geometry;
+  geometry.Origin = { origin[0], origin[1], origin[2] };
+  geometry.Spacing = { spacing[0], spacing[1] };
+  const auto heights = [&rows](std::int64_t first, std::int64_t count, float* out)
+  { return rows(static_cast<vtkIdType>(first), static_cast<vtkIdType>(count), out); };
+  const std::string error = terrain::WriteHierarchyFile(
+    path, width, height, geometry, coordinateSystem, heights, vtkTerrainParallelFor, progress);
+  return this->Finish(error.empty() ? error : path + ": " + error);
+}
+
+bool vtkTerrainHierarchy::IsDamaged() const
+{
+  return this->Data && this->Data->IsDamaged();
+}
+
+void vtkTerrainHierarchy::GetDimensions(int dimensions[2]) const
+{
+  const terrain::HierarchyView view = this->Data ? this->Data->View() : terrain::HierarchyView();
+  dimensions[0] = view.Layout ? static_cast<int>(view.Layout->Width()) : 0;
+  dimensions[1] = view.Layout ? static_cast<int>(view.Layout->Height()) : 0;
+}
+
+void vtkTerrainHierarchy::GetBounds(double bounds[6]) const
+{
+  vtkMath::UninitializeBounds(bounds);
+  if (!this->Data)
+  {
+    return;
+  }
+  const terrain::HierarchyView view = this->Data->View();
+  if (view.Summary.MinimumHeight <= view.Summary.MaximumHeight)
+  {
+    const glm::dvec2 last(view.Layout->Width() - 1, view.Layout->Height() - 1);
+    const glm::dvec3 low = view.Geometry.ToModel({ 0.0, 0.0 }, view.Summary.MinimumHeight);
+    const glm::dvec3 high = view.Geometry.ToModel(last, view.Summary.MaximumHeight);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = low[axis];
+      bounds[2 * axis + 1] = high[axis];
+    }
+  }
+}
+
+std::string vtkTerrainHierarchy::GetCoordinateSystem() const
+{
+  return this->Data && this->Data->IsFile ? this->Data->File.CoordinateSystem() : std::string();
+}
+
+void vtkTerrainHierarchy::ReleasePages()
+{
+  if (this->Data && this->Data->IsFile)
+  {
+    this->Data->File.ReleasePages();
+  }
+}

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkTerrainStrips
+ * @brief Refines a heightfield for a camera into one triangle strip
+ *
+ * Input: a vtkTerrainHierarchy (SetHierarchy), or an image of heights on port 0, which is prepared
+ * in memory once. The hierarchy wins. Further a camera and a viewport, from which comes lambda =
+ * viewport height / (2 tan(view angle / 2)), and the tolerance in pixels.
+ *
+ * Output: vtkPolyData with one generalized triangle strip (or triangles, with TriangleOutput), each
+ * point once, counter-clockwise from above, without cracks or T-junctions. Any mapper draws it, any
+ * filter takes it. Point data, each on request:
+ *   Normals              float 3, unit length, from central differences of the heights
+ *   TextureCoordinates   float 2, 0 to 1 from the first to the last sample east and north
+ *   Depth                unsigned char 3, the depth in the hierarchy as a colour (LevelColors)
+ * Points are double, in model coordinates (those of the heights), z = origin z + Exaggeration *
+ * height.
+ *
+ * Every triangle larger than half a cell is within the tolerance: rho = error * lambda / d <=
+ * Tolerance, d from the eye to the nearest point of a sphere round the triangles, error the largest
+ * vertical distance to the bilinear surface of the heights. Half cells cannot be split. The formula
+ * is for the middle of the picture; in its corners distances are drawn up to 1 / cos^2 longer. If
+ * part of a triangle has no data it is not drawn, so holes and their surroundings may be up to the
+ * tolerance larger.
+ *
+ * A mapper that draws the output must not move it: the camera is in the same coordinates. The
+ * filter executes again when the camera moves. The camera's clipping range plays no role; what is
+ * behind the sides of its view is left coarse. Bounds of the output change with the view: give the
+ * renderer those of the hierarchy if its clipping range must not.
+ *
+ * Asynchronous: a thread refines while the last finished mesh is drawn. Update() starts it and
+ * returns the newest mesh that is complete, empty before the first one. The filter counts as
+ * modified when a mesh is finished, so the next Render takes it; IsBuilding() tells when to stop
+ * rendering. For a still camera the result is exactly that of synchronous building.
+ *
+ * Method, sources and departures: core/Refinement.h.
+ *
+ * @code
+ * vtkNew<vtkTerrainStrips> strips;
+ * strips->SetInputConnection(reader->GetOutputPort());
+ * strips->SetCamera(renderer->GetActiveCamera());
+ * strips->SetViewportSize(1280, 720);
+ * mapper->SetInputConnection(strips->GetOutputPort());
+ * @endcode
+ *
+ * @sa vtkTerrainHierarchy vtkOpenGLTerrainMapper
+ */
+#ifndef vtkTerrainStrips_h
+#define vtkTerrainStrips_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"
+#include "vtkTerrainModule.h"
+
+#include <memory>
+
+class vtkCamera;
+class vtkTerrainHierarchy;
+
+class VTKTERRAIN_EXPORT vtkTerrainStrips : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkTerrainStrips* New();
+  vtkTypeMacro(vtkTerrainStrips, vtkPolyDataAlgorithm)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What is left out because it is not seen.
+  enum class CullingMode
+  {
+    Off,    ///< nothing
+    Nested, ///< all that is outside; no crack anywhere (default)
+    Lazy    ///< small parts are not tested: faster, cracks may be left outside the view
+  };
+
+  ///@{
+  /// The prepared heightfield; default none.
+  void SetHierarchy(vtkTerrainHierarchy* hierarchy);
+  vtkTerrainHierarchy* GetHierarchy();
+  ///@}
+  ///@{
+  /// The camera; required, default none. Its view angle or parallel scale, position and direction
+  /// count, not its clipping range, view shear or user matrices.
+  void SetCamera(vtkCamera* camera);
+  vtkCamera* GetCamera();
+  ///@}
+  ///@{
+  /// Width and height of the viewport in pixels, both > 0; default 300 x 300.
+  vtkSetVector2Macro(ViewportSize, int);
+  vtkGetVector2Macro(ViewportSize, int);
+  ///@}
+  ///@{
+  /// Largest screen-space error in pixels, > 0; default 1.
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+  ///@{
+  /// Largest number of triangles, at least 4; 0 (default) for any. The tolerance is raised until
+  /// they suffice.
+  vtkSetMacro(TriangleBudget, vtkIdType);
+  vtkGetMacro(TriangleBudget, vtkIdType);
+  ///@}
+  ///@{
+  /// Vertical exaggeration, > 0; default 1.
+  vtkSetMacro(Exaggeration, double);
+  vtkGetMacro(Exaggeration, double);
+  ///@}
+  ///@{
+  /// Vertices move into their place with the camera instead of jumping; more triangles for the same
+  /// tolerance. Default off.
+  vtkSetMacro(Morphing, bool);
+  vtkGetMacro(Morphing, bool);
+  vtkBooleanMacro(Morphing, bool);
+  ///@}
+  ///@{
+  /// Default CullingMode::Nested.
+  void SetCulling(CullingMode mode);
+  CullingMode GetCulling() const
+  {
+    return this->Culling;
+  }
+  ///@}
+  ///@{
+  /// Refine by the plain procedure of SOAR, for comparison; default off.
+  vtkSetMacro(PlainRefinement, bool);
+  vtkGetMacro(PlainRefinement, bool);
+  vtkBooleanMacro(PlainRefinement, bool);
+  ///@}
+  ///@{
+  /// Adds point normals; default off.
+  vtkSetMacro(Normals, bool);
+  vtkGetMacro(Normals, bool);
+  vtkBooleanMacro(Normals, bool);
+  ///@}
+  ///@{
+  /// Adds texture coordinates; default off.
+  vtkSetMacro(TextureCoordinates, bool);
+  vtkGetMacro(TextureCoordinates, bool);
+  vtkBooleanMacro(TextureCoordinates, bool);
+  ///@}
+  ///@{
+  /// Adds a colour for the depth of each point as scalars; default off.
+  vtkSetMacro(LevelColors, bool);
+  vtkGetMacro(LevelColors, bool);
+  vtkBooleanMacro(LevelColors, bool);
+  ///@}
+  ///@{
+  /// Triangles in place of the strip; default off.
+  vtkSetMacro(TriangleOutput, bool);
+  vtkGetMacro(TriangleOutput, bool);
+  vtkBooleanMacro(TriangleOutput, bool);
+  ///@}
+  ///@{
+  /// Refine in a thread; default off.
+  vtkSetMacro(Asynchronous, bool);
+  vtkGetMacro(Asynchronous, bool);
+  vtkBooleanMacro(Asynchronous, bool);
+  ///@}
+
+  /// True while the thread works on a mesh that is not yet the output, or one waits to be taken.
+  bool IsBuilding();
+
+  /// Tolerance of the output: Tolerance, or what the budget allowed.
+  double GetUsedTolerance() const
+  {
+    return this->UsedTolerance;
+  }
+  /// Number of triangles of the output.
+  vtkIdType GetNumberOfTriangles() const
+  {
+    return this->NumberOfTriangles;
+  }
+
+  /// Follows the camera, the hierarchy and the thread.
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkTerrainStrips();
+  ~vtkTerrainStrips() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkTerrainStrips(const vtkTerrainStrips&) = delete;
+  void operator=(const vtkTerrainStrips&) = delete;
+
+  struct Internals;
+  bool PrepareInput(vtkInformationVector* input);
+
+  std::unique_ptr<Internals> Private;
+  vtkSmartPointer<vtkTerrainHierarchy> Hierarchy;
+  vtkSmartPointer<vtkCamera> Camera;
+  int ViewportSize[2] = { 300, 300 };
+  double Tolerance = 1.0;
+  double Exaggeration = 1.0;
+  vtkIdType TriangleBudget = 0;
+  CullingMode Culling = CullingMode::Nested;
+  bool Morphing = false;
+  bool PlainRefinement = false;
+  bool Normals = false;
+  bool TextureCoordinates = false;
+  bool LevelColors = false;
+  bool TriangleOutput = false;
+  bool Asynchronous = false;
+  double UsedTolerance = 0.0;
+  vtkIdType NumberOfTriangles = 0;
+};
+
+#endif
