@@ -21,8 +21,17 @@ struct TerrainBeamEdges
   vec3 highMove;
 };
 
-const int terrainBeamSteps = 96;
+// Where a beam has got to: the level of the nodes it tries next, 0 for a cell; or stops for good.
+struct TerrainBeamStep
+{
+  float s;
+  int level;
+  bool stops;
+};
+
+const int terrainBeamSteps = 192;
 const float terrainBeamMargin = 1e-6;
+const float terrainBeamReach = 1e-4; // cells: more than what rounding moves positions
 
 TerrainBeamEdges terrainBeamEdges(TerrainPath path, TerrainBeam beam)
 {
@@ -63,11 +72,11 @@ float terrainBeamEntry(TerrainPath path, TerrainBeamEdges edges)
   return clamp(s, path.sBegin, path.sEnd);
 }
 
-// The lowest level whose nodes are 4/3 as wide as the box, at least 1.
+// The lowest level whose nodes are 4/3 as wide as the box.
 int terrainBeamLevel(TerrainBeamEdges edges, float s)
 {
   vec2 width = edges.high.xy - edges.low.xy + (edges.highMove.xy - edges.lowMove.xy) * s;
-  return int(ceil(log2(max(max(width.x, width.y) * (4.0 / 3.0), 2.0))));
+  return int(ceil(log2(max(max(width.x, width.y) * (4.0 / 3.0), 1.0))));
 }
 
 // The distance where the box leaves the cells first <= cell < end, mirrored.
@@ -95,6 +104,82 @@ vec2 terrainBlockBounds(TerrainPath path, ivec2 block, int level)
   return vec2(max(max(a.x, b.x), max(c.x, d.x)), min(min(a.y, b.y), min(c.y, d.y)));
 }
 
+// On to where the box leaves the block of 2 x 2 nodes, if no height in it meets the box; else to
+// where it comes down to the highest, or up to the lowest height of the block.
+TerrainBeamStep terrainBeamOverBlock(TerrainPath path, TerrainBeamEdges edges, TerrainBeamStep at)
+{
+  ivec2 block =
+    (ivec2(floor(edges.low.xy + edges.lowMove.xy * at.s)) + path.anchor) >> at.level;
+  int size = 1 << at.level;
+  float leaves = max(terrainBeamLeaves(path, edges, block * size, (block + 2) * size), at.s);
+  vec2 bounds = terrainBlockBounds(path, block, at.level);
+  float lowest = edges.low.z + min(edges.lowMove.z * at.s, edges.lowMove.z * leaves);
+  float highest = edges.high.z + max(edges.highMove.z * at.s, edges.highMove.z * leaves);
+  bool clear = lowest > bounds.x || highest < bounds.y;
+  float above = edges.low.z + edges.lowMove.z * at.s - bounds.x;
+  float below = bounds.y - edges.high.z - edges.highMove.z * at.s;
+  float fall = above > 0.0 ? above / -edges.lowMove.z : 0.0;
+  float rise = below > 0.0 ? below / edges.highMove.z : 0.0;
+  float s = clear ? leaves : min(at.s + max(fall, rise), leaves);
+  int lowestLevel = terrainBeamLevel(edges, s);
+  int level = clear ? max(at.level + 1, lowestLevel) : at.level - 1;
+  return TerrainBeamStep(s, min(level, terrainPyramidTop), level < lowestLevel);
+}
+
+// Steepest change of the code along an edge between samples of a cell and those around it, east and
+// north; and the codes of the cell's corners. False if some of the 4 x 4 samples have no height.
+bool terrainSlopeBound(ivec2 cell, out vec2 slope, out vec4 codes)
+{
+  vec4 southWest = terrainCellCodes(cell - 1);
+  vec4 southEast = terrainCellCodes(cell + ivec2(1, -1));
+  vec4 northWest = terrainCellCodes(cell + ivec2(-1, 1));
+  vec4 northEast = terrainCellCodes(cell + 1);
+  codes = vec4(southWest.w, southEast.z, northWest.y, northEast.x);
+  // The columns of samples, each from south to north.
+  vec4 a = vec4(southWest.xz, northWest.xz);
+  vec4 b = vec4(southWest.yw, northWest.yw);
+  vec4 c = vec4(southEast.xz, northEast.xz);
+  vec4 d = vec4(southEast.yw, northEast.yw);
+  vec4 east = max(max(abs(b - a), abs(c - b)), abs(d - c));
+  vec3 north = max(max(abs(a.yzw - a.xyz), abs(b.yzw - b.xyz)),
+    max(abs(c.yzw - c.xyz), abs(d.yzw - d.xyz)));
+  slope = vec2(max(max(east.x, east.y), max(east.z, east.w)), max(max(north.x, north.y), north.z));
+  return terrainCellValid(min(min(a, b), min(c, d)));
+}
+
+// On to where the ray in the middle leaves a cell, if it stays so far above or below the cell's
+// patch that the steepest slope around cannot reach the box.
+TerrainBeamStep terrainBeamOverCell(TerrainPath path, TerrainBeamEdges edges, TerrainBeamStep at)
+{
+  vec2 position = path.origin.xy + path.direction.xy * at.s;
+  ivec2 cell = ivec2(floor(position + terrainBeamReach)) + path.anchor;
+  vec2 leave = (vec2(cell + 1 - path.anchor) - path.lineOrigin) * path.inverse.xy;
+  float s = clamp(min(leave.x, leave.y), at.s, path.sEnd);
+  vec3 radius = 0.5 * (edges.high - edges.low + (edges.highMove - edges.lowMove) * s) +
+    vec3(2.0 * terrainBeamReach, 2.0 * terrainBeamReach, 0.0);
+  bool inside = all(greaterThan(cell, path.firstCell)) && all(lessThan(cell, path.lastCell));
+  if (!inside || max(radius.x, radius.y) > 0.9)
+  {
+    return TerrainBeamStep(at.s, 0, true);
+  }
+  vec2 slope;
+  vec4 codes;
+  bool valid = terrainSlopeBound(cell ^ path.mirror, slope, codes);
+  vec2 begin = terrainCellFraction(path, cell, at.s, 0, 0.0);
+  vec2 end = terrainCellFraction(path, cell, s, 0, 0.0);
+  vec2 difference = path.origin.z + path.direction.z * vec2(at.s, s) -
+    vec2(terrainPatchCode(codes, begin), terrainPatchCode(codes, end));
+  // On the way the difference leaves the straight line between its ends by a quarter of this.
+  float bend = -((codes.x - codes.y) - (codes.z - codes.w)) * (end.x - begin.x) * (end.y - begin.y);
+  float reach = radius.z + dot(slope, radius.xy);
+  bool clear = valid && (min(difference.x, difference.y) - 0.25 * max(bend, 0.0) > reach ||
+    max(difference.x, difference.y) - 0.25 * min(bend, 0.0) < -reach);
+  vec2 after = path.origin.xy + path.direction.xy * s;
+  ivec2 next = ivec2(floor(after + terrainBeamReach)) + path.anchor;
+  bool leavesBlock = any(notEqual(next >> 1, cell >> 1)) || terrainBeamLevel(edges, s) > 0;
+  return TerrainBeamStep(clear ? s : at.s, leavesBlock ? 1 : 0, !clear);
+}
+
 // A distance sBegin <= s <= sEnd of the beam's ray that no ray of the tile has met the surface
 // before; sEnd if none does at all.
 float terrainBeamStart(TerrainBeam beam)
@@ -102,26 +187,18 @@ float terrainBeamStart(TerrainBeam beam)
   TerrainPath path = terrainMirrorRay(beam.ray);
   TerrainBeamEdges edges = terrainBeamEdges(path, beam);
   float s = terrainPyramidTop < 1 ? path.sEnd : terrainBeamEntry(path, edges);
-  int level = min(terrainBeamLevel(edges, s) + 2, terrainPyramidTop);
-  bool stops = false;
-  for (int i = 0; i < terrainBeamSteps && !stops && s < path.sEnd; ++i)
+  TerrainBeamStep at =
+    TerrainBeamStep(s, clamp(terrainBeamLevel(edges, s) + 2, 1, terrainPyramidTop), false);
+  for (int i = 0; i < terrainBeamSteps && !at.stops && at.s < path.sEnd; ++i)
   {
-    ivec2 block = (ivec2(floor(edges.low.xy + edges.lowMove.xy * s)) + path.anchor) >> level;
-    int size = 1 << level;
-    float leaves = max(terrainBeamLeaves(path, edges, block * size, (block + 2) * size), s);
-    vec2 bounds = terrainBlockBounds(path, block, level);
-    float lowest = edges.low.z + min(edges.lowMove.z * s, edges.lowMove.z * leaves);
-    float highest = edges.high.z + max(edges.highMove.z * s, edges.highMove.z * leaves);
-    bool clear = lowest > bounds.x || highest < bounds.y;
-    // To where the box comes down to the highest, or up to the lowest height.
-    float above = edges.low.z + edges.lowMove.z * s - bounds.x;
-    float below = bounds.y - edges.high.z - edges.highMove.z * s;
-    float fall = above > 0.0 ? above / -edges.lowMove.z : 0.0;
-    float rise = below > 0.0 ? below / edges.highMove.z : 0.0;
-    s = clear ? leaves : min(s + max(fall, rise), leaves);
-    int lowestLevel = terrainBeamLevel(edges, s);
-    stops = !clear && level - 1 < lowestLevel;
-    level = min(clear ? max(level + 1, lowestLevel) : level - 1, terrainPyramidTop);
+    if (at.level > 0)
+    {
+      at = terrainBeamOverBlock(path, edges, at);
+    }
+    else
+    {
+      at = terrainBeamOverCell(path, edges, at);
+    }
   }
-  return min(s, path.sEnd);
+  return min(at.s, path.sEnd);
 }

@@ -23,7 +23,7 @@
 
 namespace
 {
-constexpr int NumberOfRays = 2000;
+constexpr int NumberOfRays = 1000;
 using terrain::TerrainBeam;
 using terrain::TerrainHit;
 using terrain::TerrainRay;
@@ -253,10 +253,13 @@ void compareField(vtkRenderWindow* window, const terrain::TestField& test, unsig
   const Beams beams(test, field.Codes.MaximumCode, seed);
   const float size = static_cast<float>(field.Codes.MaximumCode);
   comparePaths(window, field, beams, glm::vec4(0.0f));
-  comparePaths(window, field, beams, glm::vec4(2.0f, 0.3f * size, 3.0f, 0.3f * size));
-  field.Coded.columns = true;
-  comparePaths(window, field, beams, glm::vec4(0.0f));
   compareBeams(window, field, beams);
+  if (seed % 3 == 0)
+  {
+    comparePaths(window, field, beams, glm::vec4(2.0f, 0.3f * size, 3.0f, 0.3f * size));
+    field.Coded.columns = true;
+    comparePaths(window, field, beams, glm::vec4(0.0f));
+  }
 }
 
 TEST(TerrainShaderTwinsPyramid, TakeTheSamePath)

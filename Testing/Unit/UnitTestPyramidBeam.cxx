@@ -80,7 +80,7 @@ TEST(PyramidBeam, IsNeverBeyondTheFirstHitOfItsRays)
     const CodedField<std::uint16_t> field(test);
     const PyramidBeam<std::uint16_t> beams(field.Coded);
     terrain::RayMaker maker({ test.Width, test.Height }, field.Codes.MaximumCode, ++seed);
-    for (int trial = 0; trial < 300; ++trial)
+    for (int trial = 0; trial < 200; ++trial)
     {
       const Camera camera = RandomCamera(maker, maker.Make());
       constexpr float length = 3.0f;
@@ -103,7 +103,7 @@ TEST(PyramidBeam, IsNeverBeyondTheFirstHitOfItsRays)
     }
   }
   // They do get on: more than a third of the way to the first hit.
-  ASSERT_GT(hits, 5000);
+  ASSERT_GT(hits, 4000);
   EXPECT_GT(advanced / hits, 0.33);
 }
 
@@ -126,10 +126,27 @@ TEST(PyramidBeam, LeavesEveryHitToBeFound)
       int steps = 0;
       ray.sBegin = beams.BeamStart(camera.Beam(0.5, 0.5, 0.5, 3.0f), steps);
       const terrain::TerrainHit rest = field.Coded.TracePyramid(ray);
-      differ += whole.found != rest.found || std::abs(whole.s - rest.s) > 1e-4f;
+      differ += whole.found != rest.found || (whole.found && std::abs(whole.s - rest.s) > 1e-4f);
     }
     EXPECT_LE(differ, 3); // rays that graze
   }
+}
+
+// An eye just above the ground that looks along it: the start must get on, far beyond the first
+// cell.
+TEST(PyramidBeam, GetsOnCloseToTheGround)
+{
+  const CodedField<std::uint16_t> field(
+    terrain::TestField("", 300, 300, [](int i, int j) { return std::floor(20.0 * i + 7.0 * j); }));
+  const PyramidBeam<std::uint16_t> beams(field.Coded);
+  TerrainBeam beam;
+  // 2 codes above a plane that rises by 20 codes a cell; meets it 200 cells away.
+  beam.ray = terrain::RayBetween({ 20.5, 30.5, 623.5 + 2.0 }, { 220.5, 30.5, 4623.5 });
+  beam.growth = glm::vec3(0.05f, 0.05f, 0.1f);
+  int steps = 0;
+  const float start = beams.BeamStart(beam, steps);
+  EXPECT_GT(start, 0.4f);
+  EXPECT_LT(start, 1.0f);
 }
 
 TEST(PyramidBeam, PassesWhereThereIsNothing)

@@ -202,6 +202,41 @@ TEST(PyramidTraversal, SeesTheSameHeightsOnSharedEdges)
   }
 }
 
+// From cell to cell along a ray: the height of the surface at the exit of one is, to the bit, that
+// at the entry of the next.
+TEST(PyramidTraversal, SeesTheSameHeightsAtExitAndEntry)
+{
+  const terrain::TestField test = terrain::AdversarialFields()[6]; // random
+  const CodedField<float> field(test);
+  const auto& coded = field.Coded;
+  terrain::RayMaker maker({ test.Width, test.Height }, field.Codes.MaximumCode, 9);
+  int lines = 0;
+  for (int trial = 0; trial < 500; ++trial)
+  {
+    const auto path = coded.ClipPath(coded.MirrorRay(maker.Make()));
+    auto at = coded.FirstStep(path);
+    bool ended = !(path.sBegin <= path.sEnd);
+    while (!ended)
+    {
+      at.level = 0;
+      const auto span = coded.NodeSpan(path, at);
+      ended = span.ends;
+      const auto next = coded.NextStep(path, at, span, false, span.s);
+      if (!ended)
+      {
+        const glm::vec2 exit =
+          coded.CellFraction(path, at.cell, span.s, span.crossEast ? 1 : 2, 1.0f);
+        const glm::vec2 entry = coded.CellFraction(path, next.cell, next.s, next.line, 0.0f);
+        ASSERT_EQ(terrain::PatchCode(coded.heights.CellCodes(at.cell ^ path.mirror), exit),
+          terrain::PatchCode(coded.heights.CellCodes(next.cell ^ path.mirror), entry));
+        ++lines;
+      }
+      at = next;
+    }
+  }
+  EXPECT_GT(lines, 5000);
+}
+
 TEST(PyramidTraversal, FirstRootKnowsItsCases)
 {
   EXPECT_EQ(terrain::FirstRoot(0.0f, 0.0f, 0.0f), 0.0f);   // in the surface

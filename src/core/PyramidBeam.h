@@ -11,13 +11,15 @@
  * of a level, the first of which holds its trailing corner. While the heights of the box and those
  * of the block do not meet, no ray of the tile meets the surface: the beam goes on to where its
  * box leaves the block, one level up; where they do meet, it goes on to where its heights reach
- * the block's bound, one level down. It ends there when the nodes of that level would be too small
- * for the box (BeamLevel()), or at level 1.
+ * the block's bound, one level down, as long as the nodes of that level are not too small for the
+ * box (BeamLevel()). Narrow beams thus come down to cells: they go on while the height of the ray
+ * in the middle above the patch exceeds what the box and the steepest slope within reach of it can
+ * make up. Eyes close to the ground need that: without, beams from 2 m above it hardly start.
  *
  * Conservative: no ray of the tile meets the surface before the distance returned. Every bound is
  * taken over all cells that the box touches on the way, heights are widened by Path::slack and the
- * box by BeamMargin, more than what rounding moves a ray; if the number of steps runs out, the
- * distance reached so far is as safe as any.
+ * box by BeamMargin and BeamReach, more than what rounding moves a ray; if the number of steps runs
+ * out, the distance reached so far is as safe as any.
  */
 #ifndef terrain_PyramidBeam_h
 #define terrain_PyramidBeam_h
@@ -27,9 +29,11 @@
 namespace terrain
 {
 /// Most steps of a beam.
-constexpr int BeamSteps = 96;
+constexpr int BeamSteps = 192;
 /// The box of a beam is widened by this part of its coordinates, above what float rounds them by.
 constexpr float BeamMargin = 1e-6f;
+/// Cells by which a beam gets past a line between cells: more than what rounding moves positions.
+constexpr float BeamReach = 1e-4f;
 
 /// The rays of a tile of pixels: all lie in ray(s) -+ (radius + s * growth), s being that of the
 /// ray.
@@ -68,11 +72,23 @@ private:
     glm::vec3 highMove;
   };
 
+  /// Where a beam has got to: the level of the nodes it tries next, 0 for a cell; or stops for
+  /// good.
+  struct Step
+  {
+    float s;
+    int level;
+    bool stops;
+  };
+
   Edges BeamEdges(const Path& path, const TerrainBeam& beam) const;
   float BeamEntry(const Path& path, const Edges& edges) const;
   int BeamLevel(const Edges& edges, float s) const;
   float BeamLeaves(const Path& path, const Edges& edges, glm::ivec2 first, glm::ivec2 end) const;
   glm::vec2 BlockBounds(const Path& path, glm::ivec2 block, int level) const;
+  Step BeamOverBlock(const Path& path, const Edges& edges, const Step& at) const;
+  bool SlopeBound(glm::ivec2 cell, glm::vec2& slope, glm::vec4& codes) const;
+  Step BeamOverCell(const Path& path, const Edges& edges, const Step& at) const;
 
   const CodedPyramid<Texel>& Coded;
 };
@@ -119,12 +135,12 @@ float PyramidBeam<Texel>::BeamEntry(const Path& path, const Edges& edges) const
   return std::min(std::max(s, path.sBegin), path.sEnd);
 }
 
-/// The lowest level whose nodes are 4/3 as wide as the box, at least 1.
+/// The lowest level whose nodes are 4/3 as wide as the box.
 template <typename Texel>
 int PyramidBeam<Texel>::BeamLevel(const Edges& edges, float s) const
 {
   const glm::vec3 width = edges.high - edges.low + (edges.highMove - edges.lowMove) * s;
-  const float size = std::max(std::max(width.x, width.y) * (4.0f / 3.0f), 2.0f);
+  const float size = std::max(std::max(width.x, width.y) * (4.0f / 3.0f), 1.0f);
   return static_cast<int>(std::ceil(std::log2(size)));
 }
 
@@ -157,38 +173,115 @@ glm::vec2 PyramidBeam<Texel>::BlockBounds(const Path& path, glm::ivec2 block, in
     std::min(std::min(a.y, b.y), std::min(c.y, d.y)) };
 }
 
+/// On to where the box leaves the block of 2 x 2 nodes, if no height in it meets the box; else to
+/// where it comes down to the highest, or up to the lowest height of the block.
+template <typename Texel>
+typename PyramidBeam<Texel>::Step PyramidBeam<Texel>::BeamOverBlock(
+  const Path& path, const Edges& edges, const Step& at) const
+{
+  const glm::vec2 low = glm::vec2(edges.low) + glm::vec2(edges.lowMove) * at.s;
+  const glm::ivec2 block = (glm::ivec2(glm::floor(low)) + path.anchor) >> at.level;
+  const int size = 1 << at.level;
+  const float leaves =
+    std::max(this->BeamLeaves(path, edges, block * size, (block + 2) * size), at.s);
+  const glm::vec2 bounds = this->BlockBounds(path, block, at.level);
+  const float lowest = edges.low.z + std::min(edges.lowMove.z * at.s, edges.lowMove.z * leaves);
+  const float highest = edges.high.z + std::max(edges.highMove.z * at.s, edges.highMove.z * leaves);
+  const bool clear = lowest > bounds.x || highest < bounds.y;
+  const float above = edges.low.z + edges.lowMove.z * at.s - bounds.x;
+  const float below = bounds.y - edges.high.z - edges.highMove.z * at.s;
+  const float fall = above > 0.0f ? above / -edges.lowMove.z : 0.0f;
+  const float rise = below > 0.0f ? below / edges.highMove.z : 0.0f;
+  const float s = clear ? leaves : std::min(at.s + std::max(fall, rise), leaves);
+  const int lowestLevel = this->BeamLevel(edges, s);
+  const int level = clear ? std::max(at.level + 1, lowestLevel) : at.level - 1;
+  return { s, std::min(level, this->Coded.pyramid->LevelCount()), level < lowestLevel };
+}
+
+/// Steepest change of the code along an edge between samples of a cell and those around it, east
+/// and north; and the codes of the cell's corners. False if some of the 4 x 4 samples have no
+/// height.
+template <typename Texel>
+bool PyramidBeam<Texel>::SlopeBound(glm::ivec2 cell, glm::vec2& slope, glm::vec4& codes) const
+{
+  const CodedHeights<Texel>& heights = this->Coded.heights;
+  float lowest = 0.0f;
+  slope = glm::vec2(0.0f);
+  for (int j = -1; j <= 2; ++j)
+  {
+    for (int i = -1; i <= 2; ++i)
+    {
+      const float code = heights.Code(cell + glm::ivec2(i, j));
+      lowest = std::min(lowest, code);
+      if (i < 2)
+      {
+        slope.x = std::max(slope.x, std::abs(heights.Code(cell + glm::ivec2(i + 1, j)) - code));
+      }
+      if (j < 2)
+      {
+        slope.y = std::max(slope.y, std::abs(heights.Code(cell + glm::ivec2(i, j + 1)) - code));
+      }
+    }
+  }
+  codes = heights.CellCodes(cell);
+  return lowest >= 0.0f;
+}
+
+/// On to where the ray in the middle leaves a cell, if it stays so far above or below the cell's
+/// patch that the steepest slope around cannot reach the box.
+template <typename Texel>
+typename PyramidBeam<Texel>::Step PyramidBeam<Texel>::BeamOverCell(
+  const Path& path, const Edges& edges, const Step& at) const
+{
+  const glm::vec2 origin(path.origin);
+  const glm::vec2 direction(path.direction);
+  const glm::ivec2 cell =
+    glm::ivec2(glm::floor(origin + direction * at.s + BeamReach)) + path.anchor;
+  const glm::vec2 leave =
+    (glm::vec2(cell + 1 - path.anchor) - path.lineOrigin) * glm::vec2(path.inverse);
+  const float s = std::min(std::max(std::min(leave.x, leave.y), at.s), path.sEnd);
+  const glm::vec3 radius = 0.5f * (edges.high - edges.low + (edges.highMove - edges.lowMove) * s) +
+    glm::vec3(2.0f * BeamReach, 2.0f * BeamReach, 0.0f);
+  const bool inside = glm::all(glm::greaterThan(cell, path.firstCell)) &&
+    glm::all(glm::lessThan(cell, path.lastCell));
+  if (!inside || std::max(radius.x, radius.y) > 0.9f)
+  {
+    return { at.s, 0, true };
+  }
+  glm::vec2 slope;
+  glm::vec4 codes;
+  const bool valid = this->SlopeBound(cell ^ path.mirror, slope, codes);
+  const glm::vec2 begin = this->Coded.CellFraction(path, cell, at.s, 0, 0.0f);
+  const glm::vec2 end = this->Coded.CellFraction(path, cell, s, 0, 0.0f);
+  const glm::vec2 difference = path.origin.z + path.direction.z * glm::vec2(at.s, s) -
+    glm::vec2(PatchCode(codes, begin), PatchCode(codes, end));
+  // On the way the difference leaves the straight line between its ends by a quarter of this.
+  const float bend =
+    -((codes.x - codes.y) - (codes.z - codes.w)) * (end.x - begin.x) * (end.y - begin.y);
+  const float reach = radius.z + (slope.x * radius.x + slope.y * radius.y);
+  const bool clear = valid &&
+    (std::min(difference.x, difference.y) - 0.25f * std::max(bend, 0.0f) > reach ||
+      std::max(difference.x, difference.y) - 0.25f * std::min(bend, 0.0f) < -reach);
+  const glm::ivec2 next = glm::ivec2(glm::floor(origin + direction * s + BeamReach)) + path.anchor;
+  const bool leavesBlock =
+    glm::any(glm::notEqual(next >> 1, cell >> 1)) || this->BeamLevel(edges, s) > 0;
+  return { clear ? s : at.s, leavesBlock ? 1 : 0, !clear };
+}
+
 template <typename Texel>
 float PyramidBeam<Texel>::BeamStart(const TerrainBeam& beam, int& steps) const
 {
   const Path path = this->Coded.MirrorRay(beam.ray);
   const int top = this->Coded.pyramid->LevelCount();
   const Edges edges = this->BeamEdges(path, beam);
-  float s = top < 1 ? path.sEnd : this->BeamEntry(path, edges);
-  int level = std::min(this->BeamLevel(edges, s) + 2, top);
-  bool stops = false;
-  for (int i = 0; i < BeamSteps && !stops && s < path.sEnd; ++i)
+  const float s = top < 1 ? path.sEnd : this->BeamEntry(path, edges);
+  Step at{ s, std::min(std::max(this->BeamLevel(edges, s) + 2, 1), top), false };
+  for (int i = 0; i < BeamSteps && !at.stops && at.s < path.sEnd; ++i)
   {
     ++steps;
-    const glm::vec2 low = glm::vec2(edges.low) + glm::vec2(edges.lowMove) * s;
-    const glm::ivec2 block = (glm::ivec2(glm::floor(low)) + path.anchor) >> level;
-    const int size = 1 << level;
-    const float leaves =
-      std::max(this->BeamLeaves(path, edges, block * size, (block + 2) * size), s);
-    const glm::vec2 bounds = this->BlockBounds(path, block, level);
-    const float lowest = edges.low.z + std::min(edges.lowMove.z * s, edges.lowMove.z * leaves);
-    const float highest = edges.high.z + std::max(edges.highMove.z * s, edges.highMove.z * leaves);
-    const bool clear = lowest > bounds.x || highest < bounds.y;
-    // To where the box comes down to the highest, or up to the lowest height.
-    const float above = edges.low.z + edges.lowMove.z * s - bounds.x;
-    const float below = bounds.y - edges.high.z - edges.highMove.z * s;
-    const float fall = above > 0.0f ? above / -edges.lowMove.z : 0.0f;
-    const float rise = below > 0.0f ? below / edges.highMove.z : 0.0f;
-    s = clear ? leaves : std::min(s + std::max(fall, rise), leaves);
-    const int lowestLevel = this->BeamLevel(edges, s);
-    stops = !clear && level - 1 < lowestLevel;
-    level = std::min(clear ? std::max(level + 1, lowestLevel) : level - 1, top);
+    at = at.level > 0 ? this->BeamOverBlock(path, edges, at) : this->BeamOverCell(path, edges, at);
   }
-  return std::min(s, path.sEnd);
+  return std::min(at.s, path.sEnd);
 }
 }
 
