@@ -91,16 +91,33 @@ template <typename T>
 void AddSamples(const T* row, std::int64_t begin, std::int64_t end, double reference,
   const PlaneRow& plane, QuadRanges& ranges)
 {
-  Range difference = ranges.Difference;
-  Range relative = ranges.Relative;
-  for (std::int64_t x = begin; x < end; ++x)
+  // Lanes are independent, so that the processor compares several samples at a time.
+  constexpr std::int64_t kLanes = 4;
+  std::array<Range, kLanes> difference;
+  std::array<Range, kLanes> relative;
+  const auto add = [&](std::int64_t x, std::int64_t lane)
   {
     const double value = static_cast<double>(row[x]) - reference;
-    relative.Add(value);
-    difference.Add(value - (plane.Start + plane.Slope * static_cast<double>(x)));
+    relative[lane].Add(value);
+    difference[lane].Add(value - (plane.Start + plane.Slope * static_cast<double>(x)));
+  };
+  std::int64_t x = begin;
+  for (; x + kLanes <= end; x += kLanes)
+  {
+    for (std::int64_t lane = 0; lane < kLanes; ++lane)
+    {
+      add(x + lane, lane);
+    }
   }
-  ranges.Difference = difference;
-  ranges.Relative = relative;
+  for (; x < end; ++x)
+  {
+    add(x, 0);
+  }
+  for (std::int64_t lane = 0; lane < kLanes; ++lane)
+  {
+    ranges.Difference.Add(difference[lane]);
+    ranges.Relative.Add(relative[lane]);
+  }
 }
 
 /// All samples of a quad that has no gaps.
@@ -273,6 +290,7 @@ public:
     if (this->PushUp)
     {
       mesh.QuadPushes.resize(quads);
+      this->OwnGaps.resize(quads);
     }
     if (this->MayHaveGaps && step > 1)
     {
@@ -283,6 +301,8 @@ public:
       quads, [this](std::int64_t begin, std::int64_t end) { this->PushQuads(begin, end); });
     parallelFor(mesh.QuadsY + 1,
       [this](std::int64_t begin, std::int64_t end) { this->RaiseVertices(begin, end); });
+    parallelFor(
+      quads, [this](std::int64_t begin, std::int64_t end) { this->BoundGaps(begin, end); });
     parallelFor(
       quads, [this](std::int64_t begin, std::int64_t end) { this->MeasureGaps(begin, end); });
     mesh.MinimumHeight = this->Heights.Low;
@@ -416,6 +436,7 @@ private:
       if (this->PushUp)
       {
         mesh.QuadPushes[index] = ranges.Difference.High + kPushSlack * Relief(quad, ranges);
+        this->OwnGaps[index] = mesh.QuadPushes[index] - ranges.Difference.Low;
       }
     }
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -470,14 +491,48 @@ private:
     return AddRoundedUp(quad.Reference, quad.Corners[corner] + this->Mesh.QuadPushes[index]);
   }
 
-  /// Largest distance of mesh and surface over a range of quads.
+  /// Bounds of the largest distance of mesh and surface over a quad: that after step 2, plus what
+  /// step 3 raised its corners by. Nothing is known without PushUp.
+  Range GapBounds(std::int64_t index) const
+  {
+    if (!this->PushUp)
+    {
+      return { 0.0, kInfinity };
+    }
+    const CoarseMesh& mesh = this->Mesh;
+    const std::int64_t qx = index % mesh.QuadsX;
+    const std::int64_t qy = index / mesh.QuadsX;
+    Range raised;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      raised.Add(mesh.VertexHeight(qx + (corner & 1), qy + (corner >> 1)) -
+        this->PushedCorner(qx, qy, corner));
+    }
+    constexpr double kRounding = 1e-12;
+    return { (this->OwnGaps[index] + raised.Low) * (1.0 - kRounding),
+      (this->OwnGaps[index] + raised.High) * (1.0 + kRounding) };
+  }
+
+  /// Finds a gap that the largest is not smaller than.
+  void BoundGaps(std::int64_t begin, std::int64_t end)
+  {
+    double least = 0.0;
+    for (std::int64_t index = begin; index < end; ++index)
+    {
+      least = this->Mesh.QuadKept[index] ? std::max(least, this->GapBounds(index).Low) : least;
+    }
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->LeastGap = std::max(this->LeastGap, least);
+  }
+
+  /// Largest distance of mesh and surface over those quads of a range where it may be.
   void MeasureGaps(std::int64_t begin, std::int64_t end)
   {
     const CoarseMesh& mesh = this->Mesh;
     double gap = 0.0;
     for (std::int64_t index = begin; index < end; ++index)
     {
-      if (!mesh.QuadKept[index])
+      if (!mesh.QuadKept[index] || this->GapBounds(index).High < this->LeastGap)
       {
         continue;
       }
@@ -504,6 +559,10 @@ private:
   CoarseMesh Mesh;
   /// Of each quad with gaps its mean height, else NaN; empty if there can be none.
   std::vector<double> Means;
+  /// Of each quad the largest distance to the surface after step 2; empty unless PushUp.
+  std::vector<double> OwnGaps;
+  /// The largest gap is not smaller than this.
+  double LeastGap = 0.0;
   std::mutex Mutex;
   Range Heights;
 };

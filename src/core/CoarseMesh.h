@@ -94,7 +94,8 @@ struct CoarseMesh
  * lies above it, in exact arithmetic on the doubles of VertexHeights; a quad alone touches the
  * surface but for rounding (kPushSlack of its relief). A vertex without a height takes the mean of
  * those of its quad, before it is pushed. Same result however parallelFor splits its ranges.
- * Time: each sample is read about twice. T: see SampleTypes.h.
+ * Time: each sample is read once, and once more in the few quads that may have the largest gap. T:
+ * see SampleTypes.h.
  */
 template <typename T>
 CoarseMesh BuildCoarseMesh(
