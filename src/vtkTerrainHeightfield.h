@@ -58,7 +58,7 @@ inline std::string WhyNotHeights(vtkImageData* image)
     return "heights must have one component, this array has " +
       std::to_string(scalars->GetNumberOfComponents());
   }
-  return std::string();
+  return {};
 }
 
 /// Where the samples of the image lie in model coordinates, without exaggeration.
