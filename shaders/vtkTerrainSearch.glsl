@@ -19,6 +19,7 @@ struct TerrainSample
   bool valid;   // there is a surface
   float s;
   float above;  // codes, < 0 below the surface
+  float slope;  // change of above per unit of s, within the cell
 };
 
 // A search under way.
@@ -83,8 +84,9 @@ TerrainSample terrainSampleRay(TerrainRay ray, float s)
   vec3 positionGC = ray.originGC + s * ray.directionGC;
   ivec2 cell = terrainCellAt(ray, positionGC);
   vec4 codes = terrainCellCodes(cell);
-  return TerrainSample(terrainCellValid(codes), s,
-    positionGC.z - terrainPatchCode(codes, terrainFractionAt(ray, positionGC, cell)));
+  vec2 fraction = terrainFractionAt(ray, positionGC, cell);
+  return TerrainSample(terrainCellValid(codes), s, positionGC.z - terrainPatchCode(codes, fraction),
+    ray.directionGC.z - dot(terrainPatchGradient(codes, fraction), ray.directionGC.xy));
 }
 
 // Where the line through two samples meets the surface's height, between them.
@@ -118,6 +120,27 @@ TerrainSample terrainValidEdge(TerrainRay ray, TerrainSample a, TerrainSample b,
     return a;
   }
   return b;
+}
+
+// Of two samples on one side of the surface, the place between them where the ray may be on the other:
+// where the tangents meet, if that is on the other side. Else b.
+TerrainSample terrainDip(TerrainRay ray, TerrainSample a, TerrainSample b, inout TerrainMarch march)
+{
+  float side = a.above < 0.0 ? -1.0 : 1.0;
+  float closing = side * a.slope;
+  float opening = side * b.slope;
+  if (closing >= 0.0 || opening <= 0.0)
+  {
+    return b;
+  }
+  float interval = b.s - a.s;
+  float t = (side * (a.above - b.above) + opening * interval) / (opening - closing);
+  if (!(t > 0.0 && t < interval) || side * a.above + closing * t >= 0.0)
+  {
+    return b;
+  }
+  ++march.hit.crossings;
+  return terrainSampleRay(ray, a.s + t);
 }
 
 // Root polishing between two samples on different sides; march.hit.found is false if there are no data.
@@ -158,7 +181,7 @@ TerrainMarch terrainMarchFrom(TerrainRay ray, vec2 segment)
   TerrainMarch march;
   march.hit = terrainNoHit();
   march.running = segment.x <= segment.y;
-  march.last = TerrainSample(false, segment.x, 0.0);
+  march.last = TerrainSample(false, segment.x, 0.0, 0.0);
   if (march.running)
   {
     march.last = terrainSampleRay(ray, segment.x);
@@ -194,9 +217,14 @@ void terrainMarchTo(TerrainRay ray, float s, float end, inout TerrainMarch march
     {
       b = next;
     }
-    if ((a.above < 0.0) != (b.above < 0.0))
+    TerrainSample c = b;
+    if ((a.above < 0.0) == (b.above < 0.0))
     {
-      terrainPolish(ray, a, b, march);
+      c = terrainDip(ray, a, b, march);
+    }
+    if (c.valid && (a.above < 0.0) != (c.above < 0.0))
+    {
+      terrainPolish(ray, a, c, march);
     }
     march.running = b.above <= terrainLargestGap || b.above <= a.above;
   }

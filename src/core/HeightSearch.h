@@ -21,6 +21,8 @@
  *   than the mesh lies anywhere: if the ray meets the mesh again, it starts a search of its own.
  * - Lengths are counted in cells, and StepRelief height codes count as one cell. With StepRelief =
  *   codes / cells of the longer side, that is the paper's measure in the unit cube.
+ * - Where two samples lie on one side but their tangents meet on the other, a third is taken there:
+ *   ridges thinner than a step are not passed by.
  * - Where the surface begins or ends between two samples, bisection finds the last one on it.
  * - The secant keeps its bracket and halves the weight of an end that stays (the Illinois rule).
  */
@@ -91,7 +93,7 @@ SearchParameters ChooseSearchParameters(const SearchScene& scene, SearchKind kin
 SearchParameters PaperSearchParameters(const SearchScene& scene, SearchKind kind);
 
 /// Values behind ChooseSearchParameters().
-constexpr float kDefaultStepLength = 0.5f;
+constexpr float kDefaultStepLength = 0.75f;
 constexpr int kDefaultLinearSteps = 4096;
 constexpr int kDefaultExponentialSteps = 16;
 constexpr int kDefaultSecantSteps = 4;
@@ -113,6 +115,7 @@ struct HeightSearch
     bool valid; ///< there is a surface
     float s;
     float above; ///< codes, < 0 below the surface
+    float slope; ///< change of above per unit of s, within the cell
   };
 
   /// A search under way.
@@ -189,13 +192,20 @@ struct HeightSearch
       glm::mix(codes.x, codes.y, fraction.x), glm::mix(codes.z, codes.w, fraction.x), fraction.y);
   }
 
+  static glm::vec2 PatchGradientAt(const glm::vec4& codes, const glm::vec2& fraction)
+  {
+    return { glm::mix(codes.y - codes.x, codes.w - codes.z, fraction.y),
+      glm::mix(codes.z - codes.x, codes.w - codes.y, fraction.x) };
+  }
+
   Sample SampleRay(const TerrainRay& ray, float s) const
   {
     const glm::vec3 positionGC = ray.originGC + s * ray.directionGC;
     const glm::ivec2 cell = this->CellAt(ray, positionGC);
     const glm::vec4 codes = this->heights.CellCodes(cell);
-    return { IsCellValid(codes), s,
-      positionGC.z - PatchCodeAt(codes, FractionAt(ray, positionGC, cell)) };
+    const glm::vec2 fraction = FractionAt(ray, positionGC, cell);
+    return { IsCellValid(codes), s, positionGC.z - PatchCodeAt(codes, fraction),
+      ray.directionGC.z - glm::dot(PatchGradientAt(codes, fraction), glm::vec2(ray.directionGC)) };
   }
 
   /// Where the line through two samples meets the surface's height, between them.
@@ -208,6 +218,7 @@ struct HeightSearch
   }
 
   Sample ValidEdge(const TerrainRay& ray, Sample a, Sample b, March& march) const;
+  Sample Dip(const TerrainRay& ray, const Sample& a, const Sample& b, March& march) const;
   void Polish(const TerrainRay& ray, Sample a, Sample b, March& march) const;
   March MarchFrom(const TerrainRay& ray, const glm::vec2& segment) const;
   void MarchTo(const TerrainRay& ray, float s, float end, March& march) const;
@@ -237,6 +248,30 @@ typename HeightSearch<Heights>::Sample HeightSearch<Heights>::ValidEdge(
     }
   }
   return a.valid ? a : b;
+}
+
+//------------------------------------------------------------------------------
+/// Of two samples on one side of the surface, the place between them where the ray may be on the
+/// other: where the tangents meet, if that is on the other side. Else b.
+template <typename Heights>
+typename HeightSearch<Heights>::Sample HeightSearch<Heights>::Dip(
+  const TerrainRay& ray, const Sample& a, const Sample& b, March& march) const
+{
+  const float side = a.above < 0.0f ? -1.0f : 1.0f;
+  const float closing = side * a.slope;
+  const float opening = side * b.slope;
+  if (closing >= 0.0f || opening <= 0.0f)
+  {
+    return b;
+  }
+  const float interval = b.s - a.s;
+  const float t = (side * (a.above - b.above) + opening * interval) / (opening - closing);
+  if (!(t > 0.0f && t < interval) || side * a.above + closing * t >= 0.0f)
+  {
+    return b;
+  }
+  ++march.hit.crossings;
+  return this->SampleRay(ray, a.s + t);
 }
 
 //------------------------------------------------------------------------------
@@ -280,7 +315,7 @@ template <typename Heights>
 typename HeightSearch<Heights>::March HeightSearch<Heights>::MarchFrom(
   const TerrainRay& ray, const glm::vec2& segment) const
 {
-  March march{ segment.x <= segment.y, { false, segment.x, 0.0f }, TerrainHit{} };
+  March march{ segment.x <= segment.y, { false, segment.x, 0.0f, 0.0f }, TerrainHit{} };
   if (march.running)
   {
     march.last = this->SampleRay(ray, segment.x);
@@ -306,9 +341,11 @@ void HeightSearch<Heights>::MarchTo(const TerrainRay& ray, float s, float end, M
     const Sample edge = both ? next : this->ValidEdge(ray, march.last, next, march);
     const Sample a = march.last.valid ? march.last : edge;
     const Sample b = next.valid ? next : edge;
-    if ((a.above < 0.0f) != (b.above < 0.0f))
+    const bool crosses = (a.above < 0.0f) != (b.above < 0.0f);
+    const Sample c = crosses ? b : this->Dip(ray, a, b, march);
+    if (c.valid && (a.above < 0.0f) != (c.above < 0.0f))
     {
-      this->Polish(ray, a, b, march);
+      this->Polish(ray, a, c, march);
     }
     march.running = b.above <= this->parameters.LargestGap || b.above <= a.above;
   }
