@@ -59,8 +59,8 @@ float terrainBeamEntry(TerrainPath path, TerrainBeamEdges edges)
   float s = path.sBegin;
   s = terrainBeamReaches(s, path.sEnd, ahead.x, edges.highMove.x, past.x, edges.lowMove.x);
   s = terrainBeamReaches(s, path.sEnd, ahead.y, edges.highMove.y, past.y, edges.lowMove.y);
-  float above = edges.low.z - terrainMaximumCode;
-  float below = -edges.high.z;
+  float above = edges.low.z - (terrainMaximumCode - path.anchorCode);
+  float below = -path.anchorCode - edges.high.z;
   if (above + edges.lowMove.z * s > 0.0)
   {
     s = edges.lowMove.z < 0.0 ? -above / edges.lowMove.z : path.sEnd;
@@ -101,7 +101,8 @@ vec2 terrainBlockBounds(TerrainPath path, ivec2 block, int level)
   vec2 b = terrainNodeExtremes(ivec2(far.x, near.y), level);
   vec2 c = terrainNodeExtremes(ivec2(near.x, far.y), level);
   vec2 d = terrainNodeExtremes(far, level);
-  return vec2(max(max(a.x, b.x), max(c.x, d.x)), min(min(a.y, b.y), min(c.y, d.y)));
+  return vec2(max(max(a.x, b.x), max(c.x, d.x)), min(min(a.y, b.y), min(c.y, d.y))) -
+    path.anchorCode;
 }
 
 // On to where the box leaves the block of 2 x 2 nodes, if no height in it meets the box; else to
@@ -165,6 +166,7 @@ TerrainBeamStep terrainBeamOverCell(TerrainPath path, TerrainBeamEdges edges, Te
   vec2 slope;
   vec4 codes;
   bool valid = terrainSlopeBound(cell ^ path.mirror, slope, codes);
+  codes -= path.anchorCode;
   vec2 begin = terrainCellFraction(path, cell, at.s, 0, 0.0);
   vec2 end = terrainCellFraction(path, cell, s, 0, 0.0);
   vec2 difference = path.origin.z + path.direction.z * vec2(at.s, s) -

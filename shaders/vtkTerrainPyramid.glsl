@@ -37,7 +37,8 @@ struct TerrainPath
   ivec2 anchor;     // corner that origin is relative to
   ivec2 firstCell;  // range of the grid's cells
   ivec2 lastCell;
-  vec3 origin;      // position at s = 0: cells, height code
+  float anchorCode; // code that heights are relative to
+  vec3 origin;      // position at s = 0: cells, height code, both relative
   vec3 direction;   // change per unit of s; x, y >= 0
   vec2 lineOrigin;  // origin for distances to grid lines
   vec3 inverse;     // 1 / direction; 0 in z if the ray is level
@@ -79,7 +80,10 @@ TerrainPath terrainMirrorRay(TerrainRay ray)
   bvec2 backward = lessThan(ray.directionGC.xy, vec2(0.0));
   path.mirror = -ivec2(backward);
   path.anchor = (ray.anchorCell ^ path.mirror) - path.mirror;
-  path.origin = vec3(mix(ray.originGC.xy, -ray.originGC.xy, backward), ray.originGC.z);
+  path.anchorCode = clamp(ray.originGC.z, 0.0, terrainMaximumCode);
+  path.origin = vec3(
+    mix(ray.originGC.xy, -ray.originGC.xy, backward),
+    ray.originGC.z - path.anchorCode + ray.originLow);
   path.direction = vec3(abs(ray.directionGC.xy), ray.directionGC.z);
   bvec2 still = lessThan(path.direction.xy, vec2(1e-20));
   path.direction.xy = mix(path.direction.xy, vec2(0.0), still);
@@ -108,7 +112,8 @@ TerrainPath terrainClipPath(TerrainPath path)
   path.sBegin = max(max(enter.x, enter.y), path.sBegin);
   path.sEnd = min(min(leave.x, leave.y), path.sEnd);
 
-  vec2 planes = vec2(-path.slack, terrainMaximumCode + path.slack) - path.origin.z;
+  vec2 planes = vec2(0.0, terrainMaximumCode) - path.anchorCode - path.origin.z +
+    vec2(-path.slack, path.slack);
   vec2 meet = planes * path.inverse.z;
   path.sBegin = level ? path.sBegin : max(path.sBegin, min(meet.x, meet.y));
   path.sEnd = level ? path.sEnd : min(path.sEnd, max(meet.x, meet.y));
@@ -167,7 +172,7 @@ vec2 terrainNodeBounds(TerrainPath path, TerrainStep at)
 {
   ivec2 node = (at.cell >> at.level) ^ path.mirror;
   TERRAIN_VISIT(node, at.level)
-  return terrainNodeExtremes(node, at.level) + vec2(path.slack, -path.slack);
+  return terrainNodeExtremes(node, at.level) - path.anchorCode + vec2(path.slack, -path.slack);
 }
 
 // True if a node is no larger than a tolerance (terrainTracePyramidWithin()) allows at a distance.
@@ -268,6 +273,8 @@ TerrainHit terrainMeetCell(TerrainPath path, TerrainStep at, TerrainSpan span)
   hit.cell = at.cell ^ path.mirror;
   TERRAIN_VISIT(hit.cell, 0)
   vec4 codes = terrainCellCodes(hit.cell);
+  bool valid = terrainCellValid(codes);
+  codes -= path.anchorCode;
   vec2 begin = terrainCellFraction(path, at.cell, at.s, at.line, 0.0);
   vec2 end = terrainCellFraction(
     path, at.cell, span.s, span.ends ? 0 : span.crossEast ? 1 : 2, 1.0);
@@ -276,7 +283,7 @@ TerrainHit terrainMeetCell(TerrainPath path, TerrainStep at, TerrainSpan span)
 #else
   float t = terrainIntersectPatch(codes, vec3(begin, at.z), vec3(end, span.z));
 #endif
-  hit.found = terrainCellValid(codes) && t >= 0.0;
+  hit.found = valid && t >= 0.0;
   hit.s = at.s + t * (span.s - at.s);
   hit.fraction = begin + t * (end - begin);
   return hit;

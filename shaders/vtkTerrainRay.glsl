@@ -10,6 +10,7 @@ struct TerrainRay
   vec3 directionGC;  // change per unit of s
   float sBegin;      // searched are sBegin <= s <= sEnd, distances along the viewing direction
   float sEnd;
+  float originLow;   // height codes that float cuts off originGC.z
 };
 
 struct TerrainHit

@@ -44,8 +44,9 @@ TerrainRay terrainPixelRay(vec2 pixel, float startDistance, float endDistance)
   terrainReal3 position =
     terrainAtPixel(terrainOriginGC, pixel) + terrainReal(startDistance) * direction;
   terrainReal3 anchor = floor(position);
+  float low = float(position.z - terrainReal(float(position.z)));
   return TerrainRay(ivec2(anchor.xy), vec3(position.xy - anchor.xy, position.z), vec3(direction),
-    0.0, endDistance - startDistance);
+    0.0, endDistance - startDistance, low);
 }
 
 // Direction of a pixel's ray in grid coordinates, per unit of distance along the viewing direction.

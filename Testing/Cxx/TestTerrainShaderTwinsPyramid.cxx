@@ -47,7 +47,7 @@ std::string declarations(bool integer, bool columns)
     shader("vtkTerrainHeights") + shader("vtkTerrainRay") + shader("vtkTerrainPyramid") +
     shader("vtkTerrainBeam") +
     "TerrainRay inputRay(vec4 a, vec4 b, vec4 c)\n"
-    "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w); }\n";
+    "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w, b.w); }\n";
 }
 
 /// A field on the GPU.
@@ -146,7 +146,7 @@ struct Beams
       this->Items.push_back(beam);
       const TerrainRay& ray = beam.ray;
       this->Add(0, glm::vec4(ray.anchorCell, ray.sBegin, ray.sEnd));
-      this->Add(1, glm::vec4(ray.originGC, 0.0f));
+      this->Add(1, glm::vec4(ray.originGC, ray.originLow));
       this->Add(2, glm::vec4(ray.directionGC, 0.0f));
       this->Add(3, glm::vec4(beam.radius, 0.0f));
       this->Add(4, glm::vec4(beam.growth, 0.0f));

@@ -181,6 +181,17 @@ TEST(PyramidTraversal, LetsNoRayThroughAClosedSurface)
   }
 }
 
+// An eye a quarter of a code above ground of 15,000 codes, looking along it.
+TEST(PyramidTraversal, ResolvesTheGroundBesideTheEye)
+{
+  const CodedField<float> field(terrain::TestField(
+    "", 300, 6, [](int i, int j) { return i == 0 && j == 0 ? 0.0 : 15000.0 + 3.0 * i; }));
+  const TerrainRay ray = RayBetween({ 20.5, 2.5, 15061.7501 }, { 220.5, 2.5, 15661.2501 });
+  const TerrainHit hit = field.Coded.TracePyramid(ray);
+  ASSERT_TRUE(hit.found);
+  EXPECT_NEAR(hit.s, 0.5002, 1e-4);
+}
+
 // Two rays to the same edge, from the cells on its two sides: no position on it lets one through.
 TEST(PyramidTraversal, SeesTheSameHeightsOnSharedEdges)
 {

@@ -84,7 +84,8 @@ inline void SetPatch(
   piece.A = -twist * direction.x * direction.y;
   piece.B = direction.z - east * direction.x - north * direction.y -
     twist * (u * direction.y + v * direction.x);
-  piece.C = static_cast<double>(ray.originGC.z) - codes.x - east * u - north * v - twist * u * v;
+  piece.C = static_cast<double>(ray.originGC.z) + static_cast<double>(ray.originLow) - codes.x -
+    east * u - north * v - twist * u * v;
 }
 
 /// The pieces of a ray over all cells that have a surface, in order along the ray. The surface is
@@ -180,6 +181,7 @@ inline TerrainRay RayBetween(const glm::dvec3& begin, const glm::dvec3& end)
   TerrainRay ray;
   ray.anchorCell = glm::ivec2(glm::floor(glm::dvec2(begin)));
   ray.originGC = glm::vec3(begin - glm::dvec3(ray.anchorCell.x, ray.anchorCell.y, 0.0));
+  ray.originLow = static_cast<float>(begin.z - static_cast<double>(ray.originGC.z));
   ray.directionGC = glm::vec3(end - begin);
   ray.sBegin = 0.0f;
   ray.sEnd = 1.0f;

@@ -78,6 +78,7 @@ TerrainRay MakePixelRay(const PixelRays& rays, const glm::dvec2& pixel, double s
   TerrainRay ray;
   ray.anchorCell = glm::ivec2(anchor);
   ray.originGC = glm::vec3(position - glm::dvec3(anchor, 0.0));
+  ray.originLow = static_cast<float>(position.z - static_cast<double>(ray.originGC.z));
   ray.directionGC = glm::vec3(direction);
   ray.sBegin = 0.0f;
   ray.sEnd = static_cast<float>(end - start);

@@ -122,8 +122,8 @@ float PyramidBeam<Texel>::BeamEntry(const Path& path, const Edges& edges) const
   float s = path.sBegin;
   s = BeamReaches(s, path.sEnd, ahead.x, edges.highMove.x, past.x, edges.lowMove.x);
   s = BeamReaches(s, path.sEnd, ahead.y, edges.highMove.y, past.y, edges.lowMove.y);
-  const float above = edges.low.z - this->Coded.heights.maximumCode;
-  const float below = -edges.high.z;
+  const float above = edges.low.z - (this->Coded.heights.maximumCode - path.anchorCode);
+  const float below = -path.anchorCode - edges.high.z;
   if (above + edges.lowMove.z * s > 0.0f)
   {
     s = edges.lowMove.z < 0.0f ? -above / edges.lowMove.z : path.sEnd;
@@ -169,8 +169,9 @@ glm::vec2 PyramidBeam<Texel>::BlockBounds(const Path& path, glm::ivec2 block, in
   const glm::vec2 b = this->Coded.NodeExtremes({ far.x, near.y }, level);
   const glm::vec2 c = this->Coded.NodeExtremes({ near.x, far.y }, level);
   const glm::vec2 d = this->Coded.NodeExtremes(far, level);
-  return { std::max(std::max(a.x, b.x), std::max(c.x, d.x)),
-    std::min(std::min(a.y, b.y), std::min(c.y, d.y)) };
+  return glm::vec2(std::max(std::max(a.x, b.x), std::max(c.x, d.x)),
+           std::min(std::min(a.y, b.y), std::min(c.y, d.y))) -
+    path.anchorCode;
 }
 
 /// On to where the box leaves the block of 2 x 2 nodes, if no height in it meets the box; else to
@@ -251,6 +252,7 @@ typename PyramidBeam<Texel>::Step PyramidBeam<Texel>::BeamOverCell(
   glm::vec2 slope;
   glm::vec4 codes;
   const bool valid = this->SlopeBound(cell ^ path.mirror, slope, codes);
+  codes -= path.anchorCode;
   const glm::vec2 begin = this->Coded.CellFraction(path, cell, at.s, 0, 0.0f);
   const glm::vec2 end = this->Coded.CellFraction(path, cell, s, 0, 0.0f);
   const glm::vec2 difference = path.origin.z + path.direction.z * glm::vec2(at.s, s) -

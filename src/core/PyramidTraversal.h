@@ -22,6 +22,8 @@
  *   the same height of the surface, hence the same sign of their difference; a change of sign from
  *   entry to exit is a hit by definition. A node is crossed only if the ray clears it by more than
  *   the rounding of heights (Path::slack, about ten units in the last place).
+ * - Heights are relative to that of the ray's origin, so that float resolves the height of an eye
+ *   above the ground next to it, however high that is.
  * - The quadratic is that of the difference along the segment in the cell, from 0 at its entry to
  *   1 at its exit, so that no term depends on how far the ray has come, and is solved in the form
  *   that does not cancel.
@@ -134,7 +136,8 @@ struct CodedPyramid
     glm::ivec2 anchor;    ///< corner that origin is relative to
     glm::ivec2 firstCell; ///< range of the grid's cells
     glm::ivec2 lastCell;
-    glm::vec3 origin;     ///< position at s = 0: cells, height code
+    float anchorCode;     ///< code that heights are relative to
+    glm::vec3 origin;     ///< position at s = 0: cells, height code, both relative
     glm::vec3 direction;  ///< change per unit of s; x, y >= 0
     glm::vec2 lineOrigin; ///< origin for distances to grid lines
     glm::vec3 inverse;    ///< 1 / direction; 0 in z if the ray is level
@@ -215,8 +218,9 @@ typename CodedPyramid<Texel>::Path CodedPyramid<Texel>::MirrorRay(const TerrainR
   const glm::bvec2 backward = glm::lessThan(glm::vec2(ray.directionGC), glm::vec2(0.0f));
   path.mirror = -glm::ivec2(backward);
   path.anchor = (ray.anchorCell ^ path.mirror) - path.mirror;
-  path.origin = glm::vec3(
-    glm::mix(glm::vec2(ray.originGC), -glm::vec2(ray.originGC), backward), ray.originGC.z);
+  path.anchorCode = std::min(std::max(ray.originGC.z, 0.0f), this->heights.maximumCode);
+  path.origin = glm::vec3(glm::mix(glm::vec2(ray.originGC), -glm::vec2(ray.originGC), backward),
+    ray.originGC.z - path.anchorCode + ray.originLow);
   path.direction = glm::vec3(glm::abs(glm::vec2(ray.directionGC)), ray.directionGC.z);
   const glm::bvec2 still = glm::lessThan(glm::vec2(path.direction), glm::vec2(1e-20f));
   path.direction.x = still.x ? 0.0f : path.direction.x;
@@ -247,8 +251,8 @@ typename CodedPyramid<Texel>::Path CodedPyramid<Texel>::ClipPath(Path path) cons
   path.sEnd = std::min(std::min(leave.x, leave.y), path.sEnd);
 
   const bool level = path.inverse.z == 0.0f;
-  const glm::vec2 planes =
-    glm::vec2(-path.slack, this->heights.maximumCode + path.slack) - path.origin.z;
+  const glm::vec2 planes = glm::vec2(0.0f, this->heights.maximumCode) - path.anchorCode -
+    path.origin.z + glm::vec2(-path.slack, path.slack);
   const glm::vec2 meet = planes * path.inverse.z;
   path.sBegin = level ? path.sBegin : std::max(path.sBegin, std::min(meet.x, meet.y));
   path.sEnd = level ? path.sEnd : std::min(path.sEnd, std::max(meet.x, meet.y));
@@ -311,7 +315,7 @@ template <typename Texel>
 glm::vec2 CodedPyramid<Texel>::NodeBounds(const Path& path, const Step& at) const
 {
   const glm::ivec2 node = (at.cell >> at.level) ^ path.mirror;
-  return this->NodeExtremes(node, at.level) + glm::vec2(path.slack, -path.slack);
+  return this->NodeExtremes(node, at.level) - path.anchorCode + glm::vec2(path.slack, -path.slack);
 }
 
 /// True if a node is no larger than a tolerance allows at a distance.
@@ -351,7 +355,9 @@ TerrainHit CodedPyramid<Texel>::MeetCell(const Path& path, const Step& at, const
 {
   TerrainHit hit;
   hit.cell = at.cell ^ path.mirror;
-  const glm::vec4 codes = this->heights.CellCodes(hit.cell);
+  glm::vec4 codes = this->heights.CellCodes(hit.cell);
+  const bool valid = glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0f)));
+  codes -= path.anchorCode;
   const glm::vec2 begin = this->CellFraction(path, at.cell, at.s, at.line, 0.0f);
   const glm::vec2 end =
     this->CellFraction(path, at.cell, span.s, span.ends ? 0 : (span.crossEast ? 1 : 2), 1.0f);
@@ -359,7 +365,7 @@ TerrainHit CodedPyramid<Texel>::MeetCell(const Path& path, const Step& at, const
   const glm::vec3 end3(end, span.z);
   const float t =
     this->columns ? IntersectColumns(codes, begin3, end3) : IntersectPatch(codes, begin3, end3);
-  hit.found = glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0f))) && t >= 0.0f;
+  hit.found = valid && t >= 0.0f;
   hit.s = at.s + t * (span.s - at.s);
   hit.fraction = begin + t * (end - begin);
   return hit;

@@ -31,6 +31,9 @@ struct TerrainRay
   /// Searched are distances sBegin <= s <= sEnd.
   float sBegin = 0.0f;
   float sEnd = 0.0f;
+  /// What float cuts off originGC.z, in height codes: the height above the ground beside the eye
+  /// needs it. May be left 0.
+  float originLow = 0.0f;
 };
 
 /// Where a ray meets the surface.
