@@ -192,10 +192,6 @@ public:
   {
     return this->Context;
   }
-  void* GetDisplay() const override
-  {
-    return this->Display;
-  }
 
 private:
   EGLDisplay Display = EGL_NO_DISPLAY;

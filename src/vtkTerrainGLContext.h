@@ -34,12 +34,6 @@ public:
   /// The EGLContext or OSMesaContext.
   virtual void* GetHandle() const = 0;
 
-  /// The EGLDisplay, or null.
-  virtual void* GetDisplay() const
-  {
-    return nullptr;
-  }
-
   /// The context of this module that is current on this thread, or null.
   static vtkTerrainGLContext* GetCurrent();
 

@@ -291,12 +291,6 @@ int* vtkTerrainOffscreenRenderWindow::GetScreenSize()
 }
 
 //------------------------------------------------------------------------------
-void* vtkTerrainOffscreenRenderWindow::GetGenericDisplayId()
-{
-  return this->Context ? this->Context->GetDisplay() : nullptr;
-}
-
-//------------------------------------------------------------------------------
 void* vtkTerrainOffscreenRenderWindow::GetGenericContext()
 {
   return this->Context ? this->Context->GetHandle() : nullptr;

@@ -77,9 +77,6 @@ public:
   /// What a screen would have: 1920 x 1080 pixels.
   int* GetScreenSize() VTK_SIZEHINT(2) override;
 
-  /// The EGLDisplay, or null.
-  void* GetGenericDisplayId() override;
-
   /// The EGLContext or OSMesaContext, or null before Initialize.
   void* GetGenericContext() override;
 

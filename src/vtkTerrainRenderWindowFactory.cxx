@@ -5,6 +5,7 @@
 #include "vtkTerrainEGLRenderWindow.h"
 #include "vtkTerrainOSMesaRenderWindow.h"
 
+#include "vtkGenericRenderWindowInteractor.h"
 #include "vtkObjectFactoryCollection.h"
 #include "vtkSmartPointer.h"
 #include "vtkVersion.h"
@@ -72,21 +73,39 @@ vtkSmartPointer<vtkTerrainOffscreenRenderWindow> Try(const char* what, std::stri
 }
 
 //------------------------------------------------------------------------------
+// The window that is asked for; empty: any.
+std::string WantedWindow()
+{
+  const char* value = std::getenv(kWindowVariable);
+  return value ? value : "";
+}
+
+//------------------------------------------------------------------------------
+// True if the window is to be VTK's own, through X; else tried says why not, if X was considered.
+bool ChoosesX(const std::string& wanted, std::string& tried)
+{
+  if (!wanted.empty() && wanted != "vtkXOpenGLRenderWindow")
+  {
+    return false;
+  }
+  const std::string whyNot = WhyNoX();
+  if (!whyNot.empty())
+  {
+    Append(tried, "X", whyNot);
+  }
+  return whyNot.empty();
+}
+
+//------------------------------------------------------------------------------
 // Null leaves the choice to the next factory, which is VTK's own and gives an X window.
 vtkObject* CreateWindow()
 {
-  const char* value = std::getenv(kWindowVariable);
-  const std::string wanted = value ? value : "";
+  const std::string wanted = WantedWindow();
   const bool any = wanted.empty();
   std::string tried;
-  if (any || wanted == "vtkXOpenGLRenderWindow")
+  if (ChoosesX(wanted, tried))
   {
-    const std::string whyNot = WhyNoX();
-    if (whyNot.empty())
-    {
-      return nullptr;
-    }
-    Append(tried, "X", whyNot);
+    return nullptr;
   }
   vtkSmartPointer<vtkTerrainOffscreenRenderWindow> window;
   if (any || wanted == "vtkEGLRenderWindow")
@@ -112,6 +131,14 @@ vtkObject* CreateWindow()
 }
 
 //------------------------------------------------------------------------------
+// VTK's own interactor talks to the X server, and ends the program where there is none.
+vtkObject* CreateInteractor()
+{
+  std::string tried;
+  return ChoosesX(WantedWindow(), tried) ? nullptr : vtkGenericRenderWindowInteractor::New();
+}
+
+//------------------------------------------------------------------------------
 vtkObjectFactory* FindRegistered()
 {
   vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
@@ -133,6 +160,8 @@ vtkTerrainRenderWindowFactory::vtkTerrainRenderWindowFactory()
 {
   this->RegisterOverride("vtkRenderWindow", "vtkTerrainOffscreenRenderWindow",
     "X, EGL or OSMesa, whichever works", 1, CreateWindow);
+  this->RegisterOverride("vtkRenderWindowInteractor", "vtkGenericRenderWindowInteractor",
+    "for windows without a display", 1, CreateInteractor);
 }
 
 //------------------------------------------------------------------------------

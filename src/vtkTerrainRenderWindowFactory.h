@@ -14,6 +14,9 @@
  * Where none works, or the variable holds another name, the result is a
  * vtkTerrainOffscreenRenderWindow, whose one error names what was tried.
  *
+ * vtkRenderWindowInteractor::New gives a vtkGenericRenderWindowInteractor wherever the window is
+ * not X: its Start returns at once. VTK 9.1's own would end the program for want of an X server.
+ *
  * The factory is registered, ahead of all others, when the library vtkTerrain is loaded. A program
  * that links to vtkTerrain::Terrain loads it, even if it names none of its symbols and links with
  * --as-needed: the target's link options name one for it.

@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkSphereSource.h"
 
 #include <cstdlib>
@@ -143,6 +144,22 @@ TEST_F(TestTerrainWindows, DeviceThatDoesNotExistIsOneError)
   ExpectNoWindow({ "EGL device 99", "EGL lists" });
   setenv(kDevice, "1x", 1);
   ExpectNoWindow({ kDevice });
+}
+
+//------------------------------------------------------------------------------
+// VTK's own interactor ends the program here.
+TEST_F(TestTerrainWindows, InteractorNeedsNoDisplay)
+{
+  const Scene scene = MakeScene(40, 30);
+  scene.Renderer->SetBackground(1, 1, 1);
+  AddSphere(scene);
+  const auto before = Render(scene.Window);
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  EXPECT_EQ(interactor->GetClassName(), std::string("vtkGenericRenderWindowInteractor"));
+  interactor->SetRenderWindow(scene.Window);
+  interactor->Initialize();
+  interactor->Start();
+  EXPECT_EQ(CountDifferentPixels(before, Render(scene.Window)), 0);
 }
 
 //------------------------------------------------------------------------------
