@@ -5,19 +5,19 @@
  * The one place where versions of VTK are told apart. Private to the module and its tests.
  *
  * VTKTERRAIN_OWN_WINDOWS is 1 where the module brings render windows of its own (VTK < 9.4), else
- * 0. The header of VTK's OpenGL functions is included: GLEW before VTK 9.4, glad since.
+ * 0. vtkTerrainGL.h, included, is the header of VTK's OpenGL functions.
  */
 #ifndef vtkTerrainCompatibility_h
 #define vtkTerrainCompatibility_h
+
+#include "vtkTerrainGL.h" // IWYU pragma: export
 
 #include "vtkVersionMacros.h"
 
 #if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 4)
 #define VTKTERRAIN_OWN_WINDOWS 0
-#include "vtk_glad.h"
 #else
 #define VTKTERRAIN_OWN_WINDOWS 1
-#include "vtk_glew.h"
 #endif
 
 #endif

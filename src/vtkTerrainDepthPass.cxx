@@ -4,7 +4,6 @@
 
 #include "vtkTerrainGL.h"
 
-#include "vtkDataArrayRange.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLightsPass.h"
@@ -22,6 +21,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -155,10 +155,9 @@ void vtkTerrainDepthPass::Download(int width, int height)
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, distances->GetPointer(0));
-  for (float& distance : vtk::DataArrayValueRange<1>(distances.Get()))
-  {
-    distance = distance == Nothing ? std::numeric_limits<float>::quiet_NaN() : distance;
-  }
+  float* values = distances->GetPointer(0);
+  std::replace(values, values + distances->GetNumberOfValues(), Nothing,
+    std::numeric_limits<float>::quiet_NaN());
   vtkImageData* image = this->Internals->Distances;
   image->SetDimensions(width, height, 1);
   image->GetPointData()->SetScalars(distances);

@@ -150,7 +150,7 @@ void vtkTerrainRasterFile::SelectBand(int band)
   const int count = GDALGetRasterCount(this->Dataset);
   if (count < 1)
   {
-    char** parts = GDALGetMetadata(this->Dataset, "SUBDATASETS");
+    const char* const* parts = GDALGetMetadata(this->Dataset, "SUBDATASETS");
     const char* first = CSLFetchNameValue(parts, "SUBDATASET_1_NAME");
     throw vtkTerrainRasterError("it has no band of its own" +
       (first ? ", open one of its parts, such as " + std::string(first) : std::string()));
