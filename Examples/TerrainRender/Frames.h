@@ -18,7 +18,8 @@ class vtkRenderer;
  * Draws frames, at least one, and waits for each. Times: "first_frame", which has everything in it
  * that happens once, from the window's opening to the upload of the heights; "frame_cpu", a frame
  * from its call until it is complete, and "frame_gpu", the time between two queries on the
- * graphics card around it, both without the first frame if there are more. Throws a Failure.
+ * graphics card around it, both without the first frame if there are more. Software renderers
+ * answer such queries for a part of their work only: there "frame_cpu" counts. Throws a Failure.
  */
 void DrawFrames(vtkRenderWindow* window, vtkRenderer* renderer, int frames, Statistics& statistics);
 

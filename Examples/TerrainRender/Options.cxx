@@ -142,7 +142,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   add("--output", options.Output, "FILE", "picture, PNG; default terrain.png");
   add("--size", texts.Size, "WIDTHxHEIGHT", "of the picture in pixels; default 1280x720");
   add("--technique", options.Search, "NAME",
-    "how the surface is found: mesh, linear, exponential, equidistant, pyramid (default)")
+    "how the surface is found: pyramid (default, exact), equidistant, exponential, linear, mesh")
     ->transform(CLI::CheckedTransformer(kTechniques).description(""));
   add("--mesh-cells", texts.MeshCells, "N",
     "samples along the side of a coarse quad; default: chosen from the size of the raster");

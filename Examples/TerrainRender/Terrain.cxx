@@ -57,11 +57,12 @@ Techniques MapperTechnique(Technique technique)
       return Techniques::Linear;
     case Technique::Exponential:
       return Techniques::Exponential;
+    case Technique::Equidistant:
+      return Techniques::Equidistant;
     case Technique::Pyramid:
       return Techniques::Pyramid;
-    default:
-      return Techniques::Equidistant;
   }
+  return Techniques::Pyramid;
 }
 
 /// One colour of a scale: position in [0, 1] from the lowest to the highest, and red, green, blue.
@@ -185,4 +186,11 @@ vtkSmartPointer<vtkActor> PrepareTerrain(
   statistics.SetCount("mesh_vertices", polygons->GetNumberOfPoints());
   statistics.SetCount("mesh_triangles", polygons->GetNumberOfPolys());
   return actor;
+}
+
+//------------------------------------------------------------------------------
+void DescribeTerrain(vtkActor* terrain, Statistics& statistics)
+{
+  auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(terrain->GetMapper());
+  statistics.SetCount("texture_bytes", mapper->GetTextureMemorySize());
 }

@@ -24,4 +24,7 @@ vtkSmartPointer<vtkImageData> ReadHeights(
 vtkSmartPointer<vtkActor> PrepareTerrain(
   vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics);
 
+/// Adds what the terrain takes on the graphics card, after it was drawn.
+void DescribeTerrain(vtkActor* terrain, Statistics& statistics);
+
 #endif

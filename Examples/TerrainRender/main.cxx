@@ -47,6 +47,7 @@ void Render(const Options& options)
   const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(terrain, options);
   window->AddRenderer(renderer);
   DrawFrames(window, renderer, options.Frames, statistics);
+  DescribeTerrain(terrain, statistics);
   statistics.AddTime("total", watch.GetMilliseconds());
 
   WritePicture(window, picture);
