@@ -98,6 +98,7 @@ vtkSmartPointer<vtkMapper> MakeTerrainMapper(vtkAlgorithmOutput* heights)
   auto mapper = vtkSmartPointer<vtkOpenGLTerrainMapper>::New();
   mapper->SetInputConnection(mesh->GetOutputPort());
   mapper->SetHeightsConnection(heights);
+  mapper->SetTechnique(vtkOpenGLTerrainMapper::Techniques::Pyramid);
   mapper->ScalarVisibilityOff();
   return mapper;
 }
