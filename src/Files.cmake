@@ -6,6 +6,7 @@ set(classes
   vtkOpenGLTerrainMapper
   vtkTerrainCoarseMesh
   vtkTerrainDepthPass
+  vtkTerrainDrape
   vtkTerrainGeoTransform
   vtkTerrainGeoid
   vtkTerrainGeoreference
