@@ -12,6 +12,7 @@ set(classes
   vtkTerrainGeoreference
   vtkTerrainMinMaxPyramid
   vtkTerrainHierarchy
+  vtkTerrainImageWarp
   vtkTerrainRasterReader
   vtkTerrainReproject
   vtkTerrainSource
