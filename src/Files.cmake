@@ -10,20 +10,23 @@ set(classes
   vtkTerrainGeoTransform
   vtkTerrainGeoid
   vtkTerrainGeoreference
-  vtkTerrainMinMaxPyramid
+  vtkTerrainGraticule
   vtkTerrainHierarchy
   vtkTerrainImageWarp
+  vtkTerrainMinMaxPyramid
   vtkTerrainRasterReader
   vtkTerrainReproject
+  vtkTerrainScaleBar
   vtkTerrainSource
   vtkTerrainStrips
+  vtkTerrainViewpoint
 )
 
 set(private_sources
   vtkOpenGLTerrainMapperShaders
+  vtkTerrainComputeProgram
   vtkTerrainCoordinateSystem
   vtkTerrainGeoreferencePrepare
-  vtkTerrainComputeProgram
   vtkTerrainHeightTexture
   vtkTerrainRasterFile
   vtkTerrainRasterLayout

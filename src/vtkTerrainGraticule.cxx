@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainGraticule.h"
+
+#include "core/GridReference.h"
+#include "core/RoundNumbers.h"
+#include "core/SceneFrame.h"
+#include "vtkTerrainDrape.h"
+#include "vtkTerrainGeoreference.h"
+#include "vtkTerrainHeightfield.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+// Points along each side, and inside, by which the extent in the grid is found.
+constexpr int kSearchPoints = 33;
+// Points of a line before it is draped: its curvature in the scene.
+constexpr int kLinePoints = 129;
+// Most lines of one axis.
+constexpr double kMostLines = 10000.0;
+
+std::string LabelOf(double value, int axis, double step, bool geographic)
+{
+  if (geographic)
+  {
+    return axis == 0 ? terrain::AngleLabel(std::remainder(value, 360.0), step, 'E', 'W')
+                     : terrain::AngleLabel(value, step, 'N', 'S');
+  }
+  return terrain::LengthLabel(value) + (axis == 0 ? " E" : " N");
+}
+}
+
+/// The grid that the lines belong to, and where the heights lie in it.
+struct vtkTerrainGraticule::Frame
+{
+  bool IsGeographic = true;
+  terrain::SceneFrame Zone;
+  /// x and y of the grid: degrees or metres.
+  double Low[2] = { HUGE_VAL, HUGE_VAL };
+  double High[2] = { -HUGE_VAL, -HUGE_VAL };
+  /// Longitude about which longitudes are continuous.
+  double MiddleLongitude = 0.0;
+
+  void FromPlace(const double place[3], double grid[2]) const
+  {
+    if (this->IsGeographic)
+    {
+      grid[0] = this->MiddleLongitude + std::remainder(place[0] - this->MiddleLongitude, 360.0);
+      grid[1] = place[1];
+      return;
+    }
+    const glm::dvec3 metres = this->Zone.ToScene({ place[0], place[1], 0.0 });
+    grid[0] = metres.x;
+    grid[1] = metres.y;
+  }
+
+  void ToPlace(const double grid[2], double place[3]) const
+  {
+    const glm::dvec3 there = this->IsGeographic ? glm::dvec3(grid[0], grid[1], 0.0)
+                                                : this->Zone.ToPlace({ grid[0], grid[1], 0.0 });
+    place[0] = there.x;
+    place[1] = there.y;
+    place[2] = 0.0;
+  }
+};
+
+vtkStandardNewMacro(vtkTerrainGraticule);
+
+vtkTerrainGraticule::vtkTerrainGraticule()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkTerrainGraticule::~vtkTerrainGraticule() = default;
+
+void vtkTerrainGraticule::SetGeoreference(vtkTerrainGeoreference* georeference)
+{
+  if (this->Georeference != georeference)
+  {
+    this->Georeference = georeference;
+    this->Modified();
+  }
+}
+
+vtkTerrainGeoreference* vtkTerrainGraticule::GetGeoreference() const
+{
+  return this->Georeference;
+}
+
+void vtkTerrainGraticule::SetGrid(GridType grid)
+{
+  if (this->Grid != grid)
+  {
+    this->Grid = grid;
+    this->Modified();
+  }
+}
+
+vtkMTimeType vtkTerrainGraticule::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Georeference ? std::max(time, this->Georeference->GetMTime()) : time;
+}
+
+int vtkTerrainGraticule::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+bool vtkTerrainGraticule::FindExtent(vtkImageData* heights, Frame& frame)
+{
+  double bounds[6];
+  heights->GetBounds(bounds);
+  double range[2];
+  heights->GetPointData()->GetScalars()->GetFiniteRange(range);
+  const double z =
+    this->Georeference->GetFrame() == vtkTerrainGeoreference::FrameType::Local ? range[0] : 0.0;
+  double middle[3] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), z };
+  if (!this->Georeference->SceneToPlaces(middle, middle, 1) || !std::isfinite(middle[0]))
+  {
+    return false;
+  }
+  frame.MiddleLongitude = middle[0];
+  frame.IsGeographic = this->Grid == GridType::Geographic;
+  const terrain::GridPosition zone = terrain::ToGridPosition({ middle[0], middle[1], middle[2] });
+  frame.Zone = terrain::SceneFrame::OfZone(zone.Zone, zone.Northern);
+  for (int j = 0; j < kSearchPoints; ++j)
+  {
+    for (int i = 0; i < kSearchPoints; ++i)
+    {
+      double place[3] = { bounds[0] + (bounds[1] - bounds[0]) * i / (kSearchPoints - 1),
+        bounds[2] + (bounds[3] - bounds[2]) * j / (kSearchPoints - 1), z };
+      this->Georeference->SceneToPlaces(place, place, 1);
+      double grid[2];
+      frame.FromPlace(place, grid);
+      for (int axis = 0; axis < 2 && std::isfinite(grid[0] + grid[1]); ++axis)
+      {
+        frame.Low[axis] = std::min(frame.Low[axis], grid[axis]);
+        frame.High[axis] = std::max(frame.High[axis], grid[axis]);
+      }
+    }
+  }
+  return frame.Low[0] <= frame.High[0];
+}
+
+vtkSmartPointer<vtkPolyData> vtkTerrainGraticule::MakeLines(const Frame& frame)
+{
+  const double longer =
+    std::max(frame.High[0] - frame.Low[0], frame.High[1] - frame.Low[1]) / this->NumberOfLines;
+  this->StepInUse = this->Step > 0.0
+    ? this->Step
+    : (frame.IsGeographic ? terrain::RoundAngleDown(longer) : terrain::RoundDown(longer));
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Value");
+  vtkNew<vtkIntArray> axes;
+  axes->SetName("Axis");
+  for (int axis = 0; axis < 2 && this->StepInUse > 0.0; ++axis)
+  {
+    const double first = std::ceil(frame.Low[axis] / this->StepInUse - 1e-9);
+    const double last = std::floor(frame.High[axis] / this->StepInUse + 1e-9);
+    for (double k = first; k <= std::min(last, first + kMostLines); k += 1.0)
+    {
+      double grid[2];
+      grid[axis] = k * this->StepInUse;
+      cells->InsertNextCell(kLinePoints);
+      values->InsertNextValue(grid[axis]);
+      axes->InsertNextValue(axis);
+      const int along = 1 - axis;
+      for (int i = 0; i < kLinePoints; ++i)
+      {
+        const double t = static_cast<double>(i) / (kLinePoints - 1);
+        grid[along] = (1.0 - t) * frame.Low[along] + t * frame.High[along];
+        double point[3];
+        frame.ToPlace(grid, point);
+        this->Georeference->PlacesToScene(point, point, 1);
+        cells->InsertCellPoint(points->InsertNextPoint(point));
+      }
+    }
+  }
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+  lines->GetCellData()->AddArray(values);
+  lines->GetCellData()->AddArray(axes);
+  return lines;
+}
+
+void vtkTerrainGraticule::Label(vtkPolyData* lines, vtkPolyData* labels) const
+{
+  // The first point of the first part of each line: its southern or western end.
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("Label");
+  std::map<std::pair<int, double>, bool> isLabelled;
+  vtkDataArray* values = lines->GetCellData()->GetArray("Value");
+  vtkDataArray* axes = lines->GetCellData()->GetArray("Axis");
+  for (vtkIdType cell = 0; values && cell < lines->GetNumberOfLines(); ++cell)
+  {
+    const int axis = static_cast<int>(axes->GetComponent(cell, 0));
+    const double value = values->GetComponent(cell, 0);
+    bool& done = isLabelled[{ axis, value }];
+    if (!done)
+    {
+      done = true;
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      lines->GetLines()->GetCellAtId(cell, count, ids);
+      const vtkIdType id = points->InsertNextPoint(lines->GetPoint(ids[0]));
+      vertices->InsertNextCell(1, &id);
+      texts->InsertNextValue(
+        LabelOf(value, axis, this->StepInUse, this->Grid == GridType::Geographic));
+    }
+  }
+  labels->SetPoints(points);
+  labels->SetVerts(vertices);
+  labels->GetPointData()->AddArray(texts);
+}
+
+int vtkTerrainGraticule::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkImageData* heights = vtkImageData::GetData(inputs[0]);
+  std::string why = vtkTerrainHeightfield::WhyNotHeights(heights);
+  if (why.empty())
+  {
+    why = this->Georeference ? this->Georeference->GetWhyNot() : "there is no georeference";
+  }
+  if (why.empty() && !this->Georeference->IsOnEarth())
+  {
+    why = "a graticule needs heights whose coordinate system is known";
+  }
+  Frame frame;
+  if (why.empty() && !this->FindExtent(heights, frame))
+  {
+    why = "the heights lie nowhere on earth";
+  }
+  if (!why.empty())
+  {
+    vtkErrorMacro(<< why);
+    return 0;
+  }
+  vtkNew<vtkTerrainDrape> drape;
+  drape->SetInputData(this->MakeLines(frame));
+  drape->SetHeightsData(heights);
+  drape->SetOffset(this->Offset);
+  drape->SetExaggeration(this->Exaggeration);
+  drape->Update();
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  output->ShallowCopy(drape->GetOutput());
+  this->Label(output, vtkPolyData::GetData(outputs, 1));
+  return 1;
+}
+
+void vtkTerrainGraticule::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Georeference: " << this->Georeference.Get() << "\n";
+  os << indent << "Grid: " << (this->Grid == GridType::Geographic ? "geographic" : "UTM") << "\n";
+  os << indent << "Step: " << this->Step << "\n";
+  os << indent << "StepInUse: " << this->StepInUse << "\n";
+  os << indent << "NumberOfLines: " << this->NumberOfLines << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+}

@@ -1,0 +1,404 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainViewpoint.h"
+
+#include "core/Geodesics.h"
+#include "core/HeightSampling.h"
+#include "core/SunPosition.h"
+#include "core/SurfacePath.h"
+#include "vtkTerrainGeoreference.h"
+#include "vtkTerrainHeightfield.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+namespace
+{
+using FrameType = vtkTerrainGeoreference::FrameType;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+// Metres that the terrain must stand above a line of sight to hide its end.
+constexpr double kTouch = 1e-3;
+
+std::vector<std::string> Split(const std::string& text)
+{
+  std::vector<std::string> parts(1);
+  for (char c : text)
+  {
+    if (c == ',')
+    {
+      parts.emplace_back();
+    }
+    else
+    {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+/// Reads a number that is the whole text.
+bool Read(const std::string& text, double& value)
+{
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return !text.empty() && end && *end == '\0' && std::isfinite(value);
+}
+}
+
+vtkStandardNewMacro(vtkTerrainViewpoint);
+
+vtkTerrainViewpoint::vtkTerrainViewpoint() = default;
+vtkTerrainViewpoint::~vtkTerrainViewpoint() = default;
+
+void vtkTerrainViewpoint::SetGeoreference(vtkTerrainGeoreference* georeference)
+{
+  if (this->Georeference != georeference)
+  {
+    this->Georeference = georeference;
+    this->Modified();
+  }
+}
+
+vtkTerrainGeoreference* vtkTerrainViewpoint::GetGeoreference() const
+{
+  return this->Georeference;
+}
+
+void vtkTerrainViewpoint::SetHeights(vtkImageData* heights)
+{
+  if (this->Heights != heights)
+  {
+    this->Heights = heights;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkTerrainViewpoint::GetHeights() const
+{
+  return this->Heights;
+}
+
+std::string vtkTerrainViewpoint::WhyNot() const
+{
+  if (!this->Georeference)
+  {
+    return "there is no georeference";
+  }
+  const std::string why = this->Georeference->GetWhyNot();
+  if (!why.empty())
+  {
+    return why;
+  }
+  return this->Georeference->IsOnEarth() ? vtkTerrainHeightfield::WhyNotHeights(this->Heights)
+                                         : "the heights have no coordinate system: there are no "
+                                           "places in the scene";
+}
+
+double vtkTerrainViewpoint::GetGround(double x, double y)
+{
+  double ground = kNaN;
+  if (vtkTerrainHeightfield::WhyNotHeights(this->Heights).empty())
+  {
+    const terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(this->Heights);
+    const glm::dvec3 grid = geometry.ToGrid({ x, y, 0.0 });
+    vtkTerrainHeightfield::Dispatch(this->Heights,
+      [&](const auto& heights)
+      {
+        ground =
+          geometry.Origin.z + this->Exaggeration * terrain::SampleBilinear(heights, grid.x, grid.y);
+      });
+  }
+  return ground;
+}
+
+bool vtkTerrainViewpoint::ToPlace(const double scene[3], double place[3])
+{
+  const double plain[3] = { scene[0], scene[1], scene[2] / this->Exaggeration };
+  return this->WhyNot().empty() && this->Georeference->SceneToPlaces(plain, place, 1) &&
+    std::isfinite(place[0]);
+}
+
+std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene[3])
+{
+  std::string why = this->WhyNot();
+  if (!why.empty())
+  {
+    return why;
+  }
+  std::vector<std::string> parts = Split(text);
+  double place[3] = { 0.0, 0.0, 0.0 };
+  std::string heightText;
+  const bool isDegrees = parts.size() >= 2 && Read(parts[0], place[0]) && Read(parts[1], place[1]);
+  const std::size_t used = isDegrees ? 2 : 1;
+  if (!isDegrees)
+  {
+    why = vtkTerrainGeoreference::PlaceFromText(parts[0], place);
+  }
+  else if (std::abs(place[1]) > 90.0 || std::abs(place[0]) > 720.0)
+  {
+    why = "'" + text + "' is no longitude and latitude";
+  }
+  if (!why.empty() || parts.size() > used + 1)
+  {
+    return why.empty() ? "'" + text + "' has too many parts: LON,LAT[,HEIGHT]" : why;
+  }
+  bool aboveGround = true;
+  if (parts.size() > used)
+  {
+    std::string height = parts[used];
+    aboveGround = height.size() > 3 && height.substr(height.size() - 3) == "agl";
+    height = aboveGround ? height.substr(0, height.size() - 3) : height;
+    if (!Read(height, place[2]))
+    {
+      return "'" + parts[used] + "' is no height: metres, or metres above the ground as 500agl";
+    }
+  }
+  const double above = place[2];
+  place[2] = aboveGround ? 0.0 : place[2];
+  this->Georeference->PlacesToScene(place, scene, 1);
+  if (aboveGround && std::isfinite(scene[0]))
+  {
+    // In round frames the foot moves with the height: twice is enough for metres.
+    for (int step = 0; step < 3; ++step)
+    {
+      double ground[3] = { scene[0], scene[1], this->GetGround(scene[0], scene[1]) };
+      double there[3];
+      if (!this->ToPlace(ground, there))
+      {
+        return "'" + text + "' does not lie on the terrain";
+      }
+      place[2] = there[2] + above;
+      this->Georeference->PlacesToScene(place, scene, 1);
+    }
+  }
+  scene[2] *= this->Exaggeration;
+  return std::isfinite(scene[0]) ? "" : "'" + text + "' has no image in the scene";
+}
+
+std::string vtkTerrainViewpoint::Look(
+  const std::string& from, const std::string& at, vtkCamera* camera)
+{
+  double eye[3];
+  double focus[3];
+  double place[3];
+  std::string why = this->FindPlace(from, eye);
+  why = why.empty() ? this->FindPlace(at, focus) : why;
+  if (!why.empty())
+  {
+    return why;
+  }
+  if (std::equal(eye, eye + 3, focus))
+  {
+    return "'" + from + "' and '" + at + "' are the same place";
+  }
+  double east[3];
+  double north[3];
+  double up[3];
+  this->ToPlace(eye, place);
+  if (!this->Georeference->GetAxes(place, east, north, up))
+  {
+    return "'" + from + "' has no vertical in the scene";
+  }
+  const glm::dvec3 way =
+    glm::normalize(glm::dvec3(focus[0] - eye[0], focus[1] - eye[1], focus[2] - eye[2]));
+  const bool vertical = std::abs(way.x * up[0] + way.y * up[1] + way.z * up[2]) > 1.0 - 1e-9;
+  camera->SetPosition(eye);
+  camera->SetFocalPoint(focus);
+  camera->SetViewUp(vertical ? north : up);
+  return {};
+}
+
+std::string vtkTerrainViewpoint::GetSun(
+  const double scene[3], const std::string& time, double direction[3])
+{
+  std::string why = this->WhyNot();
+  terrain::UtcTime utc;
+  if (!why.empty() || !terrain::TimeFromText(time, utc, why))
+  {
+    return why;
+  }
+  double place[3];
+  double east[3];
+  double north[3];
+  double up[3];
+  if (!this->ToPlace(scene, place) || !this->Georeference->GetAxes(place, east, north, up))
+  {
+    return "the point is not on earth";
+  }
+  const glm::dvec3 sun =
+    terrain::SunDirection(terrain::SunPosition({ place[0], place[1], place[2] }, utc));
+  for (int i = 0; i < 3; ++i)
+  {
+    direction[i] = sun.x * east[i] + sun.y * north[i] + sun.z * up[i];
+  }
+  return {};
+}
+
+std::string vtkTerrainViewpoint::SetSun(const std::string& time, vtkLight* light)
+{
+  const std::string why = this->WhyNot();
+  if (!why.empty())
+  {
+    return why;
+  }
+  double bounds[6];
+  this->Heights->GetBounds(bounds);
+  const double middle[3] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.0 };
+  double sun[3];
+  std::string whyNoSun = this->GetSun(middle, time, sun);
+  if (whyNoSun.empty())
+  {
+    light->SetLightTypeToSceneLight();
+    light->PositionalOff();
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->SetPosition(sun);
+    light->SetSwitch(sun[2] > 0.0 ? 1 : 0);
+  }
+  return whyNoSun;
+}
+
+double vtkTerrainViewpoint::GetDistance(const double from[3], const double to[3], double* azimuth)
+{
+  double a[3];
+  double b[3];
+  if (!this->ToPlace(from, a) || !this->ToPlace(to, b))
+  {
+    return kNaN;
+  }
+  const terrain::GeodesicLeg leg =
+    terrain::GeodesicBetween({ a[0], a[1], a[2] }, { b[0], b[1], b[2] });
+  if (azimuth)
+  {
+    *azimuth = leg.StartAzimuth < 0.0 ? leg.StartAzimuth + 360.0 : leg.StartAzimuth;
+  }
+  return leg.Distance;
+}
+
+double vtkTerrainViewpoint::GetArea(vtkPoints* corners, double* perimeter)
+{
+  std::vector<glm::dvec3> places;
+  for (vtkIdType i = 0; corners && i < corners->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    if (!this->ToPlace(corners->GetPoint(i), place))
+    {
+      return kNaN;
+    }
+    places.emplace_back(place[0], place[1], place[2]);
+  }
+  const terrain::GeodesicPolygon polygon = terrain::GeodesicPolygonOf(places);
+  if (perimeter)
+  {
+    *perimeter = polygon.Perimeter;
+  }
+  return polygon.Area;
+}
+
+std::string vtkTerrainViewpoint::GetProfile(
+  const double from[3], const double to[3], int count, vtkPolyData* profile)
+{
+  double a[3];
+  double b[3];
+  const std::string why = this->WhyNot();
+  if (!why.empty() || !this->ToPlace(from, a) || !this->ToPlace(to, b))
+  {
+    return why.empty() ? "a profile needs two points on earth" : why;
+  }
+  const glm::dvec3 start(a[0], a[1], a[2]);
+  const std::vector<glm::dvec3> places = terrain::GeodesicPlaces(
+    start, { b[0], b[1], b[2] }, static_cast<std::size_t>(std::max(count, 2)));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> distances;
+  distances->SetName("Distance");
+  vtkNew<vtkDoubleArray> heights;
+  heights->SetName("Height");
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(static_cast<int>(places.size()));
+  for (const glm::dvec3& place : places)
+  {
+    double point[3] = { place.x, place.y, place.z };
+    this->Georeference->PlacesToScene(point, point, 1);
+    const double ground = this->GetGround(point[0], point[1]);
+    double height = kNaN;
+    point[2] = std::isnan(ground) ? point[2] * this->Exaggeration : ground;
+    double there[3];
+    if (!std::isnan(ground) && this->ToPlace(point, there))
+    {
+      height = there[2];
+    }
+    line->InsertCellPoint(points->InsertNextPoint(point));
+    distances->InsertNextValue(terrain::GeodesicBetween(start, place).Distance);
+    heights->InsertNextValue(height);
+  }
+  profile->Initialize();
+  profile->SetPoints(points);
+  profile->SetLines(line);
+  profile->GetPointData()->AddArray(distances);
+  profile->GetPointData()->AddArray(heights);
+  return {};
+}
+
+bool vtkTerrainViewpoint::IsVisible(const double from[3], const double to[3], double obstruction[3])
+{
+  if (!vtkTerrainHeightfield::WhyNotHeights(this->Heights).empty())
+  {
+    return true;
+  }
+  const terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(this->Heights);
+  const glm::dvec3 a = geometry.ToGrid({ from[0], from[1], from[2] / this->Exaggeration });
+  const glm::dvec3 b = geometry.ToGrid({ to[0], to[1], to[2] / this->Exaggeration });
+  // The earth rises by t (1 - t) bulge between the ends.
+  const bool round = this->Georeference && this->Georeference->GetFrame() == FrameType::Local;
+  const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+  const double bulge =
+    length * length / (2.0 * terrain::kEarthRadius) * ((round ? 0.0 : 1.0) - this->Refraction);
+  terrain::Highest highest{ 0.0, -HUGE_VAL };
+  vtkTerrainHeightfield::Dispatch(this->Heights,
+    [&](const auto& heights)
+    {
+      terrain::WalkSurface(heights, glm::dvec2(a), glm::dvec2(b),
+        [&](const terrain::SurfacePiece& piece)
+        {
+          if (piece.HasSurface)
+          {
+            const terrain::Highest here = terrain::HighestOf(piece.Constant - a.z,
+              piece.Linear - (b.z - a.z) + bulge, piece.Quadratic - bulge, piece.Begin, piece.End);
+            highest = here.Value > highest.Value ? here : highest;
+          }
+        });
+    });
+  if (obstruction)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      obstruction[axis] = from[axis] + highest.Parameter * (to[axis] - from[axis]);
+    }
+    obstruction[2] = this->GetGround(obstruction[0], obstruction[1]);
+  }
+  return !(highest.Value > kTouch);
+}
+
+void vtkTerrainViewpoint::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Georeference: " << this->Georeference.Get() << "\n";
+  os << indent << "Heights: " << this->Heights.Get() << "\n";
+  os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "Refraction: " << this->Refraction << "\n";
+}
