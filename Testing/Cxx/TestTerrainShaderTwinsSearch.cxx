@@ -41,7 +41,7 @@ std::string declarations(bool integer)
   return std::string(integer ? "#define TERRAIN_HEIGHTS_INTEGER\n" : "") +
     shader("vtkTerrainHeights") + shader("vtkTerrainRay") + shader("vtkTerrainSearch") +
     "TerrainRay inputRay(vec4 a, vec4 b, vec4 c)\n"
-    "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w); }\n";
+    "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w, b.w); }\n";
 }
 
 const char* functionOf(SearchKind kind)
@@ -130,7 +130,7 @@ struct Rays
       const TerrainRay ray = maker.Make();
       this->Items.push_back(ray);
       this->Add(0, glm::vec4(ray.anchorCell, ray.sBegin, ray.sEnd));
-      this->Add(1, glm::vec4(ray.originGC, 0.0f));
+      this->Add(1, glm::vec4(ray.originGC, ray.originLow));
       this->Add(2, glm::vec4(ray.directionGC, 0.0f));
     }
   }
