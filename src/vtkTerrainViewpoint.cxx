@@ -99,7 +99,7 @@ std::string vtkTerrainViewpoint::WhyNot() const
   {
     return "there is no georeference";
   }
-  const std::string why = this->Georeference->GetWhyNot();
+  std::string why = this->Georeference->GetWhyNot();
   if (!why.empty())
   {
     return why;
@@ -251,7 +251,7 @@ std::string vtkTerrainViewpoint::GetSun(
 
 std::string vtkTerrainViewpoint::SetSun(const std::string& time, vtkLight* light)
 {
-  const std::string why = this->WhyNot();
+  std::string why = this->WhyNot();
   if (!why.empty())
   {
     return why;
@@ -314,7 +314,7 @@ std::string vtkTerrainViewpoint::GetProfile(
 {
   double a[3];
   double b[3];
-  const std::string why = this->WhyNot();
+  std::string why = this->WhyNot();
   if (!why.empty() || !this->ToPlace(from, a) || !this->ToPlace(to, b))
   {
     return why.empty() ? "a profile needs two points on earth" : why;
