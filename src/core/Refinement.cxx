@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace terrain
 {
@@ -320,6 +321,10 @@ void Refiner::Refine(const RefinementView& view, const RefinementOptions& option
   {
     return;
   }
+  if (!work.Mesh.Allocate(layout.RecordCount()))
+  {
+    throw std::bad_alloc();
+  }
   work.SetView(view);
   work.SetPlanes(view, options.Culling);
   if (options.TriangleBudget > 0)
@@ -341,6 +346,7 @@ void Refiner::Refine(const RefinementView& view, const RefinementOptions& option
   const std::uint32_t centre = sink.Vertex(work.Frame, work.CentreSite(), 0, 0);
   sink.Morphing = options.Morphing;
   mesh.Triangles = work.Run<false>(sink, options.Method, centre, corners);
+  sink.Forget();
   sink.Vertices.swap(mesh.Vertices);
   sink.Strip.Take(mesh.Strip);
 }

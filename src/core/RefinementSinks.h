@@ -10,8 +10,10 @@
 #include "core/RefinementKernel.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <memory>
 
 namespace terrain
 {
@@ -202,8 +204,9 @@ public:
     this->Vertices.clear();
     if (this->Table.empty())
     {
-      this->Table.resize(std::size_t(1) << 14);
+      this->Table.resize(std::size_t(1) << 10);
     }
+    this->TableUsed = 0;
     std::memset(this->Table.data(), 0xff, this->Table.size() * sizeof(Slot));
   }
 
@@ -214,40 +217,68 @@ public:
     if (slot.Index == Free)
     {
       slot = { column.Sample | (row.Sample << 16), this->NextIndex() };
+      ++this->TableUsed;
       this->Vertices.push_back({ column.Sample, row.Sample, height, 0.0f,
         StripVertex::NoRecord + static_cast<std::uint32_t>(corner), 0 });
     }
     return slot.Index;
   }
 
+  /// Vertices inside the raster are found by their record, those on its last row and column, where
+  /// several vertices of the hierarchy share a sample, by the sample.
   std::uint32_t Vertex(
     const RefinementFrame& frame, const VertexSite& site, std::uint32_t left, std::uint32_t right)
   {
-    const std::uint32_t key = site.Column->Sample | (site.Row->Sample << 16);
+    if (site.Column->Sample != frame.LastColumn && site.Row->Sample != frame.LastRow)
+    {
+      std::uint32_t& known = this->Known.get()[site.Record];
+      if (known == 0)
+      {
+        known = this->Add(frame, site, left, right) + 1;
+      }
+      return known - 1;
+    }
     if (IsBeyond(frame, site))
     {
       return Beyond;
     }
+    const std::uint32_t key = site.Column->Sample | (site.Row->Sample << 16);
     Slot& slot = this->Find(key);
     if (slot.Index != Free)
     {
       return slot.Index;
     }
-    const HierarchyRecord& record = frame.Records[site.Record];
-    float displacement = 0.0f;
-    if (this->Morphing && !record.IsRough())
-    {
-      displacement = this->Displacement(frame, site, record, left, right);
-    }
-    const std::uint32_t index = this->NextIndex();
+    const std::uint32_t index = this->Add(frame, site, left, right);
     slot = { key, index };
-    this->Vertices.push_back({ site.Column->Sample, site.Row->Sample, record.Height, displacement,
-      site.Record, site.Depth });
-    if (2 * this->Vertices.size() > this->Table.size())
+    if (2 * ++this->TableUsed > this->Table.size())
     {
       this->Grow();
     }
     return index;
+  }
+
+  /// Makes room for the vertices of a hierarchy; false if there is no memory. Memory that is never
+  /// touched is not taken.
+  bool Allocate(std::int64_t recordCount)
+  {
+    if (!this->Known)
+    {
+      this->Known.reset(static_cast<std::uint32_t*>(
+        std::calloc(static_cast<std::size_t>(recordCount), sizeof(std::uint32_t))));
+    }
+    return this->Known != nullptr;
+  }
+
+  /// Forgets where the vertices are.
+  void Forget()
+  {
+    for (const StripVertex& vertex : this->Vertices)
+    {
+      if (vertex.Record < StripVertex::NoRecord)
+      {
+        this->Known.get()[vertex.Record] = 0;
+      }
+    }
   }
 
   void Append(std::uint32_t index)
@@ -288,6 +319,19 @@ private:
     return static_cast<std::uint32_t>(this->Vertices.size());
   }
 
+  std::uint32_t Add(
+    const RefinementFrame& frame, const VertexSite& site, std::uint32_t left, std::uint32_t right)
+  {
+    const HierarchyRecord& record = frame.Records[site.Record];
+    const float displacement = this->Morphing && !record.IsRough()
+      ? this->Displacement(frame, site, record, left, right)
+      : 0.0f;
+    const std::uint32_t index = this->NextIndex();
+    this->Vertices.push_back({ site.Column->Sample, site.Row->Sample, record.Height, displacement,
+      site.Record, site.Depth });
+    return index;
+  }
+
   /// True if the diamond of a vertex beyond the raster does not touch it.
   static bool IsBeyond(const RefinementFrame& frame, const VertexSite& site)
   {
@@ -318,13 +362,11 @@ private:
       morph * (record.Height - 0.5f * (a.Height + b.Height));
   }
 
-  /// The slot of a key, or the free one where it belongs. Neighbouring samples share cache lines.
+  /// The slot of a key, or the free one where it belongs.
   Slot& Find(std::uint32_t key)
   {
     const std::size_t mask = this->Table.size() - 1;
-    const std::uint32_t block = ((key >> 1) & 0x7fffu) | ((key >> 17) << 15);
-    const std::uint32_t inside = (key & 1u) | ((key >> 15) & 2u);
-    std::size_t position = ((block * 0x9e3779b1u) >> 3) * 4u + inside;
+    std::size_t position = (key * 0x9e3779b1u) >> 7;
     for (;; ++position)
     {
       Slot& slot = this->Table[position & mask];
@@ -348,7 +390,18 @@ private:
     }
   }
 
+  struct FreeMemory
+  {
+    void operator()(std::uint32_t* memory) const
+    {
+      std::free(memory);
+    }
+  };
+  /// Index + 1 of the vertex of each record, 0 if there is none.
+  std::unique_ptr<std::uint32_t, FreeMemory> Known;
+  /// Vertices on the last row and column and the corners.
   std::vector<Slot> Table;
+  std::size_t TableUsed = 0;
 };
 }
 

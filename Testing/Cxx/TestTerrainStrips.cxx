@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkTerrainStrips and vtkTerrainHierarchy through their pipeline: output, attributes, threads,
+// files, refusals. Geometry itself is tested in UnitTestRefinement.
+#include "vtkTerrainStrips.h"
+
+#include "vtkTerrainHierarchy.h"
+#include "vtkTerrainTesting.h"
+
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkExecutive.h>
+#include <vtkFeatureEdges.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkTriangleFilter.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <set>
+#include <thread>
+
+#include <unistd.h>
+
+namespace
+{
+vtkNew<vtkImageData> MakeHeights(int width, int height)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width, height, 1);
+  image->SetOrigin(412345.5, 4123456.25, 10.0);
+  image->SetSpacing(30.0, 25.0, 1.0);
+  vtkNew<vtkFloatArray> heights;
+  heights->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (int j = 0; j < height; ++j)
+  {
+    for (int i = 0; i < width; ++i)
+    {
+      heights->SetValue(i + static_cast<vtkIdType>(width) * j,
+        static_cast<float>(100.0 * std::sin(0.07 * i) * std::cos(0.05 * j) + 3.0 * ((i * j) % 7)));
+    }
+  }
+  image->GetPointData()->SetScalars(heights);
+  return image;
+}
+
+/// A camera that sees all of the image from the south.
+vtkNew<vtkCamera> MakeCamera(vtkImageData* image, double back = 1.2)
+{
+  double bounds[6];
+  image->GetBounds(bounds);
+  const double size = bounds[3] - bounds[2];
+  vtkNew<vtkCamera> camera;
+  camera->SetFocalPoint(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.0);
+  camera->SetPosition(0.5 * (bounds[0] + bounds[1]), bounds[2] - back * size, 0.5 * size);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  return camera;
+}
+
+struct Pipeline
+{
+  vtkNew<vtkImageData> Heights = MakeHeights(129, 100);
+  vtkNew<vtkCamera> Camera = MakeCamera(this->Heights);
+  vtkNew<vtkTerrainStrips> Strips;
+  vtkNew<vtkTest::ErrorObserver> Errors;
+
+  Pipeline()
+  {
+    this->Strips->SetInputData(this->Heights);
+    this->Strips->SetCamera(this->Camera);
+    this->Strips->SetViewportSize(640, 480);
+    this->Strips->AddObserver(vtkCommand::ErrorEvent, this->Errors);
+    this->Strips->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Errors);
+  }
+
+  vtkPolyData* Update()
+  {
+    this->Strips->Update();
+    return this->Strips->GetOutput();
+  }
+  /// True if an update fails with a message, and leaves the output empty.
+  bool Fails()
+  {
+    this->Errors->Clear();
+    this->Strips->Modified();
+    this->Strips->Update();
+    return this->Errors->GetError() && this->Strips->GetOutput()->GetNumberOfCells() == 0;
+  }
+};
+
+std::string TemporaryPath(const std::string& name)
+{
+  return vtkTerrainTesting::OutputPath(name + std::to_string(getpid()) + ".hierarchy");
+}
+}
+
+TEST(TerrainStrips, MakesOneStripWithoutCracks)
+{
+  Pipeline pipeline;
+  vtkPolyData* output = pipeline.Update();
+  EXPECT_EQ(output->GetNumberOfStrips(), 1);
+  EXPECT_EQ(output->GetNumberOfPolys(), 0);
+  EXPECT_GT(pipeline.Strips->GetNumberOfTriangles(), 100);
+  pipeline.Strips->TriangleOutputOn();
+  output = pipeline.Update();
+  EXPECT_EQ(output->GetNumberOfPolys(), pipeline.Strips->GetNumberOfTriangles());
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(output);
+  edges->BoundaryEdgesOff();
+  edges->FeatureEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->NonManifoldEdgesOn();
+  edges->Update();
+  EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0);
+  // All boundary edges lie on the four sides.
+  edges->NonManifoldEdgesOff();
+  edges->BoundaryEdgesOn();
+  edges->Update();
+  double bounds[6];
+  pipeline.Heights->GetBounds(bounds);
+  vtkPolyData* boundary = edges->GetOutput();
+  EXPECT_GE(boundary->GetNumberOfCells(), 4);
+  for (vtkIdType id = 0; id < boundary->GetNumberOfPoints(); ++id)
+  {
+    const double* p = boundary->GetPoint(id);
+    EXPECT_TRUE(p[0] == bounds[0] || p[0] == bounds[1] || p[1] == bounds[2] || p[1] == bounds[3]);
+  }
+}
+
+TEST(TerrainStrips, PointsAreSamplesWithTheirAttributes)
+{
+  Pipeline pipeline;
+  pipeline.Strips->NormalsOn();
+  pipeline.Strips->TextureCoordinatesOn();
+  pipeline.Strips->LevelColorsOn();
+  pipeline.Strips->SetExaggeration(2.0);
+  vtkPolyData* output = pipeline.Update();
+  vtkDataArray* normals = output->GetPointData()->GetNormals();
+  vtkDataArray* coordinates = output->GetPointData()->GetTCoords();
+  ASSERT_TRUE(normals && coordinates && output->GetPointData()->GetScalars());
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    const double* p = output->GetPoint(id);
+    const int i = static_cast<int>(std::lround((p[0] - 412345.5) / 30.0));
+    const int j = static_cast<int>(std::lround((p[1] - 4123456.25) / 25.0));
+    EXPECT_EQ(p[0], 412345.5 + 30.0 * i);
+    EXPECT_EQ(p[1], 4123456.25 + 25.0 * j);
+    EXPECT_EQ(p[2], 10.0 + 2.0 * pipeline.Heights->GetScalarComponentAsDouble(i, j, 0, 0));
+    EXPECT_FLOAT_EQ(coordinates->GetComponent(id, 0), i / 128.0);
+    EXPECT_FLOAT_EQ(coordinates->GetComponent(id, 1), j / 99.0);
+    const double* n = normals->GetTuple3(id);
+    EXPECT_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1.0, 1.0e-5);
+    if (i > 0 && i < 128)
+    {
+      const double slope = (pipeline.Heights->GetScalarComponentAsDouble(i + 1, j, 0, 0) -
+                             pipeline.Heights->GetScalarComponentAsDouble(i - 1, j, 0, 0)) /
+        60.0;
+      EXPECT_NEAR(-n[0] / n[2], 2.0 * slope, 0.01 * std::abs(2.0 * slope) + 1.0e-6);
+    }
+  }
+}
+
+TEST(TerrainStrips, FollowsTheCamera)
+{
+  Pipeline pipeline;
+  pipeline.Update();
+  const vtkIdType far = pipeline.Strips->GetNumberOfTriangles();
+  const vtkMTimeType before = pipeline.Strips->GetOutput()->GetMTime();
+  pipeline.Update();
+  EXPECT_EQ(pipeline.Strips->GetOutput()->GetMTime(), before);
+  pipeline.Camera->Dolly(0.3);
+  pipeline.Update();
+  EXPECT_LT(pipeline.Strips->GetNumberOfTriangles(), far);
+  pipeline.Strips->SetTriangleBudget(50);
+  pipeline.Update();
+  EXPECT_LE(pipeline.Strips->GetNumberOfTriangles(), 50);
+  EXPECT_GT(pipeline.Strips->GetUsedTolerance(), 1.0);
+}
+
+TEST(TerrainStrips, ReadsFilesLikeMemory)
+{
+  const std::string path = TemporaryPath("strips");
+  Pipeline pipeline;
+  vtkNew<vtkTerrainHierarchy> memory;
+  ASSERT_TRUE(memory->SetHeights(pipeline.Heights)) << memory->GetErrorMessage();
+  ASSERT_TRUE(memory->WriteFile(path)) << memory->GetErrorMessage();
+  vtkNew<vtkTerrainHierarchy> file;
+  ASSERT_TRUE(file->OpenFile(path, true)) << file->GetErrorMessage();
+  double bounds[6];
+  double imageBounds[6];
+  file->GetBounds(bounds);
+  pipeline.Heights->GetBounds(imageBounds);
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(bounds[i], imageBounds[i]);
+  }
+  vtkNew<vtkPolyData> fromImage;
+  fromImage->DeepCopy(pipeline.Update());
+  pipeline.Strips->SetHierarchy(file);
+  vtkPolyData* output = pipeline.Update();
+  ASSERT_EQ(output->GetNumberOfPoints(), fromImage->GetNumberOfPoints());
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(output->GetPoint(id)[axis], fromImage->GetPoint(id)[axis]);
+    }
+  }
+  // A file that shrinks: an error, then again a mesh from a new one.
+  ASSERT_EQ(truncate(path.c_str(), 4096), 0);
+  EXPECT_TRUE(pipeline.Fails());
+  EXPECT_TRUE(file->IsDamaged());
+  EXPECT_FALSE(file->OpenFile(path));
+  EXPECT_NE(file->GetErrorMessage().find(path), std::string::npos);
+  EXPECT_TRUE(pipeline.Fails());
+  pipeline.Strips->SetHierarchy(memory);
+  EXPECT_EQ(pipeline.Update()->GetNumberOfStrips(), 1);
+  std::remove(path.c_str());
+}
+
+TEST(TerrainStrips, AsynchronousBuildingConvergesToTheSynchronousMesh)
+{
+  Pipeline synchronous;
+  Pipeline pipeline;
+  pipeline.Strips->AsynchronousOn();
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    pipeline.Camera->Azimuth(1.0);
+    synchronous.Camera->Azimuth(1.0);
+    pipeline.Update();
+  }
+  int updates = 0;
+  while (pipeline.Strips->IsBuilding() && updates < 10000)
+  {
+    pipeline.Update();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ++updates;
+  }
+  vtkPolyData* expected = synchronous.Update();
+  vtkPolyData* output = pipeline.Strips->GetOutput();
+  ASSERT_EQ(output->GetNumberOfPoints(), expected->GetNumberOfPoints());
+  ASSERT_EQ(pipeline.Strips->GetNumberOfTriangles(), synchronous.Strips->GetNumberOfTriangles());
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(output->GetPoint(id)[axis], expected->GetPoint(id)[axis]);
+    }
+  }
+}
+
+TEST(TerrainStrips, StopsItsThreadWhenItIsDeletedAtWork)
+{
+  for (int i = 0; i < 20; ++i)
+  {
+    Pipeline pipeline;
+    pipeline.Strips->AsynchronousOn();
+    pipeline.Update();
+  }
+}
+
+TEST(TerrainStrips, RefusesBadParameters)
+{
+  Pipeline pipeline;
+  EXPECT_FALSE(pipeline.Fails());
+  for (const double tolerance : { 0.0, -1.0, std::nan(""), HUGE_VAL })
+  {
+    pipeline.Strips->SetTolerance(tolerance);
+    EXPECT_TRUE(pipeline.Fails()) << tolerance;
+  }
+  pipeline.Strips->SetTolerance(1.0);
+  pipeline.Strips->SetViewportSize(0, 0);
+  EXPECT_TRUE(pipeline.Fails());
+  pipeline.Strips->SetViewportSize(640, 480);
+  pipeline.Strips->SetTriangleBudget(-3);
+  EXPECT_TRUE(pipeline.Fails());
+  pipeline.Strips->SetTriangleBudget(0);
+  pipeline.Strips->SetExaggeration(0.0);
+  EXPECT_TRUE(pipeline.Fails());
+  pipeline.Strips->SetExaggeration(1.0);
+  EXPECT_FALSE(pipeline.Fails());
+  pipeline.Camera->SetPosition(HUGE_VAL, 0.0, 0.0);
+  EXPECT_TRUE(pipeline.Fails());
+  pipeline.Strips->SetCamera(nullptr);
+  EXPECT_TRUE(pipeline.Fails());
+}
+
+TEST(TerrainStrips, RefusesWhatAreNoHeights)
+{
+  Pipeline pipeline;
+  vtkNew<vtkImageData> volume;
+  volume->SetDimensions(3, 3, 3);
+  volume->AllocateScalars(VTK_FLOAT, 1);
+  pipeline.Strips->SetInputData(volume);
+  EXPECT_TRUE(pipeline.Fails());
+  pipeline.Strips->SetInputData(nullptr);
+  EXPECT_TRUE(pipeline.Fails());
+  vtkNew<vtkTerrainHierarchy> empty;
+  EXPECT_TRUE(empty->IsEmpty());
+  pipeline.Strips->SetHierarchy(empty);
+  EXPECT_TRUE(pipeline.Fails());
+  EXPECT_FALSE(empty->WriteFile(TemporaryPath("empty")));
+}
+
+TEST(TerrainStrips, DrawsNothingOfNoCells)
+{
+  Pipeline pipeline;
+  vtkNew<vtkImageData> row = MakeHeights(1, 50);
+  pipeline.Strips->SetInputData(row);
+  EXPECT_EQ(pipeline.Update()->GetNumberOfCells(), 0);
+  EXPECT_FALSE(pipeline.Errors->GetError());
+}
