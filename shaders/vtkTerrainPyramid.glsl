@@ -310,26 +310,33 @@ TerrainHit terrainTracePyramidWithin(TerrainRay ray, vec4 tolerance)
   int most = 2 * (terrainSize.x + terrainSize.y) + terrainPyramidTop;
   int crossings = 0;
   bool small = false;
-  while (!ended && crossings < most)
+  // Two loops in turn, so that rays that run side by side do the same work at the same time. They
+  // test at their ends: processors that run both sides of a branch then do no round in vain.
+  do
   {
-    // Two loops in turn, so that rays that run side by side do the same work at the same time.
-    while (!ended && at.level > 0 && crossings < most)
+    do
     {
-      ++crossings;
-      TerrainSpan span = terrainNodeSpan(path, at);
-      bool down;
-      at = terrainVisitNode(path, at, span, tolerance, down, small);
-      ended = (span.ends && !down) || small;
-    }
-    while (!ended && at.level == 0 && crossings < most)
+      if (!ended && at.level > 0)
+      {
+        ++crossings;
+        TerrainSpan span = terrainNodeSpan(path, at);
+        bool down;
+        at = terrainVisitNode(path, at, span, tolerance, down, small);
+        ended = (span.ends && !down) || small || crossings >= most;
+      }
+    } while (!ended && at.level > 0);
+    do
     {
-      ++crossings;
-      TerrainSpan span = terrainNodeSpan(path, at);
-      hit = terrainMeetCell(path, at, span);
-      ended = span.ends || hit.found;
-      at = terrainNextStep(path, at, span, false, span.s);
-    }
-  }
+      if (!ended && at.level == 0)
+      {
+        ++crossings;
+        TerrainSpan span = terrainNodeSpan(path, at);
+        hit = terrainMeetCell(path, at, span);
+        ended = span.ends || hit.found || crossings >= most;
+        at = terrainNextStep(path, at, span, false, span.s);
+      }
+    } while (!ended && at.level == 0);
+  } while (!ended);
   if (small)
   {
     hit = terrainMeetBox(path, at);
