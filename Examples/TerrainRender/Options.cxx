@@ -16,7 +16,8 @@ constexpr int kWrongCommandLine = 2;
 
 const std::map<std::string, Technique> kTechniques = { { "mesh", Technique::Mesh },
   { "linear", Technique::Linear }, { "exponential", Technique::Exponential },
-  { "equidistant", Technique::Equidistant }, { "pyramid", Technique::Pyramid } };
+  { "equidistant", Technique::Equidistant }, { "pyramid", Technique::Pyramid },
+  { "strips", Technique::Strips } };
 
 const std::map<std::string, Window> kWindows = { { "auto", Window::Automatic },
   { "egl", Window::EGL }, { "osmesa", Window::OSMesa }, { "x", Window::X } };
@@ -142,7 +143,8 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   add("--output", options.Output, "FILE", "picture, PNG; default terrain.png");
   add("--size", texts.Size, "WIDTHxHEIGHT", "of the picture in pixels; default 1280x720");
   add("--technique", options.Search, "NAME",
-    "how the surface is found: pyramid (default, exact), equidistant, exponential, linear, mesh")
+    "how the surface is found: pyramid (default, exact), equidistant, exponential, linear, "
+    "strips, mesh")
     ->transform(CLI::CheckedTransformer(kTechniques).description(""));
   add("--mesh-cells", texts.MeshCells, "N",
     "samples along the side of a coarse quad; default: chosen from the size of the raster");

@@ -18,7 +18,8 @@ enum class Technique
   Linear,
   Exponential,
   Equidistant,
-  Pyramid
+  Pyramid,
+  Strips
 };
 
 /// Which window is drawn into; Automatic leaves the choice to VTK.

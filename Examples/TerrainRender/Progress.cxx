@@ -60,16 +60,16 @@ void ProgressBar::OnProgress(vtkObject* caller, unsigned long, void*)
   {
     if (stage.Algorithm == caller)
     {
-      this->Draw(stage.Begin + stage.Share * stage.Algorithm->GetProgress(), stage.Name);
+      this->Show(stage.Begin + stage.Share * stage.Algorithm->GetProgress(), stage.Name);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void ProgressBar::Draw(double fraction, const std::string& name)
+void ProgressBar::Show(double fraction, const std::string& name)
 {
   const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
-  if (percent <= this->DrawnPercent)
+  if (!this->Visible || percent <= this->DrawnPercent)
   {
     return;
   }

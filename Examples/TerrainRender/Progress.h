@@ -27,6 +27,8 @@ public:
 
   /// Shows the progress of the algorithm as the next share of the bar.
   void Watch(vtkAlgorithm* algorithm, double share, const std::string& name);
+  /// Fills the bar up to a fraction in [0, 1]; it never goes back.
+  void Show(double fraction, const std::string& name);
 
 private:
   struct Stage
@@ -39,7 +41,6 @@ private:
   };
 
   void OnProgress(vtkObject* caller, unsigned long event, void* data);
-  void Draw(double fraction, const std::string& name);
 
   bool Visible = false;
   std::vector<Stage> Stages;

@@ -8,15 +8,18 @@
 #include "Progress.h"
 #include "Statistics.h"
 
-#include "vtkActor.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkElevationFilter.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
 #include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainHierarchy.h"
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainSource.h"
 
@@ -29,6 +32,9 @@ using Techniques = vtkOpenGLTerrainMapper::Techniques;
 /// Shares of the progress bar.
 constexpr double kReadShare = 0.7;
 constexpr double kMeshShare = 0.3;
+
+const char* const kNoSurface =
+  "there is no surface to draw, for no four neighbouring samples all have heights";
 
 /// What messages about the heights begin with.
 std::string HeightsName(const Options& options)
@@ -59,10 +65,9 @@ Techniques MapperTechnique(Technique technique)
       return Techniques::Exponential;
     case Technique::Equidistant:
       return Techniques::Equidistant;
-    case Technique::Pyramid:
+    default:
       return Techniques::Pyramid;
   }
-  return Techniques::Pyramid;
 }
 
 /// One colour of a scale: position in [0, 1] from the lowest to the highest, and red, green, blue.
@@ -112,6 +117,96 @@ vtkSmartPointer<vtkColorTransferFunction> ReliefColors(double lowest, double hig
   return colors;
 }
 
+void ColorByHeight(vtkMapper* mapper, double lowest, double highest)
+{
+  mapper->SetLookupTable(ReliefColors(lowest, highest));
+  mapper->SetScalarRange(lowest, highest);
+  mapper->ScalarVisibilityOn();
+}
+
+/// For the techniques of vtkOpenGLTerrainMapper: rays below a coarse mesh, or the full mesh.
+Terrain PrepareRays(
+  vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics)
+{
+  const vtkNew<vtkTerrainCoarseMesh> mesh;
+  mesh->SetInputData(heights);
+  mesh->SetSamplesPerQuad(options.MeshCells);
+  if (options.Search == Technique::Mesh)
+  {
+    mesh->SetSamplesPerQuad(1);
+    mesh->PushUpOff();
+  }
+  progress.Watch(mesh, kMeshShare, "preparing");
+  mesh->Update();
+  ThrowOnError(HeightsName(options));
+  vtkPolyData* polygons = mesh->GetOutput();
+  if (polygons->GetNumberOfCells() == 0)
+  {
+    throw Failure(HeightsName(options), kNoSurface);
+  }
+  const vtkNew<vtkOpenGLTerrainMapper> mapper;
+  mapper->SetInputConnection(0, mesh->GetOutputPort());
+  mapper->SetHeightsData(heights);
+  mapper->SetTechnique(MapperTechnique(options.Search));
+  mapper->SetVerticalExaggeration(options.Exaggeration);
+  const double* range = mesh->GetHeightRange();
+  ColorByHeight(mapper, range[0], range[1]);
+  statistics.SetCount("samples_per_quad", mesh->GetEffectiveSamplesPerQuad());
+  statistics.SetCount("mesh_vertices", polygons->GetNumberOfPoints());
+  statistics.SetCount("mesh_triangles", polygons->GetNumberOfPolys());
+  Terrain terrain;
+  terrain.Actor = vtkSmartPointer<vtkActor>::New();
+  terrain.Actor->SetMapper(mapper);
+  terrain.Bounds.SetBounds(terrain.Actor->GetBounds());
+  ThrowOnError(HeightsName(options));
+  return terrain;
+}
+
+/// For the technique Strips: a hierarchy that is refined for the camera later.
+Terrain PrepareStrips(vtkImageData* heights, const Options& options, ProgressBar& progress)
+{
+  const vtkNew<vtkTerrainHierarchy> hierarchy;
+  const auto show = [&progress](double done)
+  {
+    progress.Show(kReadShare + kMeshShare * done, "preparing");
+    return true;
+  };
+  if (!hierarchy->SetHeights(heights, show))
+  {
+    throw Failure(HeightsName(options), hierarchy->GetErrorMessage());
+  }
+  std::array<double, 6> bounds{};
+  hierarchy->GetBounds(bounds.data());
+  if (bounds[0] > bounds[1])
+  {
+    throw Failure(HeightsName(options), kNoSurface);
+  }
+  const double base = heights->GetOrigin()[2];
+  const double lowest = bounds[4] - base;
+  const double highest = bounds[5] - base;
+  bounds[4] = base + options.Exaggeration * lowest;
+  bounds[5] = base + options.Exaggeration * highest;
+
+  Terrain terrain;
+  terrain.Bounds.SetBounds(bounds.data());
+  terrain.Strips = vtkSmartPointer<vtkTerrainStrips>::New();
+  terrain.Strips->SetHierarchy(hierarchy);
+  terrain.Strips->SetExaggeration(options.Exaggeration);
+  terrain.Strips->NormalsOn();
+  const vtkNew<vtkElevationFilter> elevation;
+  elevation->SetInputConnection(terrain.Strips->GetOutputPort());
+  const double thickness = highest > lowest ? highest - lowest : 1.0;
+  elevation->SetLowPoint(0.0, 0.0, bounds[4]);
+  elevation->SetHighPoint(0.0, 0.0, bounds[4] + options.Exaggeration * thickness);
+  elevation->SetScalarRange(lowest, lowest + thickness);
+  const vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(elevation->GetOutputPort());
+  mapper->InterpolateScalarsBeforeMappingOn();
+  ColorByHeight(mapper, lowest, highest);
+  terrain.Actor = vtkSmartPointer<vtkActor>::New();
+  terrain.Actor->SetMapper(mapper);
+  return terrain;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -142,55 +237,45 @@ vtkSmartPointer<vtkImageData> ReadHeights(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkActor> PrepareTerrain(
+Terrain PrepareTerrain(
   vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics)
 {
   const Stopwatch watch;
-  const vtkNew<vtkTerrainCoarseMesh> mesh;
-  mesh->SetInputData(heights);
-  mesh->SetSamplesPerQuad(options.MeshCells);
-  if (options.Search == Technique::Mesh)
-  {
-    mesh->SetSamplesPerQuad(1);
-    mesh->PushUpOff();
-  }
-  progress.Watch(mesh, kMeshShare, "preparing");
-  mesh->Update();
-  ThrowOnError(HeightsName(options));
-  vtkPolyData* polygons = mesh->GetOutput();
-  if (polygons->GetNumberOfCells() == 0)
-  {
-    throw Failure(HeightsName(options),
-      "there is no surface to draw, for no four neighbouring samples all have heights");
-  }
-
-  const vtkNew<vtkOpenGLTerrainMapper> mapper;
-  mapper->SetInputConnection(0, mesh->GetOutputPort());
-  mapper->SetHeightsData(heights);
-  mapper->SetTechnique(MapperTechnique(options.Search));
-  mapper->SetVerticalExaggeration(options.Exaggeration);
-  const double* range = mesh->GetHeightRange();
-  mapper->SetLookupTable(ReliefColors(range[0], range[1]));
-  mapper->SetScalarRange(range[0], range[1]);
-  mapper->ScalarVisibilityOn();
-  ThrowOnError(HeightsName(options));
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(0.0);
-  actor->GetProperty()->SetDiffuse(1.0);
-  actor->GetProperty()->SetSpecular(0.0);
-
+  Terrain terrain = options.Search == Technique::Strips
+    ? PrepareStrips(heights, options, progress)
+    : PrepareRays(heights, options, progress, statistics);
+  vtkProperty* property = terrain.Actor->GetProperty();
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  property->SetSpecular(0.0);
   statistics.AddTime("prepare", watch.GetMilliseconds());
   statistics.SetText("technique", NameOf(options.Search));
-  statistics.SetCount("samples_per_quad", mesh->GetEffectiveSamplesPerQuad());
-  statistics.SetCount("mesh_vertices", polygons->GetNumberOfPoints());
-  statistics.SetCount("mesh_triangles", polygons->GetNumberOfPolys());
-  return actor;
+  return terrain;
 }
 
 //------------------------------------------------------------------------------
-void DescribeTerrain(vtkActor* terrain, Statistics& statistics)
+void RefineTerrain(
+  const Terrain& terrain, vtkRenderer* renderer, const Options& options, Statistics& statistics)
 {
-  auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(terrain->GetMapper());
-  statistics.SetCount("texture_bytes", mapper->GetTextureMemorySize());
+  if (!terrain.Strips)
+  {
+    return;
+  }
+  const Stopwatch watch;
+  terrain.Strips->SetCamera(renderer->GetActiveCamera());
+  terrain.Strips->SetViewportSize(options.Size[0], options.Size[1]);
+  terrain.Strips->Update();
+  ThrowOnError(HeightsName(options));
+  statistics.AddTime("refine", watch.GetMilliseconds());
+  statistics.SetCount("mesh_vertices", terrain.Strips->GetOutput()->GetNumberOfPoints());
+  statistics.SetCount("mesh_triangles", terrain.Strips->GetNumberOfTriangles());
+}
+
+//------------------------------------------------------------------------------
+void DescribeTerrain(const Terrain& terrain, Statistics& statistics)
+{
+  if (auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(terrain.Actor->GetMapper()))
+  {
+    statistics.SetCount("texture_bytes", mapper->GetTextureMemorySize());
+  }
 }

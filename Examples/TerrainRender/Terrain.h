@@ -7,13 +7,26 @@
 #ifndef terrain_render_Terrain_h
 #define terrain_render_Terrain_h
 
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkSmartPointer.h"
+#include "vtkTerrainStrips.h"
 
 class ProgressBar;
 class Statistics;
-class vtkActor;
 class vtkImageData;
+class vtkRenderer;
 struct Options;
+
+/// What is drawn.
+struct Terrain
+{
+  vtkSmartPointer<vtkActor> Actor;
+  /// Of all of the terrain, in world coordinates, whatever part of it the view needs.
+  vtkBoundingBox Bounds;
+  /// What refines the mesh for the camera; null but with the technique Strips.
+  vtkSmartPointer<vtkTerrainStrips> Strips;
+};
 
 /// Reads the file of heights, or raises the built-in landscape. Throws a Failure.
 vtkSmartPointer<vtkImageData> ReadHeights(
@@ -21,10 +34,15 @@ vtkSmartPointer<vtkImageData> ReadHeights(
 
 /// Builds what the technique draws with, coloured by height. Throws a Failure, also if the heights
 /// have no surface at all.
-vtkSmartPointer<vtkActor> PrepareTerrain(
+Terrain PrepareTerrain(
   vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics);
 
+/// Refines strips for the camera of the renderer; the other techniques need nothing. Throws a
+/// Failure.
+void RefineTerrain(
+  const Terrain& terrain, vtkRenderer* renderer, const Options& options, Statistics& statistics);
+
 /// Adds what the terrain takes on the graphics card, after it was drawn.
-void DescribeTerrain(vtkActor* terrain, Statistics& statistics);
+void DescribeTerrain(const Terrain& terrain, Statistics& statistics);
 
 #endif

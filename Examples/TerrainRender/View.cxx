@@ -3,8 +3,8 @@
 #include "View.h"
 
 #include "Options.h"
+#include "Terrain.h"
 
-#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
@@ -159,16 +159,16 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkRenderer> MakeRenderer(vtkActor* actor, const Options& options)
+vtkSmartPointer<vtkRenderer> MakeRenderer(const Terrain& terrain, const Options& options)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  renderer->AddActor(actor);
+  renderer->AddActor(terrain.Actor);
   AddLights(renderer);
   renderer->GradientBackgroundOn();
   renderer->SetBackground(0.90, 0.93, 0.95);
   renderer->SetBackground2(0.50, 0.66, 0.84);
 
-  const vtkBoundingBox box(actor->GetBounds());
+  const vtkBoundingBox& box = terrain.Bounds;
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetViewAngle(options.ViewAngle);
   if (options.View)

@@ -9,17 +9,17 @@
 
 #include "vtkSmartPointer.h"
 
-class vtkActor;
 class vtkRenderWindow;
 class vtkRenderer;
 struct Options;
+struct Terrain;
 
 /// An off-screen window of the kind and size that the options ask for, not opened yet.
 vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options);
 
-/// A renderer of the actor under a light from the north-west, before a sky. The camera is that of
-/// the options, else looks from the south with all of the actor in view; nothing beyond 1e-4 of the
-/// actor's diagonal from the eye is lost to the near plane.
-vtkSmartPointer<vtkRenderer> MakeRenderer(vtkActor* actor, const Options& options);
+/// A renderer of the terrain under a light from the north-west, before a sky. The camera is that of
+/// the options, else looks from the south with all of the terrain in view; nothing beyond 1e-4 of
+/// the terrain's diagonal from the eye is lost to the near plane.
+vtkSmartPointer<vtkRenderer> MakeRenderer(const Terrain& terrain, const Options& options);
 
 #endif

@@ -15,7 +15,6 @@
 #include "Terrain.h"
 #include "View.h"
 
-#include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -40,12 +39,13 @@ void Render(const Options& options)
 
   auto progress = std::make_unique<ProgressBar>();
   const vtkSmartPointer<vtkImageData> heights = ReadHeights(options, *progress, statistics);
-  const vtkSmartPointer<vtkActor> terrain = PrepareTerrain(heights, options, *progress, statistics);
+  const Terrain terrain = PrepareTerrain(heights, options, *progress, statistics);
   progress.reset();
 
   const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(options);
   const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(terrain, options);
   window->AddRenderer(renderer);
+  RefineTerrain(terrain, renderer, options, statistics);
   DrawFrames(window, renderer, options.Frames, statistics);
   DescribeTerrain(terrain, statistics);
   statistics.AddTime("total", watch.GetMilliseconds());

@@ -113,7 +113,7 @@ TEST_F(TerrainRenderOutput, TechniquesAgree)
   const std::string hill = this->WriteHill();
   this->ExpectDrawn(this->Draw(hill, { "--technique", "mesh" }), 5000);
   const Depths reference = this->ReadDepths();
-  for (const char* technique : { "linear", "exponential", "equidistant", "pyramid" })
+  for (const char* technique : { "linear", "exponential", "equidistant", "pyramid", "strips" })
   {
     this->ExpectDrawn(this->Draw(hill, { "--technique", technique }), 5000);
     EXPECT_LT(DisagreeingPart(reference, this->ReadDepths()), 0.01) << technique;
