@@ -9,6 +9,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 
+#include <algorithm>
 #include <vector>
 
 //------------------------------------------------------------------------------
@@ -218,6 +219,7 @@ void vtkTerrainHeightTexture::SetUniforms(vtkTerrainUniforms& uniforms)
     uniforms.Set("terrainPyramid", this->PyramidTexture->GetTextureUnit());
     uniforms.Set("terrainPyramidSize", this->PyramidSize);
     uniforms.Set("terrainPyramidTop", this->PyramidTop);
-    uniforms.Set("terrainPyramidStart", this->PyramidTop);
+    // Rays start near the surface: from the top down, most levels would be visited in vain.
+    uniforms.Set("terrainPyramidStart", std::min(this->PyramidTop, 5));
   }
 }

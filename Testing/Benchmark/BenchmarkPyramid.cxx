@@ -171,7 +171,7 @@ struct Spectrum
         {
           const int i = x + k % side;
           const int j = y + k / side;
-          this->Visits[static_cast<std::size_t>(i + PixelsX * j)] =
+          this->Visits[static_cast<std::size_t>(j) * PixelsX + static_cast<std::size_t>(i)] =
             landscape.Coded.TracePyramid(view.Ray(i + 0.5, j + 0.5, start)).crossings;
         }
       }
