@@ -363,7 +363,9 @@ std::int64_t Refiner::RefineByDistance(const RefinementView& view, double range,
   reach *= 0.5 * range / (1.0 - std::sqrt(0.5));
   for (int depth = 0; depth < layout.Depths(); ++depth)
   {
-    work.Frame.Depths[depth].Range2 = reach * reach;
+    // A little more for the coarser ones, so that rounding keeps them nested.
+    const double nested = reach * (1.0 + 1.0e-9 * (layout.Depths() - depth));
+    work.Frame.Depths[depth].Range2 = nested * nested;
     reach *= std::sqrt(0.5);
   }
   SampleSink& sink = work.Samples;
