@@ -18,11 +18,11 @@
  * depth; lights, materials, clipping planes, translucency and render passes then work on the hit.
  *
  * Techniques: Pyramid, the default, is exact: rays pass through a pyramid of minimum and maximum
- * heights and meet the bilinear patches (Park and Oh, "GPU-only Terrain Rendering for Walk-through");
- * it needs the polygons of port 0 for their bounds only. Linear, Exponential and Equidistant are the
- * searches of Fehér ("Terrain Rendering
- * with the Combination of Mesh Simplification and Displacement Mapping"): steps along the ray, then
- * secant steps. Mesh draws the polygons of port 0 with normals from the heights.
+ * heights and meet the bilinear patches (Park and Oh, "GPU-only Terrain Rendering for
+ * Walk-through"); it needs the polygons of port 0 for their bounds only. Linear, Exponential and
+ * Equidistant are the searches of Fehér ("Terrain Rendering with the Combination of Mesh
+ * Simplification and Displacement Mapping"): steps along the ray, then secant steps. Mesh draws the
+ * polygons of port 0 with normals from the heights.
  *
  * Where the eye or the near plane comes into the box of the terrain, the rays start at the near
  * plane and the far sides of that box are drawn instead of the coarse mesh, so that the eye may be
