@@ -1,6 +1,6 @@
 #!/bin/sh
-# clang-tidy over every source of a configured build, on all cores. What passed is not looked at again
-# until it, a header or the checks change.
+# clang-tidy over the sources of the module and the examples in a configured build, on all cores. What
+# passed is not looked at again until it, a header or the checks change.
 #   sh Testing/check-lint.sh BUILD_DIR
 set -eu
 build_dir=$(cd "$1" && pwd)
@@ -9,7 +9,7 @@ passed=$build_dir/lint-passed
 mkdir -p "$passed"
 
 common=$(cat .clang-tidy $(git ls-files '*.h') | cksum | tr -d ' ')
-for file in $(git ls-files '*.cxx'); do
+for file in $(git ls-files 'src/*.cxx' 'Examples/*.cxx'); do
   grep -qF "/$file\"" "$build_dir/compile_commands.json" || continue
   stamp=$passed/$(cat "$file" | cksum | tr -d ' ')-$common-$(echo "$file" | tr / _)
   [ -e "$stamp" ] || printf '%s\n%s\n' "$file" "$stamp"

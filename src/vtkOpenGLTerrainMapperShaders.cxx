@@ -127,7 +127,7 @@ std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act) const
 {
   if (!this->UsesSurface(act))
   {
-    return std::string();
+    return {};
   }
   std::string defines = this->CastsRays(act)
     ? std::string("#define TERRAIN_CAST\n") + searchDefine(this->Technique)
@@ -519,7 +519,7 @@ void vtkOpenGLTerrainMapper::UpdateColorMap(vtkRenderer* ren)
     }
     table->SetRange(range);
     table->Build();
-    std::vector<unsigned char> colors(4 * ColorMapSize);
+    std::vector<unsigned char> colors(std::size_t{ 4 } * ColorMapSize);
     table->MapScalarsThroughTable2(
       values.data(), colors.data(), VTK_DOUBLE, ColorMapSize, 1, VTK_RGBA);
     internals.ColorMap->ReleaseGraphicsResources(internals.ColorMap->GetContext());

@@ -15,7 +15,7 @@
 //------------------------------------------------------------------------------
 std::string vtkTerrainHeightTexture::SetImage(vtkImageData* image)
 {
-  const std::string why = vtkTerrainHeightfield::WhyNotHeights(image);
+  std::string why = vtkTerrainHeightfield::WhyNotHeights(image);
   if (!why.empty())
   {
     this->Image = nullptr;
@@ -35,7 +35,7 @@ std::string vtkTerrainHeightTexture::SetImage(vtkImageData* image)
           terrain::ChooseHeightCodes(terrain::FindHeightRange(view, vtkTerrainParallelFor));
       });
   }
-  return std::string();
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -51,8 +51,9 @@ vtkIdType vtkTerrainHeightTexture::GetMemorySize() const
     [this](const auto& store)
     {
       const std::size_t heights = store.Texels.size() * sizeof(store.Texels[0]);
-      return static_cast<vtkIdType>(
-        (this->UploadTime ? heights : 0) + (this->PyramidTime ? store.Pyramid.MemorySize() : 0));
+      const std::size_t pyramid = this->PyramidTime ? store.Pyramid.MemorySize() : 0;
+      const std::size_t all = (this->UploadTime ? heights : 0) + pyramid;
+      return static_cast<vtkIdType>(all);
     },
     this->Data);
 }
@@ -102,7 +103,7 @@ std::string vtkTerrainHeightTexture::Prepare(vtkOpenGLRenderWindow* window)
   {
     this->Data.emplace<Store<float>>();
   }
-  return std::string();
+  return {};
 }
 
 //------------------------------------------------------------------------------

@@ -93,14 +93,14 @@ public:
     return this->Data;
   }
 
+  vtkTerrainHierarchy(const vtkTerrainHierarchy&) = delete;
+  void operator=(const vtkTerrainHierarchy&) = delete;
+
 protected:
   vtkTerrainHierarchy();
   ~vtkTerrainHierarchy() override;
 
 private:
-  vtkTerrainHierarchy(const vtkTerrainHierarchy&) = delete;
-  void operator=(const vtkTerrainHierarchy&) = delete;
-
   bool Finish(const std::string& error);
 
   std::shared_ptr<vtkTerrainHierarchyData> Data;

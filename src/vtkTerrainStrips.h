@@ -174,6 +174,9 @@ public:
   /// Follows the camera, the hierarchy and the thread.
   vtkMTimeType GetMTime() override;
 
+  vtkTerrainStrips(const vtkTerrainStrips&) = delete;
+  void operator=(const vtkTerrainStrips&) = delete;
+
 protected:
   vtkTerrainStrips();
   ~vtkTerrainStrips() override;
@@ -183,9 +186,6 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
-  vtkTerrainStrips(const vtkTerrainStrips&) = delete;
-  void operator=(const vtkTerrainStrips&) = delete;
-
   struct Internals;
   bool PrepareInput(vtkInformationVector* input);
 

@@ -25,6 +25,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <iostream>
 #include <limits>
 #include <string>
@@ -88,7 +89,7 @@ public:
   std::string Open()
   {
     this->Reader->UpdateInformation();
-    const std::string error = this->Reader->GetErrorMessage();
+    std::string error = this->Reader->GetErrorMessage();
     if (!error.empty())
     {
       return error;
@@ -99,7 +100,7 @@ public:
     info->Get(vtkDataObject::SPACING(), this->Spacing);
     for (int axis = 0; axis < 2; ++axis)
     {
-      this->Origin[axis] += this->Extent[2 * axis] * this->Spacing[axis];
+      this->Origin[axis] += this->Extent[std::size_t{ 2 } * axis] * this->Spacing[axis];
     }
     return error;
   }
@@ -121,7 +122,7 @@ public:
     part[2] = this->Extent[2] + static_cast<int>(first);
     part[3] = part[2] + static_cast<int>(count) - 1;
     this->Reader->UpdateExtent(part);
-    const std::string error = this->Reader->GetErrorMessage();
+    std::string error = this->Reader->GetErrorMessage();
     vtkImageData* image = this->Reader->GetOutput();
     vtkDataArray* scalars = image->GetPointData()->GetScalars();
     if (!error.empty() || !scalars)
@@ -236,9 +237,9 @@ int Prepare(const std::string& heights, const std::string& out, bool quiet)
   }
   return 0;
 }
-}
 
-int main(int argc, char** argv)
+/// The program; what it throws is a fault of its own.
+int Run(int argc, char** argv)
 {
   CLI::App app("Prepares a raster of heights for view-dependent refinement.", "terrain-prepare");
   std::string heights;
@@ -268,4 +269,18 @@ int main(int argc, char** argv)
   std::signal(SIGXFSZ, SIG_IGN);
   vtkObject::GlobalWarningDisplayOff();
   return check ? Check(heights) : Prepare(heights, out, quiet);
+}
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return Run(argc, argv);
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "terrain-prepare: %s\n", error.what());
+    return 1;
+  }
 }

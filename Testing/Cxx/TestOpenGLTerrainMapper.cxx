@@ -39,7 +39,7 @@ constexpr int PixelsY = 60;
 vtkSmartPointer<vtkImageData> hills(double originX, double originY, bool withHole)
 {
   vtkNew<vtkDoubleArray> heights;
-  heights->SetNumberOfValues(Columns * Rows);
+  heights->SetNumberOfValues(vtkIdType{ Columns } * Rows);
   for (int j = 0; j < Rows; ++j)
   {
     for (int i = 0; i < Columns; ++i)
@@ -403,7 +403,7 @@ TEST(OpenGLTerrainMapper, DrawsNothingWhereThereIsNoSurface)
   for (const glm::ivec2 size : { glm::ivec2(1, 1), glm::ivec2(1, 5), glm::ivec2(5, 1) })
   {
     vtkNew<vtkShortArray> heights;
-    heights->SetNumberOfValues(size.x * size.y);
+    heights->SetNumberOfValues(vtkIdType{ size.x } * size.y);
     heights->FillValue(7);
     vtkNew<vtkImageData> image;
     image->SetDimensions(size.x, size.y, 1);

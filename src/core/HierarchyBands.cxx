@@ -68,7 +68,7 @@ HierarchyBands::HierarchyBands(
 
 std::string HierarchyBands::Process(std::int64_t band)
 {
-  const std::string error = this->LoadRows(band);
+  std::string error = this->LoadRows(band);
   if (!error.empty())
   {
     return error;
@@ -106,7 +106,7 @@ std::string HierarchyBands::Process(std::int64_t band)
       summary.MaximumHeight = first ? tile.Maximum : std::max(summary.MaximumHeight, tile.Maximum);
     }
   }
-  return std::string();
+  return {};
 }
 
 /// Makes Rows hold the band's rows and one more to the north and south.

@@ -37,7 +37,7 @@ std::string BuildHierarchy(HierarchyTarget& target, const HeightRows& rows,
   HierarchyBands bands(target, rows, parallelFor);
   for (std::int64_t band = bands.Count() - 1; band >= 0; --band)
   {
-    const std::string error = bands.Process(band);
+    std::string error = bands.Process(band);
     if (!error.empty())
     {
       return error;
@@ -60,7 +60,7 @@ std::string BuildHierarchy(HierarchyTarget& target, const HeightRows& rows,
     }
   }
   goOn(1.0);
-  return std::string();
+  return {};
 }
 
 std::string BuildHierarchy(MemoryHierarchy& hierarchy, std::int64_t width, std::int64_t height,
@@ -85,7 +85,7 @@ std::string BuildHierarchy(MemoryHierarchy& hierarchy, std::int64_t width, std::
   target.Geometry = hierarchy.Geometry;
   target.Records = hierarchy.Records.data();
   target.Gradients = hierarchy.Gradients.data();
-  const std::string error = BuildHierarchy(target, rows, parallelFor, progress);
+  std::string error = BuildHierarchy(target, rows, parallelFor, progress);
   hierarchy.Summary = target.Summary;
   return error;
 }

@@ -82,7 +82,7 @@ std::uint64_t Checksum(const unsigned char* data, std::size_t size)
     for (int lane = 0; lane < 4; ++lane)
     {
       std::uint64_t word = 0;
-      std::memcpy(&word, data + position + 8 * lane, 8);
+      std::memcpy(&word, data + position + std::ptrdiff_t{ 8 } * lane, 8);
       lanes[lane] = (lanes[lane] ^ word) * factor;
       lanes[lane] ^= lanes[lane] >> 29;
     }
@@ -187,7 +187,7 @@ public:
     }
     this->Begin = static_cast<unsigned char*>(begin);
     this->Size = size;
-    return std::string();
+    return {};
   }
 
   unsigned char* Data() const
@@ -219,7 +219,7 @@ public:
       fsync(folderDescriptor);
       close(folderDescriptor);
     }
-    return std::string();
+    return {};
   }
 
 private:
@@ -373,7 +373,7 @@ std::string HierarchyFile::Verify() const
         " is damaged: its checksum is wrong";
     }
   }
-  return std::string();
+  return {};
 }
 
 HierarchyView HierarchyFile::View() const
@@ -397,7 +397,7 @@ std::string WriteHierarchyFile(const std::string& path, std::int64_t width, std:
   const GridGeometry& geometry, const std::string& coordinateSystem, const HeightRows& rows,
   const ParallelFor& parallelFor, const BuildProgress& progress)
 {
-  const std::string error = HierarchyLayout::WhyNotSize(width, height);
+  std::string error = HierarchyLayout::WhyNotSize(width, height);
   if (!error.empty())
   {
     return error;

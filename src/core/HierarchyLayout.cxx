@@ -47,7 +47,7 @@ std::string HierarchyLayout::WhyNotSize(std::int64_t width, std::int64_t height)
     return "a hierarchy needs 1 to " + std::to_string(MaximumSize) +
       " samples in each direction, not " + std::to_string(width) + " x " + std::to_string(height);
   }
-  return std::string();
+  return {};
 }
 
 HierarchyLayout::HierarchyLayout(std::int64_t width, std::int64_t height)

@@ -41,7 +41,7 @@ void OnBusError(int signal, siginfo_t* info, void* context)
     if (begin != 0 && address >= begin && address < range.End.load())
     {
       const int error = errno;
-      void* page = reinterpret_cast<void*>(address & ~(PageSize.load() - 1));
+      void* page = static_cast<char*>(info->si_addr) - address % PageSize.load();
       void* zeros =
         mmap(page, PageSize.load(), PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
       errno = error;

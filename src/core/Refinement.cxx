@@ -308,7 +308,7 @@ std::string Refiner::WhyNotRefine(const RefinementView& view, const RefinementOp
       return "the camera's planes are not finite";
     }
   }
-  return std::string();
+  return {};
 }
 
 void Refiner::Refine(const RefinementView& view, const RefinementOptions& options, StripMesh& mesh)
