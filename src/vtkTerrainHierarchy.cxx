@@ -146,8 +146,8 @@ void vtkTerrainHierarchy::GetBounds(double bounds[6]) const
     const glm::dvec3 high = view.Geometry.ToModel(last, view.Summary.MaximumHeight);
     for (int axis = 0; axis < 3; ++axis)
     {
-      bounds[2 * axis] = low[axis];
-      bounds[2 * axis + 1] = high[axis];
+      bounds[std::size_t{ 2 } * axis] = low[axis];
+      bounds[std::size_t{ 2 } * axis + 1] = high[axis];
     }
   }
 }

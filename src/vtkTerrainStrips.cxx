@@ -97,8 +97,8 @@ terrain::RefinementView ViewOf(vtkCamera* camera, const int size[2], double exag
   camera->GetFrustumPlanes(aspect, planes);
   for (int i = 0; i < 4; ++i)
   {
-    view.Planes.emplace_back(
-      planes[4 * i], planes[4 * i + 1], planes[4 * i + 2], planes[4 * i + 3]);
+    const double* plane = planes + std::ptrdiff_t{ 4 } * i;
+    view.Planes.emplace_back(plane[0], plane[1], plane[2], plane[3]);
   }
   return view;
 }
@@ -112,7 +112,7 @@ void DepthColor(int depth, unsigned char* color)
     hue, (depth & 1) != 0 ? 0.55 : 0.85, (depth & 1) != 0 ? 1.0 : 0.8, rgb, rgb + 1, rgb + 2);
   for (int i = 0; i < 3; ++i)
   {
-    color[i] = static_cast<unsigned char>(255.0 * rgb[i] + 0.5);
+    color[i] = static_cast<unsigned char>(std::lround(255.0 * rgb[i]));
   }
 }
 }
