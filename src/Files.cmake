@@ -14,6 +14,7 @@ set(classes
   vtkTerrainHierarchy
   vtkTerrainImageWarp
   vtkTerrainMinMaxPyramid
+  vtkTerrainPicker
   vtkTerrainRasterReader
   vtkTerrainReproject
   vtkTerrainScaleBar
@@ -31,6 +32,7 @@ set(private_sources
   vtkTerrainRasterFile
   vtkTerrainRasterLayout
   vtkTerrainRasterPiece
+  vtkTerrainRayCaster
   vtkTerrainReprojectPlan
 )
 
