@@ -90,6 +90,7 @@ vtkOpenGLTerrainMapper::vtkOpenGLTerrainMapper()
 {
   this->SetNumberOfInputPorts(2);
   this->ScalarVisibility = 0;
+  this->RemoveMesh();
 }
 
 //------------------------------------------------------------------------------
@@ -144,6 +145,25 @@ vtkImageData* vtkOpenGLTerrainMapper::GetHeights()
   return this->GetNumberOfInputConnections(1) > 0
     ? vtkImageData::SafeDownCast(this->GetInputDataObject(1, 0))
     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::RemoveMesh()
+{
+  this->SetInputDataInternal(0, this->Internals->Box);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::GetHeightRange(double range[2])
+{
+  range[0] = 0.0;
+  range[1] = -1.0;
+  if (this->UpdateHeights() && this->Internals->Heights.GetCodes().HasData)
+  {
+    const terrain::HeightCodes& codes = this->Internals->Heights.GetCodes();
+    range[0] = codes.ToHeight(0.0);
+    range[1] = codes.ToHeight(codes.MaximumCode);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -202,6 +222,18 @@ int vtkOpenGLTerrainMapper::GetNumberOfHeightUploads() const
 }
 
 //------------------------------------------------------------------------------
+int vtkOpenGLTerrainMapper::GetNumberOfShaderBuilds() const
+{
+  return this->Internals->ShaderBuilds;
+}
+
+//------------------------------------------------------------------------------
+int vtkOpenGLTerrainMapper::GetNumberOfBufferBuilds() const
+{
+  return this->Internals->BufferBuilds;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkOpenGLTerrainMapper::GetTextureMemorySize() const
 {
   return this->Internals->Heights.GetMemorySize();
@@ -239,6 +271,11 @@ bool vtkOpenGLTerrainMapper::UpdateHeights()
   internals.Why = internals.Heights.SetImage(image);
   if (!internals.Why.empty())
   {
+    if (internals.BoxTime)
+    {
+      internals.Box->Initialize();
+      internals.BoxTime = 0;
+    }
     return false;
   }
   if (internals.BoxTime != image->GetMTime())
@@ -289,8 +326,9 @@ double* vtkOpenGLTerrainMapper::GetBounds()
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::ComputeBounds()
 {
+  const bool hasHeights = this->UpdateHeights(); // and the box, which may be the mesh
   this->Superclass::ComputeBounds();
-  if (!this->UpdateHeights() || !this->Internals->Heights.HasSurface() ||
+  if (!hasHeights || !this->Internals->Heights.HasSurface() ||
     !vtkMath::AreBoundsInitialized(this->Bounds))
   {
     return;
@@ -422,6 +460,13 @@ void vtkOpenGLTerrainMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)
       this->Internals->ColorMap->Deactivate();
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
+{
+  ++this->Internals->BufferBuilds;
+  this->Superclass::BuildBufferObjects(ren, act);
 }
 
 //------------------------------------------------------------------------------

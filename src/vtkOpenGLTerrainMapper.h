@@ -6,8 +6,9 @@
  *
  * Draws the exact bilinear surface of a heightfield without a mesh of its samples. Two inputs:
  *
- *   port 0  vtkPolyData. For the ray casting techniques the closed hull of vtkTerrainCoarseMesh,
- * above which the terrain never rises; for the technique Mesh, the mesh to draw. port 1
+ *   port 0  vtkPolyData. For the searches the closed hull of vtkTerrainCoarseMesh, above which the
+ * terrain never rises; for the technique Mesh, the mesh to draw. Without one, by default, the box
+ * of the heights: all that the technique Pyramid needs, and a poor hull for the searches. port 1
  * vtkImageData, the heights: W x H x 1 points whose active point scalars have one component of any
  * numeric type; a row south to north, spacing and origin in the unit of the heights. NaN,
  * infinities and points with vtkDataSetAttributes::HIDDENPOINT set have no height; a cell that
@@ -19,7 +20,7 @@
  *
  * Techniques: Pyramid, the default, is exact: rays pass through a pyramid of minimum and maximum
  * heights and meet the bilinear patches (Park and Oh, "GPU-only Terrain Rendering for
- * Walk-through"); it needs the polygons of port 0 for their bounds only. Linear, Exponential and
+ * Walk-through"); of port 0 it takes the bounds only. Linear, Exponential and
  * Equidistant are the searches of Fehér ("Terrain Rendering with the Combination of Mesh
  * Simplification and Displacement Mapping"): steps along the ray, then secant steps. Mesh draws the
  * polygons of port 0 with normals from the heights.
@@ -83,6 +84,12 @@ public:
   void SetHeightsData(vtkImageData* heights);
   vtkImageData* GetHeights();
   ///@}
+
+  /// Lowest and highest height, up to date, not exaggerated; lowest > highest if there is none.
+  void GetHeightRange(double range[2]);
+
+  /// Takes the mesh from port 0 and puts the box of the heights there, as by default.
+  void RemoveMesh();
 
   ///@{
   /// Drawn height over true height, > 0; default 1. Heights are exaggerated from the image's origin
@@ -162,6 +169,12 @@ public:
   /// Number of times the heights went to the graphics card.
   int GetNumberOfHeightUploads() const;
 
+  ///@{
+  /// Number of times that shaders and vertex buffers were built.
+  int GetNumberOfShaderBuilds() const;
+  int GetNumberOfBufferBuilds() const;
+  ///@}
+
   /// Bytes of textures on the graphics card.
   vtkIdType GetTextureMemorySize() const;
 
@@ -192,6 +205,7 @@ protected:
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* act) override;
   void RenderPieceFinish(vtkRenderer* ren, vtkActor* act) override;
 
+  void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
 

@@ -184,6 +184,7 @@ bool vtkOpenGLTerrainMapper::ColorsByHeight() const
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
 {
+  ++this->Internals->ShaderBuilds;
   const std::string defines = this->ShaderDefines(act);
   if (!defines.empty())
   {

@@ -27,7 +27,11 @@ public:
   /// Why the heights cannot be used; empty if they can.
   std::string Why;
 
-  /// The far sides of this box stand for the coarse mesh while the eye is within it.
+  int ShaderBuilds = 0;
+  int BufferBuilds = 0;
+
+  /// The far sides of this box stand for the coarse mesh while the eye is within it, and all of it
+  /// where there is no mesh.
   vtkNew<vtkPolyData> Box;
   bool EyeInBox = false;
   /// Cells and height codes of the box, corners of the grid with a margin.
