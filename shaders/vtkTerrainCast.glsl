@@ -4,10 +4,27 @@
 // What the ray of a pixel sees: clips the ray, traces it, passes by what is culled.
 // Needs vtkTerrainHeights.glsl, vtkTerrainRay.glsl, vtkTerrainView.glsl, vtkTerrainTrace.glsl.
 // Defines: TERRAIN_CULL_FRONT, TERRAIN_CULL_BACK if hits from above, from below are to be passed
-// by.
+// by; TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels each way are there
+// (vtkTerrainBeamCS.glsl).
 
 uniform int terrainClipPlaneCount;
 uniform vec4 terrainClipPlanesVC[6]; // kept is dot(plane, position) >= 0
+
+#ifdef TERRAIN_BEAM_PIXELS
+uniform sampler2D terrainBeamStarts;
+
+// Distance before which no ray of the pixel's tile meets the surface.
+float terrainSafeStart(vec2 pixel)
+{
+  return texelFetch(
+    terrainBeamStarts, (ivec2(pixel) - terrainViewportOrigin) / TERRAIN_BEAM_PIXELS, 0).r;
+}
+#else
+float terrainSafeStart(vec2 pixel)
+{
+  return terrainNear;
+}
+#endif
 
 // The first point of the surface on a pixel's ray.
 struct TerrainSighting
@@ -67,7 +84,8 @@ TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front)
 // What the ray of a pixel sees from a distance on.
 TerrainSighting terrainCast(vec2 pixel, float entryDistance)
 {
-  vec2 range = terrainEnterBox(pixel, vec2(max(entryDistance, terrainNear), terrainFar));
+  float start = max(max(entryDistance, terrainNear), terrainSafeStart(pixel));
+  vec2 range = terrainEnterBox(pixel, vec2(start, terrainFar));
   range = terrainClipRange(pixel, range);
   TerrainSighting sighting;
   sighting.found = false;

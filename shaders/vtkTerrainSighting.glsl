@@ -4,7 +4,7 @@
 // The sightings of all pixels of a viewport as a texture, which a compute shader has filled
 // (vtkTerrainSightingCS.glsl). One texel a pixel: distance along the viewing direction, < 0 for
 // none; position in cells, to 1/1000 of a cell in grids of 16384 cells, which is for normals and
-// colours; work done plus 1, < 0 if the back is seen.
+// colours; work done plus 1, < 0 if the back is seen. Needs vtkTerrainView.glsl.
 
 struct TerrainSighting
 {
@@ -17,8 +17,7 @@ struct TerrainSighting
 };
 
 uniform sampler2D terrainSightings;
-uniform ivec2 terrainViewportOrigin; // pixel of the texel (0, 0)
-uniform ivec2 terrainCells;          // cells of the grid
+uniform ivec2 terrainCells; // cells of the grid
 
 TerrainSighting terrainReadSighting(vec2 pixel)
 {

@@ -6,7 +6,6 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) writeonly uniform image2D terrainSightingImage;
-uniform ivec2 terrainViewportOrigin;
 
 void main()
 {

@@ -18,6 +18,7 @@ uniform vec3 terrainBoxMinimum;    // grid coordinates of the box of the terrain
 uniform vec3 terrainBoxMaximum;
 uniform float terrainNear;         // distances of the clipping planes along the viewing direction
 uniform float terrainFar;
+uniform ivec2 terrainViewportOrigin; // lower left pixel of the viewport
 
 #ifdef GL_ARB_gpu_shader_fp64
 #define terrainReal double

@@ -25,7 +25,9 @@ set(classes
 
 set(private_sources
   vtkOpenGLTerrainMapperShaders
+  vtkOpenGLTerrainMapperUniforms
   vtkTerrainComputeProgram
+  vtkTerrainComputeTexture
   vtkTerrainCoordinateSystem
   vtkTerrainGeoreferencePrepare
   vtkTerrainHeightTexture
@@ -56,6 +58,7 @@ endif ()
 
 set(shaders
   vtkTerrainBeam
+  vtkTerrainBeamCS
   vtkTerrainCast
   vtkTerrainColor
   vtkTerrainHeights

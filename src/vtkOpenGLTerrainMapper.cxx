@@ -108,6 +108,7 @@ void vtkOpenGLTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StepLength: " << this->StepLength << "\n";
   os << indent << "ShowCrossings: " << this->ShowCrossings << "\n";
   os << indent << "ComputeMode: " << static_cast<int>(this->ComputeMode) << "\n";
+  os << indent << "UseBeams: " << this->UseBeams << "\n";
   os << indent << "MaximumShownCrossings: " << this->MaximumShownCrossings << "\n";
 }
 
@@ -200,6 +201,7 @@ vtkTerrainSetUniformMacro(ShowCrossings, bool, false);
 vtkTerrainSetUniformMacro(
   ComputeMode, vtkOpenGLTerrainMapper::ComputeModes, ComputeModes::Automatic);
 vtkTerrainSetUniformMacro(MaximumShownCrossings, int, 1);
+vtkTerrainSetUniformMacro(UseBeams, bool, false);
 
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::UniformModified()
@@ -245,12 +247,8 @@ void vtkOpenGLTerrainMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Internals->Heights.ReleaseGraphicsResources(window);
   this->Internals->ColorMap->ReleaseGraphicsResources(window);
   this->Internals->ColorMapTime = 0;
-  this->Internals->Sightings->ReleaseGraphicsResources(window);
-  if (this->Internals->SightingProgram.IsBuilt())
-  {
-    window->MakeCurrent();
-    this->Internals->SightingProgram.Release();
-  }
+  this->Internals->BeamStarts.ReleaseGraphicsResources(window);
+  this->Internals->Sightings.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -373,7 +371,7 @@ void vtkOpenGLTerrainMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
       internals.Heights.Activate();
       this->UpdateView(ren, act);
       this->UpdateColorMap(ren);
-      this->UpdateSightings(ren, act);
+      this->ComputeAhead(ren, act);
     }
   }
   if (this->CastsRays(act) && (internals.EyeInBox || this->Technique == Techniques::Pyramid))
@@ -451,10 +449,8 @@ void vtkOpenGLTerrainMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)
   if (this->UsesSurface(act))
   {
     this->Internals->Heights.Deactivate();
-    if (this->Internals->HasSightings)
-    {
-      this->Internals->Sightings->Deactivate();
-    }
+    this->Internals->BeamStarts.Finish();
+    this->Internals->Sightings.Finish();
     if (this->ColorsByHeight())
     {
       this->Internals->ColorMap->Deactivate();

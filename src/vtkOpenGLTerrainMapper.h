@@ -47,6 +47,7 @@
 #include <string> // For std::string
 
 class vtkImageData;
+class vtkTerrainComputeTexture;
 class vtkTerrainUniforms;
 
 class VTKTERRAIN_EXPORT vtkOpenGLTerrainMapper : public vtkOpenGLPolyDataMapper
@@ -166,6 +167,18 @@ public:
   }
   ///@}
 
+  ///@{
+  /// Let the rays that the fragment shader casts with the technique Pyramid begin where those of a
+  /// tile of 8 x 8 pixels can first meet the surface, which a compute shader finds ahead of drawing
+  /// where OpenGL 4.3 is there: the same picture, in software rendering up to a quarter sooner.
+  /// Default on.
+  void SetUseBeams(bool use);
+  bool GetUseBeams() const
+  {
+    return this->UseBeams;
+  }
+  ///@}
+
   /// Number of times the heights went to the graphics card.
   int GetNumberOfHeightUploads() const;
 
@@ -234,7 +247,11 @@ private:
   void UpdateColorMap(vtkRenderer* ren);
   bool UsesCompute(vtkActor* act) const;
   std::string CastFunctions() const;
-  void UpdateSightings(vtkRenderer* ren, vtkActor* act);
+  bool UsesBeams(vtkActor* act) const;
+  void ComputeAhead(vtkRenderer* ren, vtkActor* act);
+  void Compute(vtkRenderer* ren, vtkActor* act, vtkTerrainComputeTexture& texture,
+    const std::string& functions, int pixels, int components);
+  void SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vtkActor* act);
   void SetViewUniforms(vtkTerrainUniforms& uniforms);
   void SetSearchUniforms(vtkTerrainUniforms& uniforms);
   void SetClipUniforms(vtkTerrainUniforms& uniforms, vtkActor* act);
@@ -250,6 +267,7 @@ private:
   bool ShowCrossings = false;
   ComputeModes ComputeMode = ComputeModes::Automatic;
   int MaximumShownCrossings = 64;
+  bool UseBeams = true;
   vtkTimeStamp UniformTime;
   bool IgnoresUniformTime = false;
   std::unique_ptr<vtkInternals> Internals;

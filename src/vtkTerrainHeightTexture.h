@@ -62,6 +62,12 @@ public:
   /// True if there is at least one cell and one height.
   bool HasSurface() const;
 
+  /// Top level of the pyramid on the graphics card.
+  int GetPyramidTop() const
+  {
+    return this->PyramidTop;
+  }
+
   /// Number of uploads of the heights so far, for tests that count them.
   int GetNumberOfUploads() const
   {

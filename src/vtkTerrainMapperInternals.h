@@ -8,7 +8,7 @@
 #define vtkTerrainMapperInternals_h
 
 #include "vtkOpenGLTerrainMapper.h"
-#include "vtkTerrainComputeProgram.h"
+#include "vtkTerrainComputeTexture.h"
 #include "vtkTerrainHeightTexture.h"
 
 #include "core/PixelRays.h"
@@ -49,12 +49,17 @@ public:
   vtkMTimeType ColorMapTime = 0;
   double ColorRange[2] = { 0.0, 1.0 };
 
-  /// The sightings of all pixels, found by a compute shader (shaders/vtkTerrainSightingCS.glsl).
-  vtkTerrainComputeProgram SightingProgram;
-  std::string SightingProgramBuiltWith;
-  vtkNew<vtkTextureObject> Sightings;
   glm::ivec4 Viewport{ 0 };
-  bool HasSightings = false;
+  /// Distances at which the rays of tiles of BeamPixels x BeamPixels pixels begin
+  /// (shaders/vtkTerrainBeamCS.glsl).
+  vtkTerrainComputeTexture BeamStarts;
+  static constexpr int BeamPixels = 8;
+  static std::string BeamDefine()
+  {
+    return "#define TERRAIN_BEAM_PIXELS " + std::to_string(BeamPixels) + "\n";
+  }
+  /// The sightings of all pixels (shaders/vtkTerrainSightingCS.glsl).
+  vtkTerrainComputeTexture Sightings;
 
   /// The defines that the shader of each primitive was built with.
   std::map<vtkOpenGLHelper*, std::string> ShaderBuiltWith;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Frame times of the techniques on the procedural landscape, in four views, each as {median,
-// minimum, maximum} of the GPU's timer and of the clock, and as a ratio to drawing the coarse mesh
-// with lights and no search.
+// minimum, maximum} of the GPU's timer and of the clock, and as ratios of both to the first
+// technique named. Their frames take turns, so that what else the machine does falls on all alike.
 //
 //   BenchmarkTechniques SAMPLES WIDTH HEIGHT [FRAMES [SAMPLES_PER_QUAD [TECHNIQUE...]]]
 //
-// Techniques: coarse, equidistant, pyramid (in the fragment shader), compute (pyramid in a compute
-// shader), full (every cell two triangles).
+// Techniques: coarse, equidistant, pyramid (in the fragment shader), pyramid-alone (the same
+// without beams), compute (pyramid in a compute shader), full (every cell two triangles).
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainSource.h"
@@ -34,7 +34,6 @@
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -89,35 +88,94 @@ struct Times
   std::vector<double> Clock;
 };
 
-Times measure(vtkRenderWindow* window, int frames)
+/// A technique with a mapper of its own, so that turns rebuild nothing.
+struct Entry
 {
-  Times times;
-  window->Render();
-  window->WaitForCompletion();
-  for (int frame = 0; frame < frames; ++frame)
+  std::string Name;
+  vtkSmartPointer<vtkActor> Actor;
+  double First = 0.0;
+  Times Taken;
+};
+
+Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMesh* hull)
+{
+  using Techniques = vtkOpenGLTerrainMapper::Techniques;
+  using Modes = vtkOpenGLTerrainMapper::ComputeModes;
+  vtkNew<vtkOpenGLTerrainMapper> mapper;
+  mapper->SetInputConnection(hull->GetOutputPort());
+  if (name == "full")
   {
-    vtkOpenGLRenderTimer timer;
-    const Clock::time_point start = Clock::now();
-    timer.Start();
-    window->Render();
-    timer.Stop();
-    window->WaitForCompletion();
-    times.Clock.push_back(millisecondsSince(start));
-    while (!timer.Ready())
-    {
-    }
-    times.Gpu.push_back(timer.GetElapsedMilliseconds());
-    timer.ReleaseGraphicsResources();
+    vtkNew<vtkTerrainCoarseMesh> full;
+    full->SetInputData(image);
+    full->SetPushUp(false);
+    full->SetSamplesPerQuad(1);
+    mapper->SetInputConnection(full->GetOutputPort());
   }
-  std::sort(times.Gpu.begin(), times.Gpu.end());
-  std::sort(times.Clock.begin(), times.Clock.end());
-  return times;
+  mapper->SetHeightsData(image);
+  const bool compute = name.rfind("compute", 0) == 0;
+  const bool pyramid = name.rfind("pyramid", 0) == 0 || compute;
+  mapper->SetTechnique(pyramid ? Techniques::Pyramid
+      : name == "equidistant"  ? Techniques::Equidistant
+                               : Techniques::Mesh);
+  mapper->SetComputeMode(compute ? Modes::On : Modes::Off);
+  mapper->SetUseBeams(name != "pyramid-alone");
+  Entry entry;
+  entry.Name = name;
+  entry.Actor = vtkSmartPointer<vtkActor>::New();
+  entry.Actor->SetMapper(mapper);
+  entry.Actor->VisibilityOff();
+  return entry;
+}
+
+void drawOnce(vtkRenderWindow* window, Entry& entry)
+{
+  vtkOpenGLRenderTimer timer;
+  entry.Actor->VisibilityOn();
+  const Clock::time_point start = Clock::now();
+  timer.Start();
+  window->Render();
+  timer.Stop();
+  window->WaitForCompletion();
+  entry.Taken.Clock.push_back(millisecondsSince(start));
+  while (!timer.Ready())
+  {
+  }
+  entry.Taken.Gpu.push_back(timer.GetElapsedMilliseconds());
+  timer.ReleaseGraphicsResources();
+  entry.Actor->VisibilityOff();
+}
+
+/// The frames of all techniques, in turns, the first of each apart.
+void measure(vtkRenderWindow* window, std::vector<Entry>& entries, int frames)
+{
+  for (int frame = -1; frame < frames; ++frame)
+  {
+    for (Entry& entry : entries)
+    {
+      drawOnce(window, entry);
+      if (frame < 0)
+      {
+        entry.First = entry.Taken.Clock.front();
+        entry.Taken = Times();
+      }
+    }
+  }
+  for (Entry& entry : entries)
+  {
+    std::sort(entry.Taken.Gpu.begin(), entry.Taken.Gpu.end());
+    std::sort(entry.Taken.Clock.begin(), entry.Taken.Clock.end());
+  }
+}
+
+double median(const std::vector<double>& sorted)
+{
+  return sorted[sorted.size() / 2];
 }
 
 void print(const char* label, const std::vector<double>& sorted)
 {
-  std::cout << "  " << label << " " << std::setw(9) << sorted[sorted.size() / 2] << " ("
-            << sorted.front() << " .. " << sorted.back() << ")";
+  std::cout << "  " << label << " " << std::setw(9) << median(sorted) << " (" << sorted.front()
+            << " .. " << sorted.back() << ")";
 }
 }
 
@@ -160,52 +218,48 @@ int main(int argc, char* argv[])
   window->SetSize(std::atoi(argv[2]), std::atoi(argv[3]));
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
-  vtkNew<vtkOpenGLTerrainMapper> mapper;
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
-
-  std::map<std::string, double> coarse;
+  std::vector<Entry> entries;
   for (const std::string& technique : techniques)
   {
-    using Techniques = vtkOpenGLTerrainMapper::Techniques;
-    vtkNew<vtkTerrainCoarseMesh> full;
-    if (technique == "full")
+    entries.push_back(makeEntry(technique, image, hull));
+    renderer->AddActor(entries.back().Actor);
+  }
+  window->Render(); // timers need a context
+  for (const View& view : Views)
+  {
+    for (Entry& entry : entries)
     {
-      full->SetInputData(image);
-      full->SetPushUp(false);
-      full->SetSamplesPerQuad(1);
-      mapper->SetInputConnection(full->GetOutputPort());
+      entry.Actor->VisibilityOn(); // for the clipping range
     }
-    else
+    look(renderer, image, view);
+    for (Entry& entry : entries)
     {
-      mapper->SetInputConnection(hull->GetOutputPort());
+      entry.Actor->VisibilityOff();
     }
-    mapper->SetHeightsData(image);
-    mapper->SetTechnique(technique == "pyramid" || technique == "compute" ? Techniques::Pyramid
-        : technique == "equidistant"                                      ? Techniques::Equidistant
-                                                                          : Techniques::Mesh);
-    using Modes = vtkOpenGLTerrainMapper::ComputeModes;
-    mapper->SetComputeMode(technique == "compute" ? Modes::On : Modes::Off);
-    for (const View& view : Views)
+    measure(window, entries, frames);
+    const double gpu = median(entries.front().Taken.Gpu);
+    const double clock = median(entries.front().Taken.Clock);
+    for (Entry& entry : entries)
     {
-      look(renderer, image, view);
-      start = Clock::now();
-      window->Render();
-      window->WaitForCompletion();
-      const double first = millisecondsSince(start);
-      const Times times = measure(window, frames);
-      const double median = times.Gpu[times.Gpu.size() / 2];
-      coarse.emplace(view.Name, median);
-      std::cout << std::setw(12) << technique << std::setw(9) << view.Name;
-      print("gpu ms", times.Gpu);
-      print("clock ms", times.Clock);
-      std::cout << "  x " << median / coarse[view.Name] << "  first " << first << "\n"
+      std::cout << std::setw(16) << entry.Name << std::setw(9) << view.Name;
+      print("gpu ms", entry.Taken.Gpu);
+      print("clock ms", entry.Taken.Clock);
+      std::cout << "  x " << median(entry.Taken.Gpu) / gpu << ", "
+                << median(entry.Taken.Clock) / clock << "  first " << entry.First << "\n"
                 << std::flush;
     }
+    for (Entry& entry : entries)
+    {
+      entry.Taken = Times();
+    }
   }
-  std::cout << "textures " << mapper->GetTextureMemorySize() / 1048576.0 << " MiB, "
-            << mapper->GetTextureMemorySize() / (2.0 * samples * samples) << " of the heights\n";
+  for (Entry& entry : entries)
+  {
+    const double bytes = static_cast<double>(
+      static_cast<vtkOpenGLTerrainMapper*>(entry.Actor->GetMapper())->GetTextureMemorySize());
+    std::cout << entry.Name << ": textures " << bytes / 1048576.0 << " MiB, "
+              << bytes / (2.0 * samples * samples) << " of the heights\n";
+  }
   std::istringstream capabilities(window->ReportCapabilities());
   for (std::string line; std::getline(capabilities, line);)
   {

@@ -195,6 +195,25 @@ int countWrong(Drawing& drawing)
   return wrong;
 }
 
+/// Pixels of which only one picture has a distance, or whose distances differ by more than what
+/// float rounds.
+int countDifferentDistances(vtkImageData* a, vtkImageData* b)
+{
+  int different = 0;
+  for (int y = 0; y < PixelsY; ++y)
+  {
+    for (int x = 0; x < PixelsX; ++x)
+    {
+      const double first = a->GetScalarComponentAsDouble(x, y, 0, 0);
+      const double second = b->GetScalarComponentAsDouble(x, y, 0, 0);
+      const bool same =
+        std::isnan(first) ? std::isnan(second) : std::abs(first - second) <= 1e-5 * std::abs(first);
+      different += same ? 0 : 1;
+    }
+  }
+  return different;
+}
+
 /// Sampling at a hundredth of a cell misses the tips of silhouettes: so many of the 4,800 pixels
 /// may differ.
 constexpr int SamplingMisses = 8;
@@ -244,6 +263,38 @@ TEST(OpenGLTerrainMapper, DrawsTheSameThroughAComputeShader)
   drawing.Mapper->SetComputeMode(Modes::On);
   drawing.Look(5.0, 5.0, 150.0, 30.0, 20.0, 100.0);
   EXPECT_LE(countWrong(drawing), SamplingMisses);
+}
+
+TEST(OpenGLTerrainMapper, DrawsTheSameWithAndWithoutBeams)
+{
+  Drawing drawing(hills(500000.0, 5000000.0, true));
+  vtkNew<vtkPlane> plane; // keeps the north
+  plane->SetOrigin(500000.0, 5000000.0 + 100.0, 0.0);
+  plane->SetNormal(0.0, 1.0, 0.0);
+  const auto compare = [&drawing](const char* view)
+  {
+    SCOPED_TRACE(view);
+    drawing.Mapper->SetUseBeams(true);
+    vtkNew<vtkImageData> with;
+    with->DeepCopy(drawing.Distances());
+    drawing.Mapper->SetUseBeams(false);
+    EXPECT_EQ(countDifferentDistances(with, drawing.Distances()), 0);
+  };
+  drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
+  compare("outside");
+  drawing.Mapper->AddClippingPlane(plane);
+  compare("clipped");
+  drawing.Actor->GetProperty()->BackfaceCullingOn();
+  compare("clipped and culled");
+  drawing.Mapper->RemoveAllClippingPlanes();
+  drawing.Look(5.0, 5.0, 150.0, 30.0, 20.0, 100.0);
+  compare("within");
+  drawing.Actor->GetProperty()->BackfaceCullingOff();
+  drawing.Look(20.5, 16.5, 80.0, 30.0, 20.0, 90.0);
+  compare("below");
+  drawing.Camera()->ParallelProjectionOn();
+  drawing.Camera()->SetParallelScale(150.0);
+  compare("parallel");
 }
 
 TEST(OpenGLTerrainMapper, DrawsTheUnderside)

@@ -68,6 +68,39 @@ Camera RandomCamera(terrain::RayMaker& maker, const TerrainRay& axis)
   return camera;
 }
 
+// The rays of a tile's pixels lie within the beam at any distance.
+TEST(PyramidBeam, HoldsTheRaysOfItsTile)
+{
+  terrain::PixelRays rays;
+  rays.OriginGC = { glm::dvec3(5.0, 6.0, 700.0), glm::dvec3(0.1, -0.2, 0.3),
+    glm::dvec3(0.05, 0.1, -0.5) };
+  rays.DirectionGC = { glm::dvec3(0.3, 0.2, -5.0), glm::dvec3(0.01, -0.02, 0.03),
+    glm::dvec3(0.0, 0.01, 0.07) };
+  const glm::dvec2 middle(12.0, 20.0);
+  constexpr double start = 3.0;
+  const TerrainBeam beam = terrain::MakeTileBeam(rays, middle, 4.0, start, 90.0);
+  for (const double s : { 0.0, 10.0, 80.0 })
+  {
+    const auto at = [&rays, s](const glm::dvec2& pixel)
+    {
+      return terrain::AtPixel(rays.OriginGC, pixel) +
+        (start + s) * terrain::AtPixel(rays.DirectionGC, pixel);
+    };
+    const glm::dvec3 reach = glm::dvec3(beam.radius) + s * glm::dvec3(beam.growth);
+    glm::dvec3 most(0.0);
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const glm::dvec2 pixel =
+        middle + glm::dvec2(corner & 1 ? 4.0 : -4.0, corner & 2 ? 4.0 : -4.0);
+      const glm::dvec3 off = glm::abs(at(pixel) - at(middle));
+      EXPECT_TRUE(glm::all(glm::lessThanEqual(off, reach * (1.0 + 1e-6)))) << s;
+      most = glm::max(most, off);
+    }
+    EXPECT_TRUE(glm::all(glm::greaterThan(most, 0.3 * reach)))
+      << s; // and it is no wider than need be
+  }
+}
+
 // No ray of a tile meets the surface before the beam's start, by the brute-force reference.
 TEST(PyramidBeam, IsNeverBeyondTheFirstHitOfItsRays)
 {

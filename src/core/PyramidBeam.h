@@ -24,6 +24,7 @@
 #ifndef terrain_PyramidBeam_h
 #define terrain_PyramidBeam_h
 
+#include "core/PixelRays.h"
 #include "core/PyramidTraversal.h"
 
 namespace terrain
@@ -45,6 +46,20 @@ struct TerrainBeam
   glm::vec3 radius{ 0.0f, 0.0f, 0.0f };
   glm::vec3 growth{ 0.0f, 0.0f, 0.0f };
 };
+
+/// The beam of all pixels that lie within some pixels of a position both ways, between two
+/// distances along the viewing direction.
+inline TerrainBeam MakeTileBeam(
+  const PixelRays& rays, const glm::dvec2& pixel, double pixels, double start, double end)
+{
+  const auto reach = [pixels](const PixelVector& vector)
+  { return pixels * (glm::abs(vector[1]) + glm::abs(vector[2])); };
+  TerrainBeam beam;
+  beam.ray = MakePixelRay(rays, pixel, start, end);
+  beam.growth = glm::vec3(reach(rays.DirectionGC));
+  beam.radius = glm::vec3(reach(rays.OriginGC) + start * reach(rays.DirectionGC));
+  return beam;
+}
 
 /// Finds safe starts in a pyramid.
 template <typename Texel>

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Compute shader: one texel for each tile of TERRAIN_BEAM_PIXELS x TERRAIN_BEAM_PIXELS pixels of a
+// viewport: the distance along the viewing direction before which none of the tile's rays meets the
+// surface. Needs vtkTerrainBeam.glsl and vtkTerrainView.glsl.
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(r32f, binding = 0) writeonly uniform image2D terrainBeamImage;
+
+// Of a distance: what is taken off for what float rounds where rays begin.
+const float terrainBeamSlack = 1e-6;
+
+// The beam of all pixels that lie within some pixels of a position both ways, from a distance on.
+// Twin: MakeTileBeam() in src/core/PyramidBeam.h.
+TerrainBeam terrainTileBeam(vec2 pixel, float pixels, float startDistance, float endDistance)
+{
+  vec3 growth = pixels * (abs(terrainDirectionGC[1]) + abs(terrainDirectionGC[2]));
+  vec3 radius = pixels * (abs(terrainOriginGC[1]) + abs(terrainOriginGC[2]));
+  return TerrainBeam(
+    terrainPixelRay(pixel, startDistance, endDistance), radius + startDistance * growth, growth);
+}
+
+void main()
+{
+  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(texel, imageSize(terrainBeamImage))))
+  {
+    return;
+  }
+  vec2 middle = vec2(terrainViewportOrigin) + float(TERRAIN_BEAM_PIXELS) * (vec2(texel) + 0.5);
+  TerrainBeam beam =
+    terrainTileBeam(middle, 0.5 * float(TERRAIN_BEAM_PIXELS), terrainNear, terrainFar);
+  float start = terrainNear + terrainBeamStart(beam);
+  imageStore(terrainBeamImage, texel, vec4(start - terrainBeamSlack * abs(start)));
+}

@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The part of vtkOpenGLTerrainMapper that sets uniforms, and runs what is computed ahead of
+ * drawing.
+ */
+#include "vtkOpenGLTerrainMapper.h"
+
+#include "vtkTerrainGL.h"
+#include "vtkTerrainMapperInternals.h"
+
+#include "core/HeightSearch.h"
+
+#include "vtkTerrainBeam.h"
+#include "vtkTerrainBeamCS.h"
+#include "vtkTerrainHeights.h"
+#include "vtkTerrainPyramid.h"
+#include "vtkTerrainRay.h"
+#include "vtkTerrainSightingCS.h"
+#include "vtkTerrainView.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace
+{
+constexpr int ColorMapSize = 1024;
+/// Level of the pyramid in which rays begin at the start of a beam, which lies near the surface.
+constexpr int BeamLevel = 2;
+
+terrain::SearchKind searchKind(vtkOpenGLTerrainMapper::Techniques technique)
+{
+  switch (technique)
+  {
+    case vtkOpenGLTerrainMapper::Techniques::Linear:
+      return terrain::SearchKind::Linear;
+    case vtkOpenGLTerrainMapper::Techniques::Exponential:
+      return terrain::SearchKind::Exponential;
+    default:
+      return terrain::SearchKind::Equidistant;
+  }
+}
+
+/// What the coarse mesh tells of itself; the fallback for other meshes.
+double fieldValue(vtkPolyData* mesh, const char* name, double fallback)
+{
+  vtkDataArray* array = mesh->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : fallback;
+}
+
+/// A pixel vector as floats, followed by what float cuts off.
+std::array<glm::vec3, 6> split(const terrain::PixelVector& vector)
+{
+  std::array<glm::vec3, 6> result{};
+  for (int i = 0; i < 3; ++i)
+  {
+    result[i] = glm::vec3(vector[i]);
+    result[i + 3] = glm::vec3(vector[i] - glm::dvec3(result[i]));
+  }
+  return result;
+}
+
+void setVectors(
+  vtkTerrainUniforms& uniforms, const char* name, const terrain::PixelVector& vector, int count)
+{
+  if (uniforms.Uses(name))
+  {
+    uniforms.SetArray(name, count, split(vector).data());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
+{
+  if (!this->CastsRays(act) || this->Technique != Techniques::Pyramid ||
+    this->ComputeMode == ComputeModes::Off || !vtkTerrainComputeProgram::IsSupported())
+  {
+    return false;
+  }
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const bool software = renderer && std::strstr(renderer, "llvmpipe");
+  return this->ComputeMode == ComputeModes::On || !software;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLTerrainMapper::UsesBeams(vtkActor* act) const
+{
+  return this->UseBeams && this->CastsRays(act) && this->Technique == Techniques::Pyramid &&
+    vtkTerrainComputeProgram::IsSupported() && !this->UsesCompute(act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::Compute(vtkRenderer* ren, vtkActor* act,
+  vtkTerrainComputeTexture& texture, const std::string& functions, int pixels, int components)
+{
+  vtkInternals& internals = *this->Internals;
+  const std::string source = "#extension GL_ARB_gpu_shader_fp64 : enable\n" +
+    this->ShaderDefines(act) + vtkTerrainHeights + vtkTerrainRay + vtkTerrainView + functions;
+  const glm::ivec2 viewport(internals.Viewport.z, internals.Viewport.w);
+  const std::string words =
+    texture.Fill(static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow()), source,
+      (viewport + pixels - 1) / pixels, components,
+      [&](vtkTerrainUniforms& uniforms) { this->SetSurfaceUniforms(uniforms, act); });
+  if (!words.empty())
+  {
+    vtkErrorMacro("A compute shader does not build: " << words);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ComputeAhead(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& internals = *this->Internals;
+  if (this->UsesBeams(act))
+  {
+    this->Compute(ren, act, internals.BeamStarts,
+      vtkInternals::BeamDefine() + vtkTerrainPyramid + vtkTerrainBeam + vtkTerrainBeamCS,
+      vtkInternals::BeamPixels, 1);
+  }
+  if (this->UsesCompute(act))
+  {
+    this->Compute(
+      ren, act, internals.Sightings, this->CastFunctions() + vtkTerrainSightingCS, 1, 4);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
+  vtkTerrainProgramUniforms uniforms(cellBO.Program);
+  this->SetVertexUniforms(uniforms);
+  if (this->UsesSurface(act))
+  {
+    this->SetSurfaceUniforms(uniforms, act);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vtkActor* act)
+{
+  vtkInternals& internals = *this->Internals;
+  internals.Heights.SetUniforms(uniforms);
+  this->SetViewUniforms(uniforms);
+  this->SetSearchUniforms(uniforms);
+  this->SetClipUniforms(uniforms, act);
+  this->SetColorUniforms(uniforms);
+  if (uniforms.Uses("terrainBeamStarts"))
+  {
+    uniforms.Set("terrainBeamStarts", internals.BeamStarts.GetTextureUnit());
+    uniforms.Set("terrainPyramidStart", std::min(internals.Heights.GetPyramidTop(), BeamLevel));
+  }
+  if (uniforms.Uses("terrainSightings"))
+  {
+    uniforms.Set("terrainSightings", internals.Sightings.GetTextureUnit());
+    uniforms.Set("terrainCells", internals.Heights.GetSize() - 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkTerrainUniforms& uniforms)
+{
+  if (!uniforms.Uses("terrainExaggeration"))
+  {
+    return;
+  }
+  double shift = 0.0;
+  double scale = 1.0;
+  vtkOpenGLVertexBufferObject* vertices = this->VBOs->GetVBO("vertexMC");
+  if (vertices && vertices->GetCoordShiftAndScaleEnabled())
+  {
+    shift = vertices->GetShift()[2];
+    scale = vertices->GetScale()[2];
+  }
+  // in the buffer z is (z - shift) * scale; drawn is origin + exaggeration * (z - origin)
+  const double factor = this->Internals->Why.empty() ? this->VerticalExaggeration : 1.0;
+  const double origin = this->Internals->Heights.GetGeometry().Origin.z;
+  uniforms.Set("terrainExaggeration",
+    glm::vec2(glm::dvec2(factor, (1.0 - factor) * (origin - shift) * scale)));
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetViewUniforms(vtkTerrainUniforms& uniforms)
+{
+  const terrain::PixelRays& rays = this->Internals->Rays;
+  setVectors(uniforms, "terrainOriginGC", rays.OriginGC, 6);
+  setVectors(uniforms, "terrainDirectionGC", rays.DirectionGC, 6);
+  setVectors(uniforms, "terrainOriginVC", rays.OriginVC, 3);
+  setVectors(uniforms, "terrainDirectionVC", rays.DirectionVC, 3);
+  uniforms.Set("terrainNormalMatrix", glm::mat3(rays.NormalMatrix));
+  uniforms.Set("terrainDepthRow", glm::vec4(rays.DepthRow));
+  uniforms.Set("terrainWeightRow", glm::vec4(rays.WeightRow));
+  uniforms.Set("terrainNear", static_cast<float>(rays.Near));
+  uniforms.Set("terrainFar", static_cast<float>(rays.Far));
+  uniforms.Set("terrainViewToGrid", glm::mat4(this->Internals->ViewToGrid));
+  uniforms.Set("terrainViewportOrigin", glm::ivec2(this->Internals->Viewport));
+  const std::array<glm::vec3, 2> box{ glm::vec3(this->Internals->BoxMinimumGC),
+    glm::vec3(this->Internals->BoxMaximumGC) };
+  uniforms.SetArray("terrainBoxMinimum", 1, &box[0]);
+  uniforms.SetArray("terrainBoxMaximum", 1, &box[1]);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetSearchUniforms(vtkTerrainUniforms& uniforms)
+{
+  if (!uniforms.Uses("terrainSecantSteps"))
+  {
+    return;
+  }
+  const vtkTerrainHeightTexture& heights = this->Internals->Heights;
+  const terrain::HeightCodes& codes = heights.GetCodes();
+  const glm::dvec2 spacing = heights.GetGeometry().Spacing;
+  terrain::SearchScene scene;
+  scene.Width = heights.GetSize().x;
+  scene.Height = heights.GetSize().y;
+  scene.CellsPerQuad = std::max<std::int64_t>(
+    1, static_cast<std::int64_t>(fieldValue(this->GetInput(), "SamplesPerQuad", 1.0)));
+  scene.LargestGap =
+    fieldValue(this->GetInput(), "LargestGap", codes.MaximumCode * codes.Scale) / codes.Scale;
+  scene.MaximumCode = codes.MaximumCode;
+  scene.CodesPerCell =
+    std::sqrt(spacing.x * spacing.y) / (this->VerticalExaggeration * codes.Scale);
+
+  terrain::SearchParameters search =
+    terrain::ChooseSearchParameters(scene, searchKind(this->Technique));
+  search.Steps = this->Steps > 0 ? this->Steps : search.Steps;
+  search.LongSteps = this->LongSteps > 0 ? this->LongSteps : search.LongSteps;
+  search.SecantSteps = this->SecantSteps > 0 ? this->SecantSteps : search.SecantSteps;
+  search.StepLength =
+    this->StepLength > 0.0 ? static_cast<float>(this->StepLength) : search.StepLength;
+  if (this->Internals->EyeInBox)
+  {
+    search.LargestGap = std::numeric_limits<float>::max(); // rays do not start at the mesh
+  }
+  uniforms.Set("terrainSteps", search.Steps);
+  uniforms.Set("terrainLongSteps", search.LongSteps);
+  uniforms.Set("terrainSecantSteps", search.SecantSteps);
+  uniforms.Set("terrainStepLength", search.StepLength);
+  uniforms.Set("terrainStepRelief", search.StepRelief);
+  uniforms.Set("terrainLargestGap", search.LargestGap);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetClipUniforms(vtkTerrainUniforms& uniforms, vtkActor* act)
+{
+  if (!uniforms.Uses("terrainClipPlaneCount"))
+  {
+    return;
+  }
+  const int count = std::min(this->GetNumberOfClippingPlanes(), 6);
+  std::array<glm::vec4, 6> planes{};
+  for (int i = 0; i < count; ++i)
+  {
+    double plane[4];
+    this->GetClippingPlaneInDataCoords(act->GetMatrix(), i, plane);
+    const glm::dvec4 planeVC =
+      glm::dvec4(plane[0], plane[1], plane[2], plane[3]) * this->Internals->ViewToModel;
+    planes[i] = glm::vec4(planeVC / glm::length(glm::dvec3(planeVC)));
+  }
+  uniforms.Set("terrainClipPlaneCount", count);
+  uniforms.SetArray("terrainClipPlanesVC", 6, planes.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::UpdateColorMap(vtkRenderer* ren)
+{
+  if (!this->ColorsByHeight())
+  {
+    return;
+  }
+  vtkInternals& internals = *this->Internals;
+  vtkScalarsToColors* table = this->GetLookupTable();
+  const double* range =
+    this->UseLookupTableScalarRange ? table->GetRange() : this->GetScalarRange();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow());
+  const bool current = internals.ColorMap->GetContext() == window &&
+    internals.ColorMapTime == table->GetMTime() &&
+    std::equal(range, range + 2, internals.ColorRange);
+  if (!current)
+  {
+    std::copy(range, range + 2, internals.ColorRange);
+    std::vector<double> values(ColorMapSize);
+    for (int i = 0; i < ColorMapSize; ++i)
+    {
+      values[i] = range[0] + (range[1] - range[0]) * (i + 0.5) / ColorMapSize;
+    }
+    table->SetRange(range);
+    table->Build();
+    std::vector<unsigned char> colors(std::size_t{ 4 } * ColorMapSize);
+    table->MapScalarsThroughTable2(
+      values.data(), colors.data(), VTK_DOUBLE, ColorMapSize, 1, VTK_RGBA);
+    internals.ColorMap->ReleaseGraphicsResources(internals.ColorMap->GetContext());
+    internals.ColorMap->SetContext(window);
+    internals.ColorMap->SetMinificationFilter(vtkTextureObject::Linear);
+    internals.ColorMap->SetMagnificationFilter(vtkTextureObject::Linear);
+    internals.ColorMap->SetWrapS(vtkTextureObject::ClampToEdge);
+    internals.ColorMap->SetWrapT(vtkTextureObject::ClampToEdge);
+    internals.ColorMap->Create2DFromRaw(ColorMapSize, 1, 4, VTK_UNSIGNED_CHAR, colors.data());
+    internals.ColorMapTime = table->GetMTime();
+  }
+  internals.ColorMap->Activate();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetColorUniforms(vtkTerrainUniforms& uniforms)
+{
+  if (uniforms.Uses("terrainMaximumShownCrossings"))
+  {
+    uniforms.Set("terrainMaximumShownCrossings", static_cast<float>(this->MaximumShownCrossings));
+  }
+  if (uniforms.Uses("terrainColorMap"))
+  {
+    const terrain::HeightCodes& codes = this->Internals->Heights.GetCodes();
+    const double* range = this->Internals->ColorRange;
+    const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
+    uniforms.Set("terrainColorMap", this->Internals->ColorMap->GetTextureUnit());
+    uniforms.Set("terrainColorScale",
+      glm::vec2(glm::dvec2(codes.Scale / width, (codes.Offset - range[0]) / width)));
+  }
+}

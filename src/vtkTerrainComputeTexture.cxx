@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainComputeTexture.h"
+
+#include "vtkTerrainGL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+
+namespace
+{
+/// Texels of a group of invocations each way.
+constexpr int GroupSize = 8;
+
+GLuint groups(int texels)
+{
+  return static_cast<GLuint>((texels + GroupSize - 1) / GroupSize);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainComputeTexture::Fill(vtkOpenGLRenderWindow* window, const std::string& source,
+  glm::ivec2 size, int components, const std::function<void(vtkTerrainUniforms&)>& setUniforms)
+{
+  this->Filled = false;
+  if (this->BuiltWith != source)
+  {
+    this->BuiltWith = source;
+    const std::string words = this->Program.Build(source);
+    if (!words.empty())
+    {
+      return words;
+    }
+  }
+  if (!this->Program.IsBuilt())
+  {
+    return {};
+  }
+  this->Allocate(window, size, components);
+  window->GetShaderCache()->ReleaseCurrentShader();
+  this->Program.Use();
+  setUniforms(this->Program);
+  this->Texture->Activate();
+  glBindImageTexture(0, this->Texture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
+    components == 4 ? GL_RGBA32F : GL_R32F);
+  glDispatchCompute(groups(size.x), groups(size.y), 1);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  glUseProgram(0);
+  this->Filled = true;
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainComputeTexture::Allocate(
+  vtkOpenGLRenderWindow* window, glm::ivec2 size, int components)
+{
+  if (this->Texture->GetContext() == window &&
+    static_cast<int>(this->Texture->GetWidth()) == size.x &&
+    static_cast<int>(this->Texture->GetHeight()) == size.y &&
+    this->Texture->GetComponents() == components)
+  {
+    return;
+  }
+  this->Texture->ReleaseGraphicsResources(this->Texture->GetContext());
+  this->Texture->SetContext(window);
+  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->Texture->Allocate2D(
+    static_cast<unsigned int>(size.x), static_cast<unsigned int>(size.y), components, VTK_FLOAT);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainComputeTexture::Finish()
+{
+  if (this->Filled)
+  {
+    this->Texture->Deactivate();
+    this->Filled = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainComputeTexture::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Filled = false;
+  this->BuiltWith.clear();
+  this->Texture->ReleaseGraphicsResources(window);
+  if (this->Program.IsBuilt())
+  {
+    window->MakeCurrent();
+    this->Program.Release();
+  }
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A texture of floats that a compute shader fills ahead of drawing. Private to the module.
+ */
+#ifndef vtkTerrainComputeTexture_h
+#define vtkTerrainComputeTexture_h
+
+#include "vtkTerrainComputeProgram.h"
+
+#include "vtkNew.h"
+#include "vtkTextureObject.h"
+
+#include <glm/glm.hpp>
+
+#include <functional>
+#include <string>
+
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+class vtkTerrainComputeTexture
+{
+public:
+  /// Runs a compute shader of 8 x 8 invocations a group, one for each texel of 1 or 4 floats, and
+  /// makes the texture current for drawing. The source has no version line; it writes the image of
+  /// binding 0, r32f or rgba32f; setUniforms sets the uniforms. The program is kept until the
+  /// source changes. Returns an empty string, or the compiler's words; of the same source, once.
+  std::string Fill(vtkOpenGLRenderWindow* window, const std::string& source, glm::ivec2 size,
+    int components, const std::function<void(vtkTerrainUniforms&)>& setUniforms);
+
+  /// True from Fill() to Finish(), if that went well.
+  bool IsFilled() const
+  {
+    return this->Filled;
+  }
+  /// For the sampler that reads the texture.
+  int GetTextureUnit()
+  {
+    return this->Texture->GetTextureUnit();
+  }
+  vtkTextureObject* GetTexture()
+  {
+    return this->Texture;
+  }
+  /// Ends the use of the texture in a drawing.
+  void Finish();
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Allocate(vtkOpenGLRenderWindow* window, glm::ivec2 size, int components);
+
+  vtkTerrainComputeProgram Program;
+  std::string BuiltWith;
+  vtkNew<vtkTextureObject> Texture;
+  bool Filled = false;
+};
+
+#endif
