@@ -17,6 +17,8 @@ needed="
   libgtest-dev
   libvtk9-dev
   ninja-build
+  python3-numpy
+  python3-vtk9
 "
 # Installed where there is one: Mesa 25.1 has dropped OSMesa, and with it the package.
 optional="

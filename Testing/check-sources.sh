@@ -11,12 +11,13 @@ offence()
 
 cxx=$(git ls-files '*.h' '*.cxx')
 glsl=$(git ls-files '*.glsl')
+python=$(git ls-files '*.py')
 maximum_lines=600
 
 # shellcheck disable=SC2086 # file names here have no spaces
 clang-format-16 --dry-run -Werror $cxx || failed=1
 
-for file in $cxx $glsl; do
+for file in $cxx $glsl $python; do
   grep -q 'SPDX-License-Identifier: BSD-3-Clause' "$file" || offence "$file: no SPDX licence line"
   lines=$(wc -l <"$file")
   [ "$lines" -le "$maximum_lines" ] || offence "$file: $lines lines, at most $maximum_lines"
@@ -41,15 +42,22 @@ for file in $(git ls-files 'src/*.h' 'src/*.cxx'); do
   esac
 done
 # shellcheck disable=SC2086
-! grep -nE '\b(TODO|FIXME|XXX)\b' $cxx $glsl >&2 || offence "marks of unfinished work"
+! grep -nE '\b(TODO|FIXME|XXX)\b' $cxx $glsl $python >&2 || offence "marks of unfinished work"
 for file in $(git ls-files); do
   bytes=$(wc -c <"$file")
   [ "$bytes" -le 400000 ] || offence "$file: $bytes bytes, at most 400000"
 done
-# The README's C++ is that of the example, which is built and run.
-snippet=$(sed -n '/^```cpp$/,/^```$/p' README.md | grep -v '^```' | grep -v '^$')
-example=$(sed 's/^ *//' Examples/Pipeline/main.cxx)
-printf '%s\n' "$snippet" | while read -r line; do
-  printf '%s\n' "$example" | grep -qxF -e "$line" || echo "README.md: not in Examples/Pipeline: $line"
-done | grep . >&2 && failed=1
+# The README's code is that of the examples, which are run.
+check_snippet()
+{
+  language=$1
+  example=$2
+  sed -n '/^```'"$language"'$/,/^```$/p' README.md | grep -v '^```' | sed 's/^ *//' | grep -v '^$' |
+    while read -r line; do
+      sed 's/^ *//' "$example" | grep -qxF -e "$line" || echo "README.md: not in $example: $line"
+    done | grep . >&2 && failed=1
+  return 0
+}
+check_snippet cpp Examples/Pipeline/main.cxx
+check_snippet python Examples/Python/render.py
 exit $failed

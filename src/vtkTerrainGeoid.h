@@ -44,7 +44,7 @@ public:
 
   /// Folder of the data; empty, the default, is GeographicLib's: GEOGRAPHICLIB_GEOID_PATH, else
   /// geoids/ in GEOGRAPHICLIB_DATA, else the folder given when GeographicLib was built.
-  void SetDirectory(const std::string& directory);
+  void SetDirectory(VTK_FILEPATH const std::string& directory);
   const std::string& GetDirectory() const
   {
     return this->Directory;
@@ -61,7 +61,8 @@ public:
   double GetHeight(double longitude, double latitude);
 
   /// As above for count places of three doubles (the third is not read).
-  void GetHeights(const double* places, double* heights, vtkIdType count);
+  void GetHeights(const double* places, double* heights, vtkIdType count)
+    VTK_SIZEHINT(places, 3 * count) VTK_SIZEHINT(heights, count);
 
   vtkTerrainGeoid(const vtkTerrainGeoid&) = delete;
   void operator=(const vtkTerrainGeoid&) = delete;

@@ -95,7 +95,7 @@ public:
   /// Where the file's data lie, in its own x and y. The automatic origin is the middle; a CRS that
   /// contradicts it is refused. Default: unknown (xMin > xMax).
   void SetExtent(double xMin, double xMax, double yMin, double yMax);
-  const double* GetExtent() const
+  const double* GetExtent() const VTK_SIZEHINT(4)
   {
     return this->Extent;
   }
@@ -155,16 +155,23 @@ public:
   std::string GetSceneCoordinateSystem();
 
   /// Bring count points from one kind to another (class comment).
-  bool FileToPlaces(const double* file, double* places, vtkIdType count);
-  bool PlacesToFile(const double* places, double* file, vtkIdType count);
-  bool PlacesToScene(const double* places, double* scene, vtkIdType count);
-  bool SceneToPlaces(const double* scene, double* places, vtkIdType count);
-  bool FileToScene(const double* file, double* scene, vtkIdType count);
-  bool SceneToFile(const double* scene, double* file, vtkIdType count);
+  bool FileToPlaces(const double* file, double* places, vtkIdType count)
+    VTK_SIZEHINT(file, 3 * count) VTK_SIZEHINT(places, 3 * count);
+  bool PlacesToFile(const double* places, double* file, vtkIdType count)
+    VTK_SIZEHINT(places, 3 * count) VTK_SIZEHINT(file, 3 * count);
+  bool PlacesToScene(const double* places, double* scene, vtkIdType count)
+    VTK_SIZEHINT(places, 3 * count) VTK_SIZEHINT(scene, 3 * count);
+  bool SceneToPlaces(const double* scene, double* places, vtkIdType count)
+    VTK_SIZEHINT(scene, 3 * count) VTK_SIZEHINT(places, 3 * count);
+  bool FileToScene(const double* file, double* scene, vtkIdType count) VTK_SIZEHINT(file, 3 * count)
+    VTK_SIZEHINT(scene, 3 * count);
+  bool SceneToFile(const double* scene, double* file, vtkIdType count)
+    VTK_SIZEHINT(scene, 3 * count) VTK_SIZEHINT(file, 3 * count);
 
   /// Brings heights of the file to those of the scene's places: unit, sea level, ellipsoid. One
   /// height and one place of three doubles a point.
-  bool FileHeightsToPlaces(const double* places, double* heights, vtkIdType count);
+  bool FileHeightsToPlaces(const double* places, double* heights, vtkIdType count)
+    VTK_SIZEHINT(places, 3 * count) VTK_SIZEHINT(heights, count);
 
   /// Unit vectors east, north and up at a place, in scene axes.
   bool GetAxes(const double place[3], double east[3], double north[3], double up[3]);

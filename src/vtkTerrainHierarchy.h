@@ -48,15 +48,23 @@ public:
 
   /// Prepares an image in memory. Returns false, with GetErrorMessage(), if it holds no heights,
   /// the memory does not suffice or progress stopped it; the hierarchy is empty then.
-  bool SetHeights(vtkImageData* heights, const ProgressFunction& progress = nullptr);
+  bool SetHeights(vtkImageData* heights)
+  {
+    return this->SetHeights(heights, nullptr);
+  }
+  bool SetHeights(vtkImageData* heights, const ProgressFunction& progress);
 
   /// Opens a file. Checks its header and size, and all of its checksums if verify is true, which
   /// reads the whole file. Returns false, with GetErrorMessage(), if it cannot be used.
-  bool OpenFile(const std::string& path, bool verify = false);
+  bool OpenFile(VTK_FILEPATH const std::string& path, bool verify = false);
 
   /// Writes the hierarchy to a file, which appears under its name only when it is complete.
   /// Returns false, with GetErrorMessage(), on failure, and leaves no file behind.
-  bool WriteFile(const std::string& path, const ProgressFunction& progress = nullptr);
+  bool WriteFile(VTK_FILEPATH const std::string& path)
+  {
+    return this->WriteFile(path, nullptr);
+  }
+  bool WriteFile(const std::string& path, const ProgressFunction& progress);
 
   /// Prepares a raster of width x height samples straight into a file; this object stays as it is.
   /// Sample (i, j) lies at origin + (i, j) * spacing; coordinateSystem is kept as text, may be

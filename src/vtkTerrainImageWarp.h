@@ -43,7 +43,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The picture.
-  void SetFileName(const std::string& fileName);
+  void SetFileName(VTK_FILEPATH const std::string& fileName);
   const std::string& GetFileName() const
   {
     return this->FileName;

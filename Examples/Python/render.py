@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The smallest script that draws terrain: render.py HEIGHTS PICTURE.png"""
+import sys
+
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+from vtkTerrain import vtkOpenGLTerrainMapper, vtkTerrainCoarseMesh, vtkTerrainRasterReader
+
+heights = vtkTerrainRasterReader()  # or vtkTerrainSource, or vtkTerrain.heights_from_array(array)
+heights.SetFileName(sys.argv[1])
+
+mesh = vtkTerrainCoarseMesh()  # lies nowhere below the surface
+mesh.SetInputConnection(heights.GetOutputPort())
+
+mapper = vtkOpenGLTerrainMapper()  # casts rays from the mesh down to the surface
+mapper.SetInputConnection(mesh.GetOutputPort())
+mapper.SetHeightsConnection(heights.GetOutputPort())
+mapper.SetVerticalExaggeration(1.5)
+
+actor = vtkActor()
+actor.SetMapper(mapper)
+renderer = vtkRenderer()
+renderer.AddActor(actor)
+window = vtkRenderWindow()  # X, EGL or OSMesa, whichever there is
+window.SetOffScreenRendering(1)
+window.SetSize(1280, 720)
+window.AddRenderer(renderer)
+window.Render()
+
+capture = vtkWindowToImageFilter()
+capture.SetInput(window)
+writer = vtkPNGWriter()
+writer.SetInputConnection(capture.GetOutputPort())
+writer.SetFileName(sys.argv[2])
+writer.Write()

@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Heights between numpy and VTK."""
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
+
+_CODES_OF_VTK_TYPES = "bBhHiIlLqQfd"
+
+
+def _fill_masked(array):
+    """An array without a mask: floats with NaN in place of masked samples."""
+    mask = np.ma.getmaskarray(array)
+    samples = np.ma.getdata(array)
+    if not mask.any():
+        return samples
+    is_exact_as_float = samples.dtype.kind == "f" or samples.dtype.itemsize <= 2
+    samples = samples.astype(np.promote_types(samples.dtype, np.float32) if is_exact_as_float
+                             else np.float64)
+    samples[mask] = np.nan
+    return samples
+
+
+def _to_vtk_type(samples):
+    """The array in a type that VTK has and in the machine's byte order, itself if it is so already."""
+    if samples.dtype.kind not in "biuf":
+        raise TypeError(f"heights must be real numbers, this array holds {samples.dtype}")
+    target = samples.dtype.newbyteorder("=")
+    if samples.dtype == bool:
+        target = np.uint8
+    elif samples.dtype.char not in _CODES_OF_VTK_TYPES:
+        target = np.float32 if samples.dtype.itemsize < 4 else np.float64
+    return samples.astype(target, copy=False)
+
+
+def _check_place(spacing, origin):
+    if len(spacing) != 2 or not all(np.isfinite(step) and step > 0 for step in spacing):
+        raise ValueError(f"spacing must be two numbers above 0, not {spacing}")
+    if len(origin) not in (2, 3) or not np.isfinite(origin).all():
+        raise ValueError(f"origin must be two or three finite numbers, not {origin}")
+
+
+def heights_from_array(array, spacing=(1.0, 1.0), origin=(0.0, 0.0), *, first_row="south",
+                       name="Elevation", coordinate_system=None):
+    """A ``vtkImageData`` of heights from a numpy array.
+
+    The image shares the memory of the array, and keeps it alive, if the array is contiguous, its
+    first row is the southern one, VTK has its type and no sample is masked. Otherwise the samples
+    are copied. After a change of shared samples call
+    ``image.GetPointData().GetScalars().Modified()``.
+
+    Parameters
+    ----------
+    array : array_like of shape (rows, columns)
+        Heights of any real type. NaN, infinities and masked samples are places without a height.
+    spacing : (float, float)
+        Distance of samples east and north, each above 0, in the unit of the heights.
+    origin : (float, float) or (float, float, float)
+        Where the south-western sample lies; the third number is added to all heights.
+    first_row : {"south", "north"}
+        The side at which ``array[0]`` lies. Rasters in files begin in the north as a rule.
+    name : str
+        Name of the image's array of heights.
+    coordinate_system : str, optional
+        Coordinate reference system of x and y, in metres, as WKT, "EPSG:n" or PROJ string; kept as
+        the field data "CRS", as ``vtkTerrainRasterReader`` does.
+    """
+    if first_row not in ("south", "north"):
+        raise ValueError(f'first_row must be "south" or "north", not {first_row!r}')
+    _check_place(spacing, origin)
+    samples = _to_vtk_type(_fill_masked(np.asanyarray(array)))
+    if samples.ndim != 2 or 0 in samples.shape:
+        raise ValueError(f"heights must be an array of rows and columns, not of shape {samples.shape}")
+    if first_row == "north":
+        samples = samples[::-1]
+    rows, columns = samples.shape
+    scalars = numpy_to_vtk(np.ascontiguousarray(samples).reshape(-1))
+    scalars.SetName(name)
+    image = vtkImageData()
+    image.SetDimensions(columns, rows, 1)
+    image.SetSpacing(*spacing, 1.0)
+    image.SetOrigin(*origin, *([0.0] * (3 - len(origin))))
+    image.GetPointData().SetScalars(scalars)
+    if coordinate_system:
+        text = vtkStringArray()
+        text.SetName("CRS")
+        text.InsertNextValue(coordinate_system)
+        image.GetFieldData().AddArray(text)
+    return image
+
+
+def array_from_heights(image):
+    """The heights of a ``vtkImageData`` as an array of rows, from the south, and columns.
+
+    A view of the image's memory; a copy, with NaN in their place, if points have no height.
+    """
+    columns, rows, layers = image.GetDimensions()
+    scalars = image.GetPointData().GetScalars()
+    if layers != 1 or scalars is None or scalars.GetNumberOfComponents() != 1:
+        raise ValueError("heights must be an image of W x H x 1 points with one scalar each")
+    samples = vtk_to_numpy(scalars).reshape(rows, columns)
+    ghosts = image.GetPointGhostArray()
+    if ghosts is None:
+        return samples
+    is_hidden = vtk_to_numpy(ghosts).reshape(rows, columns) & vtkDataSetAttributes.HIDDENPOINT != 0
+    return _fill_masked(np.ma.masked_array(samples, is_hidden))

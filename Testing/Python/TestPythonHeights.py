@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""numpy arrays as heights, and heights as numpy arrays."""
+import gc
+import unittest
+import weakref
+
+import numpy as np
+import vtkTerrainTesting
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
+
+from vtkTerrain import array_from_heights, heights_from_array, vtkTerrainCoarseMesh, vtkTerrainSource
+
+
+class TestHeights(unittest.TestCase):
+    def test_memory_is_shared_where_vtk_has_the_type(self):
+        for kind in "bBhHiIqQfd":
+            array = vtkTerrainTesting.ramp(1, 5).astype(kind)
+            image = heights_from_array(array)
+            self.assertTrue(np.shares_memory(array, array_from_heights(image)), kind)
+            array[0, 3] = 77
+            self.assertEqual(image.GetScalarComponentAsDouble(3, 0, 0, 0), 77.0, kind)
+
+    def test_image_keeps_the_array_alive(self):
+        array = np.arange(200_000, dtype=np.float32).reshape(400, 500)
+        alive = weakref.ref(array)
+        image = heights_from_array(array)
+        del array
+        gc.collect()
+        self.assertEqual(image.GetScalarComponentAsDouble(499, 399, 0, 0), 199_999.0)
+        del image
+        gc.collect()
+        self.assertIsNone(alive())
+
+    def test_place(self):
+        image = heights_from_array(vtkTerrainTesting.ramp(3, 4), (10.0, 20.0), (5e5, 3e6), name="z",
+                                   coordinate_system="EPSG:32645")
+        self.assertEqual(image.GetDimensions(), (4, 3, 1))
+        self.assertEqual(image.GetSpacing(), (10.0, 20.0, 1.0))
+        self.assertEqual(image.GetOrigin(), (5e5, 3e6, 0.0))
+        self.assertEqual(image.GetPointData().GetScalars().GetName(), "z")
+        self.assertEqual(image.GetFieldData().GetAbstractArray("CRS").GetValue(0), "EPSG:32645")
+        self.assertEqual(image.GetScalarComponentAsDouble(2, 1, 0, 0), 102.0)
+        self.assertEqual(heights_from_array([[1.0]], origin=(1, 2, 3)).GetOrigin(), (1.0, 2.0, 3.0))
+
+    def test_first_row_in_the_north(self):
+        array = vtkTerrainTesting.ramp(3, 4)
+        image = heights_from_array(array, first_row="north")
+        self.assertEqual(image.GetScalarComponentAsDouble(2, 0, 0, 0), 202.0)
+        np.testing.assert_array_equal(array_from_heights(image), array[::-1])
+
+    def test_other_layouts_and_types_are_copied(self):
+        array = vtkTerrainTesting.ramp(5, 6)
+        samples = (array.T, array[::2, 1::2], np.asfortranarray(array), array.astype(np.float16),
+                   array.astype(">f4"), array.astype(">i2"), array > 100, array.tolist(),
+                   array.astype(np.longdouble))
+        for other in samples:
+            image = heights_from_array(other)
+            np.testing.assert_array_equal(array_from_heights(image), np.asarray(other))
+
+    def test_masked_samples_have_no_height(self):
+        for kind in ("int16", "int32", "float32", "float64"):
+            array = np.ma.masked_equal(vtkTerrainTesting.ramp(3, 3).astype(kind), 101)
+            heights = array_from_heights(heights_from_array(array))
+            self.assertTrue(np.isnan(heights[1, 1]), kind)
+            self.assertEqual(np.isnan(heights).sum(), 1, kind)
+            self.assertEqual(heights[2, 2], 202, kind)
+        self.assertEqual(array_from_heights(heights_from_array(
+            np.ma.masked_array([[1, 2]], False))).dtype.kind, "i")
+
+    def test_hidden_points_have_no_height(self):
+        image = heights_from_array(vtkTerrainTesting.ramp(3, 3).astype(np.int16))
+        image.AllocatePointGhostArray()
+        image.GetPointGhostArray().SetValue(4, vtkDataSetAttributes.HIDDENPOINT)
+        heights = array_from_heights(image)
+        self.assertTrue(np.isnan(heights[1, 1]))
+        self.assertEqual(heights[2, 1], 201.0)
+
+    def test_refusals(self):
+        for wrong in (np.zeros(3), np.zeros((2, 2, 2)), np.zeros((0, 3)), 5.0):
+            self.assertRaises(ValueError, heights_from_array, wrong)
+        for wrong in ([[1j]], [["a"]], np.zeros((2, 2), "M8[s]")):
+            self.assertRaises(TypeError, heights_from_array, wrong)
+        good = [[1.0, 2.0]]
+        self.assertRaises(ValueError, heights_from_array, good, (1.0, 0.0))
+        self.assertRaises(ValueError, heights_from_array, good, (np.nan, 1.0))
+        self.assertRaises(ValueError, heights_from_array, good, (1.0, 1.0, 1.0))
+        self.assertRaises(ValueError, heights_from_array, good, origin=(0.0, np.inf))
+        self.assertRaises(ValueError, heights_from_array, good, first_row="top")
+        self.assertRaises(ValueError, array_from_heights, vtkImageData())
+
+    def test_filters_take_them(self):
+        mesh = vtkTerrainCoarseMesh()
+        mesh.SetInputData(heights_from_array(vtkTerrainTesting.ramp(40, 50).astype(np.float32)))
+        mesh.Update()
+        self.assertEqual(mesh.GetHeightRange(), (0.0, 3949.0))
+        source = vtkTerrainSource()
+        source.SetDimensions(17, 9)
+        source.Update()
+        self.assertEqual(array_from_heights(source.GetOutput()).shape, (9, 17))
+
+
+if __name__ == "__main__":
+    vtkTerrainTesting.run()

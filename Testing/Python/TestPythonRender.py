@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures drawn from Python, without a display."""
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+import vtkTerrainTesting
+
+EXAMPLE = pathlib.Path(__file__).parents[2] / "Examples" / "Python" / "render.py"
+
+
+def write_hill(path):
+    """Heights of a round hill as an ESRI ASCII grid."""
+    j, i = np.mgrid[0:48, 0:64]
+    heights = 12.0 * np.exp(-((i - 30.0) ** 2 + (j - 20.0) ** 2) / 120.0)
+    with open(path, "w", encoding="ascii") as file:
+        file.write("ncols 64\nnrows 48\nxllcorner 0\nyllcorner 0\ncellsize 1\n")
+        np.savetxt(file, heights, fmt="%.4f")
+
+
+class TestRender(unittest.TestCase):
+    def test_example_draws_what_the_program_in_cxx_draws(self):
+        hill = vtkTerrainTesting.output_path("hill.asc")
+        write_hill(hill)
+        from_python = vtkTerrainTesting.output_path("hill-python.png")
+        from_cxx = vtkTerrainTesting.output_path("hill-cxx.png")
+        subprocess.run([sys.executable, EXAMPLE, hill, from_python], check=True)
+        picture = vtkTerrainTesting.read_picture(from_python)
+        self.assertEqual(picture.shape, (720, 1280, 3))
+        lit = (picture.max(axis=2) > 20).mean()
+        self.assertGreater(lit, 0.15)
+        self.assertLess(lit, 0.95)
+        program = os.environ.get("VTKTERRAIN_PIPELINE_PROGRAM")
+        if not program:
+            self.skipTest("the program terrain-pipeline is not built")
+        subprocess.run([program, hill, from_cxx], check=True)
+        np.testing.assert_array_equal(picture, vtkTerrainTesting.read_picture(from_cxx))
+
+    def test_window_without_a_display(self):
+        import vtkTerrain  # noqa: F401, registers the windows
+        from vtkmodules.vtkCommonCore import vtkVersion
+        from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+        window = vtkRenderWindow()
+        self.assertIn("EGL", window.GetClassName(), vtkVersion.GetVTKVersionFull())
+        window.SetOffScreenRendering(1)
+        window.Render()
+        self.assertTrue(window.SupportsOpenGL())
+
+
+if __name__ == "__main__":
+    vtkTerrainTesting.run()
