@@ -4,6 +4,7 @@ get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
 
 set(classes
   vtkOpenGLTerrainMapper
+  vtkTerrainActor
   vtkTerrainCoarseMesh
   vtkTerrainDepthPass
   vtkTerrainDrape

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The smallest program that draws terrain: terrain-pipeline HEIGHTS PICTURE.png
-#include "vtkActor.h"
 #include "vtkNew.h"
-#include "vtkOpenGLTerrainMapper.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainActor.h"
 #include "vtkTerrainRasterReader.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -23,18 +21,12 @@ int main(int argc, char* argv[])
   vtkNew<vtkTerrainRasterReader> heights; // or vtkTerrainSource, or any vtkImageData of heights
   heights->SetFileName(argv[1]);
 
-  vtkNew<vtkTerrainCoarseMesh> mesh; // lies nowhere below the surface
-  mesh->SetInputConnection(heights->GetOutputPort());
+  vtkNew<vtkTerrainActor> terrain;
+  terrain->SetInputConnection(heights->GetOutputPort());
+  terrain->SetVerticalExaggeration(1.5);
 
-  vtkNew<vtkOpenGLTerrainMapper> mapper; // casts rays from the mesh down to the surface
-  mapper->SetInputConnection(mesh->GetOutputPort());
-  mapper->SetHeightsConnection(heights->GetOutputPort());
-  mapper->SetVerticalExaggeration(1.5);
-
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(actor);
+  renderer->AddActor(terrain);
   vtkNew<vtkRenderWindow> window; // X, EGL or OSMesa, whichever there is
   window->SetOffScreenRendering(1);
   window->SetSize(1280, 720);

@@ -18,6 +18,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTerrainActor.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainRasterReader.h"
@@ -70,94 +71,38 @@ Techniques MapperTechnique(Technique technique)
   }
 }
 
-/// One colour of a scale: position in [0, 1] from the lowest to the highest, and red, green, blue.
-struct Tint
-{
-  double Position;
-  std::array<double, 3> Color;
-};
-
-template <std::size_t N>
-void AddTints(
-  vtkColorTransferFunction* colors, const std::array<Tint, N>& tints, double lowest, double highest)
-{
-  for (const Tint& tint : tints)
-  {
-    colors->AddRGBPoint(
-      lowest + tint.Position * (highest - lowest), tint.Color[0], tint.Color[1], tint.Color[2]);
-  }
-}
-
-/// Colours of a relief map from the lowest to the highest point; blue below 0 where a good part of
-/// the heights lies there.
-vtkSmartPointer<vtkColorTransferFunction> ReliefColors(double lowest, double highest)
-{
-  constexpr std::array<Tint, 6> kLand = { { { 0.0, { 0.46, 0.58, 0.38 } },
-    { 0.2, { 0.62, 0.67, 0.43 } }, { 0.45, { 0.80, 0.73, 0.52 } }, { 0.7, { 0.66, 0.53, 0.42 } },
-    { 0.88, { 0.71, 0.68, 0.66 } }, { 1.0, { 0.97, 0.97, 0.98 } } } };
-  constexpr std::array<Tint, 3> kSea = { { { 0.0, { 0.07, 0.19, 0.36 } },
-    { 0.7, { 0.25, 0.48, 0.66 } }, { 0.999, { 0.60, 0.77, 0.83 } } } };
-  constexpr double kLeastSea = 0.1;
-
-  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
-  const bool sea = lowest < -kLeastSea * (highest - lowest) && highest > 0.0;
-  if (sea)
-  {
-    AddTints(colors, kSea, lowest, 0.0);
-  }
-  if (highest > lowest)
-  {
-    AddTints(colors, kLand, sea ? 0.0 : lowest, highest);
-  }
-  else
-  {
-    const auto& color = kLand[1].Color;
-    colors->AddRGBPoint(lowest, color[0], color[1], color[2]);
-  }
-  return colors;
-}
-
 void ColorByHeight(vtkMapper* mapper, double lowest, double highest)
 {
-  mapper->SetLookupTable(ReliefColors(lowest, highest));
+  mapper->SetLookupTable(vtkTerrainActor::MakeReliefColors(lowest, highest));
   mapper->SetScalarRange(lowest, highest);
   mapper->ScalarVisibilityOn();
 }
 
-/// For the techniques of vtkOpenGLTerrainMapper: rays below a coarse mesh, or the full mesh.
+/// For the techniques of vtkOpenGLTerrainMapper: rays, or the full mesh.
 Terrain PrepareRays(
   vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics)
 {
-  const vtkNew<vtkTerrainCoarseMesh> mesh;
-  mesh->SetInputData(heights);
-  mesh->SetSamplesPerQuad(options.MeshCells);
-  if (options.Search == Technique::Mesh)
+  auto actor = vtkSmartPointer<vtkTerrainActor>::New();
+  actor->SetInputData(heights);
+  actor->SetTechnique(MapperTechnique(options.Search));
+  actor->SetVerticalExaggeration(options.Exaggeration);
+  actor->GetCoarseMesh()->SetSamplesPerQuad(options.MeshCells);
+  Terrain terrain;
+  terrain.Actor = actor;
+  if (vtkTerrainCoarseMesh* mesh = actor->GetUsedMesh())
   {
-    mesh->SetSamplesPerQuad(1);
-    mesh->PushUpOff();
+    progress.Watch(mesh, kMeshShare, "preparing");
+    mesh->Update();
+    statistics.SetCount("samples_per_quad", mesh->GetEffectiveSamplesPerQuad());
+    statistics.SetCount("mesh_vertices", mesh->GetOutput()->GetNumberOfPoints());
+    statistics.SetCount("mesh_triangles", mesh->GetOutput()->GetNumberOfPolys());
   }
-  progress.Watch(mesh, kMeshShare, "preparing");
-  mesh->Update();
   ThrowOnError(HeightsName(options));
-  vtkPolyData* polygons = mesh->GetOutput();
-  if (polygons->GetNumberOfCells() == 0)
+  if (!actor->HasSurface())
   {
     throw Failure(HeightsName(options), kNoSurface);
   }
-  const vtkNew<vtkOpenGLTerrainMapper> mapper;
-  mapper->SetInputConnection(0, mesh->GetOutputPort());
-  mapper->SetHeightsData(heights);
-  mapper->SetTechnique(MapperTechnique(options.Search));
-  mapper->SetVerticalExaggeration(options.Exaggeration);
-  const double* range = mesh->GetHeightRange();
-  ColorByHeight(mapper, range[0], range[1]);
-  statistics.SetCount("samples_per_quad", mesh->GetEffectiveSamplesPerQuad());
-  statistics.SetCount("mesh_vertices", polygons->GetNumberOfPoints());
-  statistics.SetCount("mesh_triangles", polygons->GetNumberOfPolys());
-  Terrain terrain;
-  terrain.Actor = vtkSmartPointer<vtkActor>::New();
-  terrain.Actor->SetMapper(mapper);
-  terrain.Bounds.SetBounds(terrain.Actor->GetBounds());
+  terrain.Bounds.SetBounds(actor->GetBounds());
   ThrowOnError(HeightsName(options));
   return terrain;
 }

@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The actor against the same pipeline put together by hand, and what changes do to it.
+#include "vtkTerrainTesting.h"
+
+#include "vtkTerrainActor.h"
+#include "vtkTerrainCoarseMesh.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace
+{
+using Techniques = vtkTerrainActor::Techniques;
+using Bounds = std::array<double, 6>;
+
+/// Heights of n x n samples.
+vtkSmartPointer<vtkImageData> makeHeights(int n)
+{
+  vtkNew<vtkFloatArray> values;
+  for (int id = 0; id < n * n; ++id)
+  {
+    const double x = 20.0 * (id % n) / n;
+    const double y = 20.0 * static_cast<double>(id / n) / n;
+    values->InsertNextValue(
+      static_cast<float>(100.0 + 60.0 * std::sin(x) * std::cos(y) + 30.0 * std::sin(0.3 * x * y)));
+  }
+  auto heights = vtkSmartPointer<vtkImageData>::New();
+  heights->SetDimensions(n, n, 1);
+  heights->SetSpacing(10.0, 10.0, 1.0);
+  heights->GetPointData()->SetScalars(values);
+  return heights;
+}
+
+void scaleHeights(vtkImageData* heights, double factor)
+{
+  vtkDataArray* scalars = heights->GetPointData()->GetScalars();
+  for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
+  {
+    scalars->SetComponent(id, 0, factor * scalars->GetComponent(id, 0));
+  }
+  scalars->Modified();
+}
+
+class TerrainActor : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Terrain->SetInputData(this->Heights);
+    this->Scene.Renderer->AddActor(this->Terrain);
+    this->LookFromSouth();
+  }
+
+  void LookFromSouth()
+  {
+    vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetPosition(0.0, -1.0, 0.7);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    this->Scene.Renderer->ResetCamera();
+  }
+
+  vtkSmartPointer<vtkImageData> Draw()
+  {
+    return vtkTerrainTesting::Render(this->Scene.Window);
+  }
+
+  Bounds ActorBounds()
+  {
+    Bounds bounds{};
+    this->Terrain->GetBounds(bounds.data());
+    return bounds;
+  }
+
+  vtkTerrainTesting::Scene Scene = vtkTerrainTesting::MakeScene(160, 120);
+  vtkSmartPointer<vtkImageData> Heights = makeHeights(129);
+  vtkNew<vtkTerrainActor> Terrain;
+};
+
+int countDrawn(vtkImageData* picture)
+{
+  vtkNew<vtkImageData> black;
+  black->DeepCopy(picture);
+  black->GetPointData()->GetScalars()->Fill(0.0);
+  return static_cast<int>(vtkTerrainTesting::CountDifferentPixels(picture, black, 0));
+}
+}
+
+//------------------------------------------------------------------------------
+TEST_F(TerrainActor, DrawsAsThePipelineByHand)
+{
+  for (const Techniques technique :
+    { Techniques::Pyramid, Techniques::Equidistant, Techniques::Mesh })
+  {
+    this->Terrain->SetTechnique(technique);
+    this->Terrain->SetVerticalExaggeration(2.0);
+    this->LookFromSouth();
+    const auto picture = this->Draw();
+    EXPECT_GT(countDrawn(picture), 160 * 120 / 6);
+
+    vtkNew<vtkTerrainCoarseMesh> mesh;
+    mesh->SetInputData(this->Heights);
+    mesh->SetSamplesPerQuad(technique == Techniques::Mesh ? 1 : 0);
+    mesh->SetPushUp(technique != Techniques::Mesh);
+    vtkNew<vtkOpenGLTerrainMapper> mapper;
+    mapper->SetInputConnection(mesh->GetOutputPort());
+    mapper->SetHeightsData(this->Heights);
+    mapper->SetTechnique(technique);
+    mapper->SetVerticalExaggeration(2.0);
+    double range[2];
+    this->Heights->GetScalarRange(range);
+    mapper->SetLookupTable(vtkTerrainActor::MakeReliefColors(range[0], range[1]));
+    mapper->SetScalarRange(range);
+    mapper->ScalarVisibilityOn();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetAmbient(0.0);
+    this->Scene.Renderer->AddActor(actor);
+    this->Terrain->VisibilityOff();
+    EXPECT_LE(vtkTerrainTesting::CountDifferentPixels(this->Draw(), picture, 1), 2)
+      << static_cast<int>(technique);
+    this->Terrain->VisibilityOn();
+    this->Scene.Renderer->RemoveActor(actor);
+  }
+}
+
+TEST_F(TerrainActor, MakesMeshesOnlyWhereTheyAreNeeded)
+{
+  vtkPolyData* coarse = this->Terrain->GetCoarseMesh()->GetOutput();
+  this->Draw();
+  EXPECT_EQ(this->Terrain->GetUsedMesh(), nullptr);
+  EXPECT_EQ(coarse->GetNumberOfPoints(), 0);
+  this->Terrain->GetCoarseMesh()->SetSamplesPerQuad(16);
+  this->Terrain->SetTechnique(Techniques::Equidistant);
+  this->Draw();
+  EXPECT_GT(coarse->GetNumberOfPoints(), 0);
+  EXPECT_EQ(this->Terrain->GetTerrainMapper()->GetInput(), coarse);
+  this->Terrain->SetTechnique(Techniques::Mesh);
+  vtkPolyData* full = this->Terrain->GetUsedMesh()->GetOutput();
+  this->Draw();
+  EXPECT_EQ(full->GetNumberOfPolys(), 2 * 128 * 128);
+  this->Terrain->SetTechnique(Techniques::Pyramid);
+  this->Draw();
+  EXPECT_EQ(full->GetNumberOfPolys(), 0); // its memory is given back
+  this->Terrain->SetTechnique(Techniques::Mesh);
+  EXPECT_GT(countDrawn(this->Draw()), 160 * 120 / 6);
+}
+
+TEST_F(TerrainActor, ShowsTheCoarseMeshAsWireframe)
+{
+  this->Terrain->GetCoarseMesh()->SetSamplesPerQuad(16);
+  const int surface = countDrawn(this->Draw());
+  this->Terrain->GetProperty()->SetRepresentationToWireframe();
+  const int wires = countDrawn(this->Draw());
+  EXPECT_GT(wires, surface / 20);
+  EXPECT_LT(wires, 3 * surface / 4);
+  EXPECT_EQ(
+    this->Terrain->GetTerrainMapper()->GetInput(), this->Terrain->GetCoarseMesh()->GetOutput());
+  this->Terrain->GetProperty()->SetRepresentationToSurface();
+  EXPECT_EQ(countDrawn(this->Draw()), surface);
+}
+
+TEST_F(TerrainActor, ColoursFollowTheHeights)
+{
+  this->Draw();
+  double range[2];
+  this->Heights->GetScalarRange(range);
+  EXPECT_DOUBLE_EQ(this->Terrain->GetLookupTable()->GetRange()[1], range[1]);
+  scaleHeights(this->Heights, 3.0);
+  this->Draw();
+  EXPECT_NEAR(this->Terrain->GetLookupTable()->GetRange()[1], 3.0 * range[1], 1e-3 * range[1]);
+
+  vtkNew<vtkColorTransferFunction> red;
+  red->AddRGBPoint(range[0], 1.0, 0.0, 0.0);
+  red->AddRGBPoint(3.0 * range[1], 1.0, 0.0, 0.0);
+  this->Terrain->SetLookupTable(red);
+  EXPECT_EQ(this->Terrain->GetLookupTable(), red.Get());
+  const auto picture = this->Draw();
+  this->Terrain->SetColorByHeight(false);
+  this->Terrain->GetProperty()->SetColor(1.0, 0.0, 0.0);
+  EXPECT_LE(vtkTerrainTesting::CountDifferentPixels(this->Draw(), picture, 2), 2);
+  this->Terrain->SetLookupTable(nullptr);
+  this->Terrain->SetColorByHeight(true);
+  EXPECT_GT(vtkTerrainTesting::CountDifferentPixels(this->Draw(), picture, 30), 1000);
+}
+
+TEST_F(TerrainActor, ReliefColorsAreBlueBelowTheSea)
+{
+  double color[3];
+  vtkTerrainActor::MakeReliefColors(-1000.0, 1000.0)->GetColor(-500.0, color);
+  EXPECT_GT(color[2], color[0]);
+  vtkTerrainActor::MakeReliefColors(-20.0, 1000.0)->GetColor(-10.0, color);
+  EXPECT_GT(color[1], color[2]);
+  vtkTerrainActor::MakeReliefColors(5.0, 5.0)->GetColor(5.0, color);
+  EXPECT_GT(color[1], color[2]);
+}
+
+TEST_F(TerrainActor, HasASurfaceWhereFourNeighboursHaveHeights)
+{
+  EXPECT_TRUE(this->Terrain->HasSurface());
+  vtkNew<vtkImageData> heights;
+  heights->SetDimensions(3, 3, 1);
+  heights->AllocateScalars(VTK_FLOAT, 1);
+  heights->GetPointData()->GetScalars()->Fill(1.0);
+  heights->GetPointData()->GetScalars()->SetComponent(4, 0, vtkMath::Nan());
+  this->Terrain->SetInputData(heights);
+  EXPECT_FALSE(this->Terrain->HasSurface());
+  vtkNew<vtkTerrainActor> none;
+  EXPECT_FALSE(none->HasSurface());
+  EXPECT_FALSE(vtkMath::AreBoundsInitialized(none->GetBounds()));
+}
+
+// Bounds and the clipping range must hold for the very next frame.
+TEST_F(TerrainActor, BoundsFollowEveryChange)
+{
+  this->Draw();
+  const Bounds before = this->ActorBounds();
+  this->Terrain->SetVerticalExaggeration(3.0);
+  EXPECT_DOUBLE_EQ(this->ActorBounds()[5], 3.0 * before[5]);
+  this->Scene.Renderer->ResetCameraClippingRange();
+  const int tall = countDrawn(this->Draw());
+  scaleHeights(this->Heights, 0.5);
+  EXPECT_NEAR(this->ActorBounds()[5], 1.5 * before[5], 1e-3 * before[5]);
+  this->Terrain->SetTechnique(Techniques::Equidistant);
+  EXPECT_NEAR(this->ActorBounds()[5], 1.5 * before[5], 1e-3 * before[5]);
+  this->Scene.Renderer->ResetCameraClippingRange();
+  EXPECT_LT(countDrawn(this->Draw()), tall);
+  const auto larger = makeHeights(65);
+  larger->SetOrigin(-1e5, 2e5, 0.0);
+  larger->SetSpacing(1000.0, 500.0, 1.0);
+  this->Terrain->SetInputData(larger);
+  const Bounds after = this->ActorBounds();
+  EXPECT_DOUBLE_EQ(after[0], -1e5);
+  EXPECT_DOUBLE_EQ(after[1], -1e5 + 64.0 * 1000.0);
+  EXPECT_DOUBLE_EQ(after[3], 2e5 + 64.0 * 500.0);
+  this->LookFromSouth();
+  EXPECT_GT(countDrawn(this->Draw()), 160 * 120 / 8);
+}
+
+// What a change costs: uploads of heights, builds of shaders and of vertex buffers.
+TEST_F(TerrainActor, BuildsOnlyWhatChanged)
+{
+  vtkOpenGLTerrainMapper* mapper = this->Terrain->GetTerrainMapper();
+  std::array<int, 3> last{};
+  const auto costs = [&](const std::function<void()>& change)
+  {
+    change();
+    this->Draw();
+    const std::array<int, 3> now{ mapper->GetNumberOfHeightUploads(),
+      mapper->GetNumberOfShaderBuilds(), mapper->GetNumberOfBufferBuilds() };
+    const std::array<int, 3> cost{ now[0] - last[0], now[1] - last[1], now[2] - last[2] };
+    last = now;
+    return cost;
+  };
+  using Costs = std::array<int, 3>;
+  EXPECT_EQ(costs([] {}), (Costs{ 1, 1, 1 }));
+  EXPECT_EQ(costs([] {}), (Costs{ 0, 0, 0 }));
+  EXPECT_EQ(
+    costs([&] { this->Scene.Renderer->GetActiveCamera()->Azimuth(3.0); }), (Costs{ 0, 0, 0 }));
+  EXPECT_EQ(costs([&] { this->Terrain->SetPosition(0.0, 0.0, 10.0); }), (Costs{ 0, 0, 0 }));
+  EXPECT_EQ(costs([&] { this->Terrain->SetVerticalExaggeration(0.7); }), (Costs{ 0, 0, 0 }));
+  // the key of the shader changes, or the lookup table: no upload
+  EXPECT_EQ(costs([&] { mapper->SetShowCrossings(true); }), (Costs{ 0, 1, 0 }));
+  EXPECT_EQ(costs([&] { mapper->SetMaximumShownCrossings(20); }), (Costs{ 0, 0, 0 }));
+  EXPECT_EQ(costs([&] { mapper->SetShowCrossings(false); })[0], 0);
+  EXPECT_EQ(costs([&] { this->Terrain->SetColorByHeight(false); })[0], 0);
+  EXPECT_EQ(costs([&] { this->Terrain->SetColorByHeight(true); })[0], 0);
+  EXPECT_EQ(costs([&] { this->Terrain->GetProperty()->SetDiffuse(0.9); })[0], 0);
+  for (const Techniques technique : { Techniques::Linear, Techniques::Exponential,
+         Techniques::Equidistant, Techniques::Mesh, Techniques::Pyramid })
+  {
+    EXPECT_EQ(costs([&] { this->Terrain->SetTechnique(technique); })[0], 0);
+    EXPECT_EQ(costs([] {}), (Costs{ 0, 0, 0 }));
+  }
+  // the box around the heights changes with them
+  EXPECT_EQ(costs([&] { scaleHeights(this->Heights, 1.01); }), (Costs{ 1, 1, 1 }));
+}
+
+TEST_F(TerrainActor, CopiesShareEverything)
+{
+  this->Terrain->SetTechnique(Techniques::Equidistant);
+  const auto picture = this->Draw();
+  vtkNew<vtkTerrainActor> copy;
+  copy->ShallowCopy(this->Terrain);
+  EXPECT_EQ(copy->GetMapper(), this->Terrain->GetMapper());
+  EXPECT_EQ(copy->GetTerrainMapper(), this->Terrain->GetTerrainMapper());
+  this->Scene.Renderer->RemoveActor(this->Terrain);
+  this->Scene.Renderer->AddActor(copy);
+  EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(this->Draw(), picture), 0);
+}

@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainActor.h"
+
+#include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainHeightfield.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <array>
+
+vtkStandardNewMacro(vtkTerrainActor);
+
+namespace
+{
+/// One colour of a scale: position in 0..1 from the lowest to the highest, and red, green, blue.
+struct Tint
+{
+  double Position;
+  std::array<double, 3> Color;
+};
+
+constexpr std::array<Tint, 6> LandTints = { { { 0.0, { 0.46, 0.58, 0.38 } },
+  { 0.2, { 0.62, 0.67, 0.43 } }, { 0.45, { 0.80, 0.73, 0.52 } }, { 0.7, { 0.66, 0.53, 0.42 } },
+  { 0.88, { 0.71, 0.68, 0.66 } }, { 1.0, { 0.97, 0.97, 0.98 } } } };
+constexpr std::array<Tint, 3> SeaTints = { { { 0.0, { 0.07, 0.19, 0.36 } },
+  { 0.7, { 0.25, 0.48, 0.66 } }, { 0.999, { 0.60, 0.77, 0.83 } } } };
+/// Part of the range that lies below 0 from which on there is a sea.
+constexpr double LeastSea = 0.1;
+
+/// True if some cell has a surface. Cost: up to the first such cell.
+template <typename T>
+bool hasSurface(const terrain::HeightfieldView<T>& view)
+{
+  for (std::int64_t j = 0; j + 1 < view.Height; ++j)
+  {
+    for (std::int64_t i = 0; i + 1 < view.Width; ++i)
+    {
+      if (view.IsCellValid(i, j))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+template <std::size_t N>
+void addTints(
+  vtkColorTransferFunction* colors, const std::array<Tint, N>& tints, double lowest, double highest)
+{
+  for (const Tint& tint : tints)
+  {
+    colors->AddRGBPoint(
+      lowest + tint.Position * (highest - lowest), tint.Color[0], tint.Color[1], tint.Color[2]);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainActor::vtkTerrainActor()
+  : TerrainMapper(vtkSmartPointer<vtkOpenGLTerrainMapper>::New())
+  , CoarseMesh(vtkSmartPointer<vtkTerrainCoarseMesh>::New())
+  , FullMesh(vtkSmartPointer<vtkTerrainCoarseMesh>::New())
+{
+  this->FullMesh->SetSamplesPerQuad(1);
+  this->FullMesh->PushUpOff();
+  this->SetMapper(this->TerrainMapper);
+  this->GetProperty()->SetAmbient(0.0);
+  this->GetProperty()->SetDiffuse(1.0);
+  this->GetProperty()->SetSpecular(0.0);
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainActor::~vtkTerrainActor() = default;
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TerrainMapper: " << this->TerrainMapper << "\n";
+  os << indent << "CoarseMesh: " << this->CoarseMesh << "\n";
+  os << indent << "Technique: " << static_cast<int>(this->GetTechnique()) << "\n";
+  os << indent << "VerticalExaggeration: " << this->GetVerticalExaggeration() << "\n";
+  os << indent << "ColorByHeight: " << this->ColorByHeight << "\n";
+  os << indent << "LookupTable: " << this->LookupTable << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::SetInputConnection(vtkAlgorithmOutput* heights)
+{
+  this->TerrainMapper->SetHeightsConnection(heights);
+  this->CoarseMesh->SetInputConnection(heights);
+  this->FullMesh->SetInputConnection(heights);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::SetInputData(vtkImageData* heights)
+{
+  this->TerrainMapper->SetHeightsData(heights);
+  this->CoarseMesh->SetInputData(heights);
+  this->FullMesh->SetInputData(heights);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkTerrainActor::GetHeights()
+{
+  return this->TerrainMapper->GetHeights();
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLTerrainMapper* vtkTerrainActor::GetTerrainMapper()
+{
+  return this->TerrainMapper;
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainCoarseMesh* vtkTerrainActor::GetCoarseMesh()
+{
+  return this->CoarseMesh;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::SetTechnique(Techniques technique)
+{
+  this->TerrainMapper->SetTechnique(technique);
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainActor::Techniques vtkTerrainActor::GetTechnique() const
+{
+  return this->TerrainMapper->GetTechnique();
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::SetVerticalExaggeration(double exaggeration)
+{
+  this->TerrainMapper->SetVerticalExaggeration(exaggeration);
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainActor::GetVerticalExaggeration() const
+{
+  return this->TerrainMapper->GetVerticalExaggeration();
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::SetColorByHeight(bool color)
+{
+  if (this->ColorByHeight != color)
+  {
+    this->ColorByHeight = color;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::SetLookupTable(vtkScalarsToColors* colors)
+{
+  if (this->LookupTable != colors)
+  {
+    this->LookupTable = colors;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkScalarsToColors* vtkTerrainActor::GetLookupTable()
+{
+  this->UpdateColors();
+  return this->TerrainMapper->GetLookupTable();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkColorTransferFunction> vtkTerrainActor::MakeReliefColors(
+  double lowest, double highest)
+{
+  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
+  const bool sea = lowest < -LeastSea * (highest - lowest) && highest > 0.0;
+  if (sea)
+  {
+    addTints(colors, SeaTints, lowest, 0.0);
+  }
+  if (highest > lowest)
+  {
+    addTints(colors, LandTints, sea ? 0.0 : lowest, highest);
+  }
+  else
+  {
+    const std::array<double, 3>& color = LandTints[1].Color;
+    colors->AddRGBPoint(lowest, color[0], color[1], color[2]);
+  }
+  return colors;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainActor::HasSurface()
+{
+  this->TerrainMapper->GetBounds(); // brings the heights up to date
+  vtkImageData* heights = this->GetHeights();
+  bool found = false;
+  if (vtkTerrainHeightfield::WhyNotHeights(heights).empty())
+  {
+    vtkTerrainHeightfield::Dispatch(
+      heights, [&found](const auto& view) { found = hasSurface(view); });
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainCoarseMesh* vtkTerrainActor::GetUsedMesh()
+{
+  if (this->GetTechnique() == Techniques::Mesh)
+  {
+    return this->FullMesh;
+  }
+  const bool isSurface = this->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  const bool castsFromBox = isSurface && this->GetTechnique() == Techniques::Pyramid;
+  return castsFromBox ? nullptr : this->CoarseMesh.Get();
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::UpdateMesh()
+{
+  vtkTerrainCoarseMesh* mesh = this->GetUsedMesh();
+  if (this->ConnectedMesh == mesh)
+  {
+    return;
+  }
+  this->ConnectedMesh = mesh;
+  if (mesh)
+  {
+    this->TerrainMapper->SetInputConnection(0, mesh->GetOutputPort());
+  }
+  else
+  {
+    this->TerrainMapper->RemoveMesh();
+  }
+  if (mesh != this->FullMesh)
+  {
+    this->FullMesh->GetOutput()->ReleaseData(); // gigabytes
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::UpdateColors()
+{
+  this->TerrainMapper->SetScalarVisibility(this->ColorByHeight);
+  this->TerrainMapper->SetUseLookupTableScalarRange(true);
+  if (this->LookupTable)
+  {
+    this->TerrainMapper->SetLookupTable(this->LookupTable);
+    return;
+  }
+  std::array<double, 2> range{};
+  this->TerrainMapper->GetHeightRange(range.data());
+  vtkScalarsToColors* colors = this->ReliefColors;
+  if (!colors || colors->GetRange()[0] != range[0] || colors->GetRange()[1] != range[1])
+  {
+    this->ReliefColors = MakeReliefColors(range[0], range[1]);
+  }
+  this->TerrainMapper->SetLookupTable(this->ReliefColors);
+}
+
+//------------------------------------------------------------------------------
+double* vtkTerrainActor::GetBounds()
+{
+  this->UpdateMesh();
+  return this->Superclass::GetBounds();
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
+{
+  this->UpdateMesh();
+  this->UpdateColors();
+  this->Superclass::Render(renderer, mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::ShallowCopy(vtkProp* prop)
+{
+  if (auto* other = vtkTerrainActor::SafeDownCast(prop))
+  {
+    this->TerrainMapper = other->TerrainMapper;
+    this->CoarseMesh = other->CoarseMesh;
+    this->FullMesh = other->FullMesh;
+    this->LookupTable = other->LookupTable;
+    this->ReliefColors = other->ReliefColors;
+    this->ColorByHeight = other->ColorByHeight;
+    this->ConnectedMesh = other->ConnectedMesh;
+  }
+  this->Superclass::ShallowCopy(prop);
+}

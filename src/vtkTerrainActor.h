@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTerrainActor
+ * @brief   a terrain as one prop: heights in, everything else chosen
+ *
+ * @code
+ *   vtkNew<vtkTerrainActor> terrain;
+ *   terrain->SetInputConnection(reader->GetOutputPort());
+ *   renderer->AddActor(terrain);
+ * @endcode
+ *
+ * Input: vtkImageData, heights as vtkOpenGLTerrainMapper takes them.
+ *
+ * It is a vtkActor with a vtkOpenGLTerrainMapper, whose property, matrix, texture and pickability
+ * are a vtkActor's; what the mapper can do beyond the methods below is set on GetTerrainMapper().
+ * It draws matt (diffuse 1, no specular) and in the colours of a relief map over the range of the
+ * heights, unless told otherwise; both follow the heights when these change.
+ *
+ * The coarse mesh is made when it is first needed: never for the technique Pyramid drawn as a
+ * surface; for the searches a coarse one, for Mesh the full one; wireframe and points show it.
+ *
+ * Level of detail: while the renderer allots this actor less than LongestInteraction seconds a
+ * frame, as interactors do while the mouse is down, and the last frame took more, the pixel
+ * tolerance of the mapper is doubled, up to CoarsestTolerance; where a frame takes less than a
+ * third, it is halved again. The first frame that is allotted more is drawn with the tolerance of
+ * the mapper itself, by default exactly. Only the technique Pyramid has a tolerance.
+ *
+ * @sa vtkOpenGLTerrainMapper vtkTerrainPicker vtkTerrainCoarseMesh vtkTerrainRasterReader
+ */
+#ifndef vtkTerrainActor_h
+#define vtkTerrainActor_h
+
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLTerrainMapper.h" // For Techniques
+#include "vtkSmartPointer.h"        // For members
+#include "vtkTerrainModule.h"       // For export macro
+
+class vtkAlgorithmOutput;
+class vtkColorTransferFunction;
+class vtkImageData;
+class vtkScalarsToColors;
+class vtkTerrainCoarseMesh;
+
+class VTKTERRAIN_EXPORT vtkTerrainActor : public vtkOpenGLActor
+{
+public:
+  static vtkTerrainActor* New();
+  vtkTypeMacro(vtkTerrainActor, vtkOpenGLActor)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The heights.
+  void SetInputConnection(vtkAlgorithmOutput* heights);
+  void SetInputData(vtkImageData* heights);
+  vtkImageData* GetHeights();
+  ///@}
+
+  /// What draws; the actor keeps its port 0, technique and colours as the methods here say.
+  vtkOpenGLTerrainMapper* GetTerrainMapper();
+  /// What makes the coarse mesh when it is needed: set its SamplesPerQuad here.
+  vtkTerrainCoarseMesh* GetCoarseMesh();
+
+  /// The mesh that the technique and the representation need: the coarse mesh, the full one, or
+  /// null.
+  vtkTerrainCoarseMesh* GetUsedMesh();
+
+  using Techniques = vtkOpenGLTerrainMapper::Techniques;
+  ///@{
+  /// How the surface is drawn; default Pyramid.
+  void SetTechnique(Techniques technique);
+  Techniques GetTechnique() const;
+  ///@}
+
+  ///@{
+  /// Drawn height over true height, > 0; default 1.
+  void SetVerticalExaggeration(double exaggeration);
+  double GetVerticalExaggeration() const;
+  ///@}
+
+  ///@{
+  /// Whether heights are shown in colours (default), or everything in that of the property.
+  void SetColorByHeight(bool color);
+  bool GetColorByHeight() const
+  {
+    return this->ColorByHeight;
+  }
+  ///@}
+
+  ///@{
+  /// Colours of the heights, over the table's own range; null, the default, for a relief map's over
+  /// the range of the heights.
+  void SetLookupTable(vtkScalarsToColors* colors);
+  /// The colours in use, for a scalar bar.
+  vtkScalarsToColors* GetLookupTable();
+  ///@}
+
+  /// Colours of a relief map from the lowest to the highest point: green, brown, white, and blue
+  /// below 0 where a good part of the heights lies there.
+  static vtkSmartPointer<vtkColorTransferFunction> MakeReliefColors(double lowest, double highest);
+
+  /// True if there is a surface at all: a cell whose four samples have heights.
+  bool HasSurface();
+
+  /// Up to date with the heights.
+  using vtkOpenGLActor::GetBounds;
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+  /// Shares mapper and mesh with another terrain.
+  void ShallowCopy(vtkProp* prop) override;
+
+  vtkTerrainActor(const vtkTerrainActor&) = delete;
+  void operator=(const vtkTerrainActor&) = delete;
+
+protected:
+  vtkTerrainActor();
+  ~vtkTerrainActor() override;
+
+private:
+  void UpdateMesh();
+  void UpdateColors();
+
+  vtkSmartPointer<vtkOpenGLTerrainMapper> TerrainMapper;
+  vtkSmartPointer<vtkTerrainCoarseMesh> CoarseMesh;
+  vtkSmartPointer<vtkTerrainCoarseMesh> FullMesh;
+  /// What is connected to the mapper's port 0: one of these, or null.
+  vtkTerrainCoarseMesh* ConnectedMesh = nullptr;
+  vtkSmartPointer<vtkScalarsToColors> LookupTable;
+  vtkSmartPointer<vtkScalarsToColors> ReliefColors;
+  bool ColorByHeight = true;
+};
+
+#endif
