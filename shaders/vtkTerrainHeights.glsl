@@ -4,32 +4,34 @@
 // Reading the heightfield. Twin: CodedHeights in src/core/Ray.h; codes: src/core/HeightCodes.h.
 // Defines: TERRAIN_HEIGHTS_INTEGER if texels are 16-bit integers; TERRAIN_GATHER if textureGather()
 // can be used (GLSL 4.00, or GL_ARB_texture_gather enabled): one look-up a cell instead of four.
+// TERRAIN_DETAIL if the heightfield is the sum of the texels, the base, and of a repeated detail:
+// all samples, cells and sizes are then those of the sum; twin: src/core/DetailHeights.h.
 
 #ifdef TERRAIN_HEIGHTS_INTEGER
 uniform usampler2D terrainHeights; // texels, W x H
 #else
 uniform sampler2D terrainHeights;
 #endif
-uniform ivec2 terrainSize;         // W, H: samples
+uniform ivec2 terrainSize;         // samples
 uniform float terrainBias;         // texel minus code
 uniform float terrainMaximumCode;  // largest code; the smallest is 0
 
-// Code of a sample; negative if it has no height. 0 <= sampleIndex < terrainSize.
-float terrainCode(ivec2 sampleIndex)
+// Code of a sample of the texels; negative if it has no height.
+float terrainTexelCode(ivec2 sampleIndex)
 {
   return float(texelFetch(terrainHeights, sampleIndex, 0).r) - terrainBias;
 }
 
-// Codes of the corners of a cell: south-west, south-east, north-west, north-east.
-vec4 terrainCellCodes(ivec2 cell)
+// Codes of the corners of a cell of texels: south-west, south-east, north-west, north-east.
+vec4 terrainTexelCodes(ivec2 cell)
 {
 #ifdef TERRAIN_GATHER
   // The position amidst the four texels: half a texel of room for any rounding.
-  vec2 positionTC = (vec2(cell) + 1.0) / vec2(terrainSize);
+  vec2 positionTC = (vec2(cell) + 1.0) / vec2(textureSize(terrainHeights, 0));
   return vec4(textureGather(terrainHeights, positionTC).wzxy) - terrainBias;
 #else
-  return vec4(terrainCode(cell), terrainCode(cell + ivec2(1, 0)), terrainCode(cell + ivec2(0, 1)),
-    terrainCode(cell + ivec2(1, 1)));
+  return vec4(terrainTexelCode(cell), terrainTexelCode(cell + ivec2(1, 0)),
+    terrainTexelCode(cell + ivec2(0, 1)), terrainTexelCode(cell + ivec2(1, 1)));
 #endif
 }
 
@@ -53,3 +55,60 @@ vec2 terrainPatchGradient(vec4 codes, vec2 fraction)
   return vec2(mix(codes.y - codes.x, codes.w - codes.z, fraction.y),
     mix(codes.z - codes.x, codes.w - codes.y, fraction.x));
 }
+
+#ifdef TERRAIN_DETAIL
+uniform sampler2D terrainDetail;   // codes of one period
+uniform ivec2 terrainDetailPeriod; // its size, samples
+uniform int terrainDetailLevel;    // 2^level detail cells along a cell of texels
+uniform float terrainDetailScale;  // height codes per code of the detail
+
+// Scaled code of a sample of the repeated detail; sampleIndex >= 0.
+float terrainDetailCode(ivec2 sampleIndex)
+{
+  return terrainDetailScale * texelFetch(terrainDetail, sampleIndex % terrainDetailPeriod, 0).r;
+}
+
+// The texels' codes at the corners of part (x, y) of 2^parts x 2^parts parts of a cell of texels,
+// cell = part >> parts; all negative where that has no surface.
+vec4 terrainPartCodes(ivec2 part, int parts)
+{
+  ivec2 cell = part >> parts;
+  vec4 codes = terrainTexelCodes(cell);
+  float width = 1.0 / float(1 << parts);
+  vec2 low = vec2(part - (cell << parts)) * width;
+  vec2 high = low + width;
+  vec4 corners = vec4(terrainPatchCode(codes, low), terrainPatchCode(codes, vec2(high.x, low.y)),
+    terrainPatchCode(codes, vec2(low.x, high.y)), terrainPatchCode(codes, high));
+  return terrainCellValid(codes) ? corners : vec4(-1.0);
+}
+
+// Codes of the corners of a cell: south-west, south-east, north-west, north-east.
+vec4 terrainCellCodes(ivec2 cell)
+{
+  vec4 codes = terrainPartCodes(cell, terrainDetailLevel);
+  vec4 detail = vec4(terrainDetailCode(cell), terrainDetailCode(cell + ivec2(1, 0)),
+    terrainDetailCode(cell + ivec2(0, 1)), terrainDetailCode(cell + ivec2(1, 1)));
+  return codes.x < 0.0 ? codes : codes + detail;
+}
+
+// Code of a sample; negative if it has no height. 0 <= sampleIndex < terrainSize.
+float terrainCode(ivec2 sampleIndex)
+{
+  ivec2 cell = min(sampleIndex, terrainSize - 2);
+  vec4 codes = terrainCellCodes(cell);
+  vec2 row = sampleIndex.y > cell.y ? codes.zw : codes.xy;
+  return sampleIndex.x > cell.x ? row.y : row.x;
+}
+#else
+// Code of a sample; negative if it has no height. 0 <= sampleIndex < terrainSize.
+float terrainCode(ivec2 sampleIndex)
+{
+  return terrainTexelCode(sampleIndex);
+}
+
+// Codes of the corners of a cell: south-west, south-east, north-west, north-east.
+vec4 terrainCellCodes(ivec2 cell)
+{
+  return terrainTexelCodes(cell);
+}
+#endif

@@ -10,12 +10,14 @@
 //                        Mip level k - 1 is level k of MinMaxPyramid, same sizes. Filters NEAREST
 //                        (and NEAREST_MIPMAP_NEAREST), GL_TEXTURE_MAX_LEVEL = LevelCount() - 1.
 //   terrainPyramidSize   size of level 1, texels
-//   terrainPyramidTop    LevelCount(); 0 where the grid has no cells
+//   terrainPyramidTop    LevelCount(), with detail of the sum; 0 where the grid has no cells
 //   terrainPyramidStart  level of the first node, 1..top (0 if there are no cells)
 // Defines:
 //   TERRAIN_COLUMNS   optional: the surface of constant columns instead of bilinear patches
 //   TERRAIN_VISIT(node, level)  optional: run for every node visited, which counts from the
 //                     south-west
+//   TERRAIN_DETAIL    see vtkTerrainHeights.glsl; twin of its part: src/core/DetailHeights.h, with
+//                     the uniforms declared below
 
 #ifdef TERRAIN_HEIGHTS_INTEGER
 uniform usampler2D terrainPyramid;
@@ -67,12 +69,52 @@ struct TerrainSpan
   float z;
 };
 
-// Highest and lowest code of a node; 1 <= level <= top.
-vec2 terrainNodeExtremes(ivec2 node, int level)
+// Highest and lowest code of a node of the texels; level >= 1.
+vec2 terrainTexelExtremes(ivec2 node, int level)
 {
   ivec2 lastTexel = max(terrainPyramidSize >> (level - 1), ivec2(1)) - 1;
   return vec2(texelFetch(terrainPyramid, min(node, lastTexel), level - 1).rg) - terrainBias;
 }
+
+#ifdef TERRAIN_DETAIL
+uniform sampler2D terrainDetailPyramid; // of one period, as terrainPyramid
+uniform int terrainDetailTop;           // highest level whose nodes divide the period
+uniform float terrainDetailMaximum;     // scaled
+
+// Highest and lowest code of the base in a node.
+vec2 terrainBaseExtremes(ivec2 node, int level)
+{
+  int above = level - terrainDetailLevel;
+  if (above > 0)
+  {
+    return terrainTexelExtremes(node, above);
+  }
+  vec4 codes = terrainPartCodes(min(node, (terrainSize - 2) >> level), -above);
+  return vec2(max(max(codes.x, codes.y), max(codes.z, codes.w)),
+    min(min(codes.x, codes.y), min(codes.z, codes.w)));
+}
+
+// Highest and lowest code of the detail in a node.
+vec2 terrainDetailExtremes(ivec2 node, int level)
+{
+  ivec2 texel = node % max(terrainDetailPeriod >> level, ivec2(1));
+  return level > terrainDetailTop
+    ? vec2(terrainDetailMaximum, 0.0)
+    : terrainDetailScale * texelFetch(terrainDetailPyramid, texel, level - 1).rg;
+}
+
+// Highest and lowest code of a node; 1 <= level <= top.
+vec2 terrainNodeExtremes(ivec2 node, int level)
+{
+  return terrainBaseExtremes(node, level) + terrainDetailExtremes(node, level);
+}
+#else
+// Highest and lowest code of a node; 1 <= level <= top.
+vec2 terrainNodeExtremes(ivec2 node, int level)
+{
+  return terrainTexelExtremes(node, level);
+}
+#endif
 
 TerrainPath terrainMirrorRay(TerrainRay ray)
 {

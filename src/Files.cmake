@@ -7,6 +7,7 @@ set(classes
   vtkTerrainActor
   vtkTerrainCoarseMesh
   vtkTerrainDepthPass
+  vtkTerrainDetailSource
   vtkTerrainDrape
   vtkTerrainGeoTransform
   vtkTerrainGeoid
@@ -30,6 +31,7 @@ set(private_sources
   vtkTerrainComputeProgram
   vtkTerrainComputeTexture
   vtkTerrainCoordinateSystem
+  vtkTerrainDetailTexture
   vtkTerrainGeoreferencePrepare
   vtkTerrainHeightTexture
   vtkTerrainRasterFile
@@ -77,6 +79,7 @@ set(shaders
 set(core
   CoarseMesh
   CoarseMeshSurface
+  DetailNoise
   Geodesics
   GeographicText
   GeoidGrid
@@ -102,6 +105,7 @@ set(core
 )
 # Their results are the same bits on every machine: no fused multiply-add.
 set(core_without_contraction
+  DetailNoise
   ProceduralTerrain
   StreamErosion
 )

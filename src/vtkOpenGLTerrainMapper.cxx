@@ -5,6 +5,8 @@
 #include "vtkTerrainGL.h"
 #include "vtkTerrainMapperInternals.h"
 
+#include "core/DetailHeights.h"
+
 #include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
@@ -62,16 +64,13 @@ glm::dmat4 gridToModel(
   return matrix;
 }
 
-void buildBox(vtkPolyData* box, const terrain::GridGeometry& geometry, double minimum,
-  double maximum, int w, int h)
+void buildBox(vtkPolyData* box, const std::array<glm::dvec3, 2>& corners)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (int i = 0; i < 8; ++i)
   {
-    const glm::dvec3 point =
-      geometry.ToModel({ i & 1 ? w - 1.0 : 0.0, i & 2 ? h - 1.0 : 0.0 }, i & 4 ? maximum : minimum);
-    points->InsertNextPoint(point.x, point.y, point.z);
+    points->InsertNextPoint(corners[i & 1].x, corners[(i >> 1) & 1].y, corners[i >> 2].z);
   }
   vtkNew<vtkCellArray> triangles;
   for (const auto& triangle : BoxTriangles)
@@ -88,7 +87,7 @@ void buildBox(vtkPolyData* box, const terrain::GridGeometry& geometry, double mi
 vtkOpenGLTerrainMapper::vtkOpenGLTerrainMapper()
   : Internals(new vtkInternals)
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->ScalarVisibility = 0;
   this->RemoveMesh();
 }
@@ -109,6 +108,8 @@ void vtkOpenGLTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShowCrossings: " << this->ShowCrossings << "\n";
   os << indent << "ComputeMode: " << static_cast<int>(this->ComputeMode) << "\n";
   os << indent << "UseBeams: " << this->UseBeams << "\n";
+  os << indent << "DetailCells: " << this->DetailCells << "\n";
+  os << indent << "DetailScale: " << this->DetailScale << "\n";
   os << indent << "MaximumShownCrossings: " << this->MaximumShownCrossings << "\n";
 }
 
@@ -168,6 +169,36 @@ void vtkOpenGLTerrainMapper::GetHeightRange(double range[2])
 }
 
 //------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetDetailData(vtkImageData* detail)
+{
+  this->SetInputDataInternal(2, detail);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkOpenGLTerrainMapper::GetDetail()
+{
+  return this->GetNumberOfInputConnections(2) > 0
+    ? vtkImageData::SafeDownCast(this->GetInputDataObject(2, 0))
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetDetailCells(int cells)
+{
+  if (cells < 1 || cells > MostDetailCells || (cells & (cells - 1)) != 0)
+  {
+    vtkErrorMacro("The detail cells along a cell of the heights must be a power of two from 1 to "
+      << MostDetailCells << ", not " << cells);
+    return;
+  }
+  if (this->DetailCells != cells)
+  {
+    this->DetailCells = cells;
+    this->UniformModified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::SetVerticalExaggeration(double exaggeration)
 {
   if (!(exaggeration > 0.0) || !std::isfinite(exaggeration))
@@ -197,6 +228,7 @@ vtkTerrainSetUniformMacro(Steps, int, 0);
 vtkTerrainSetUniformMacro(LongSteps, int, 0);
 vtkTerrainSetUniformMacro(SecantSteps, int, 0);
 vtkTerrainSetUniformMacro(StepLength, double, 0.0);
+vtkTerrainSetUniformMacro(DetailScale, double, 0.0);
 vtkTerrainSetUniformMacro(ShowCrossings, bool, false);
 vtkTerrainSetUniformMacro(
   ComputeMode, vtkOpenGLTerrainMapper::ComputeModes, ComputeModes::Automatic);
@@ -264,31 +296,48 @@ bool vtkOpenGLTerrainMapper::UpdateHeights()
   if (!this->Static)
   {
     this->GetInputAlgorithm(1, 0)->Update();
+    if (this->GetNumberOfInputConnections(2) > 0)
+    {
+      this->GetInputAlgorithm(2, 0)->Update();
+    }
   }
-  vtkImageData* image = this->GetHeights();
-  internals.Why = internals.Heights.SetImage(image);
+  internals.Why = internals.Heights.SetImage(this->GetHeights());
+  if (internals.Why.empty())
+  {
+    internals.Why = internals.Heights.SetDetail(
+      this->GetDetail(), terrain::LevelOfCells(this->DetailCells), this->DetailScale);
+  }
+  this->UpdateBox();
+  return internals.Why.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::UpdateBox()
+{
+  vtkInternals& internals = *this->Internals;
   if (!internals.Why.empty())
   {
-    if (internals.BoxTime)
+    if (internals.Box->GetNumberOfPoints() > 0)
     {
       internals.Box->Initialize();
-      internals.BoxTime = 0;
+      internals.BoxCorners = {};
     }
-    return false;
+    return;
   }
-  if (internals.BoxTime != image->GetMTime())
+  const terrain::HeightCodes& codes = internals.Heights.GetCodes();
+  const glm::dvec2 last = internals.Heights.GetSize() - 1;
+  const double margin = 1e-3 * std::max(codes.MaximumCode, 1e-3);
+  const double beside = 1e-3; // cells by which rounding may not put a ray beside the grid
+  internals.BoxMinimumGC = glm::dvec3(-beside, -beside, -margin);
+  internals.BoxMaximumGC = glm::dvec3(last + beside, codes.MaximumCode + margin);
+  const terrain::GridGeometry& geometry = internals.Heights.GetGeometry();
+  const std::array<glm::dvec3, 2> corners{ geometry.ToModel({ 0.0, 0.0 }, codes.ToHeight(-margin)),
+    geometry.ToModel(last, codes.ToHeight(codes.MaximumCode + margin)) };
+  if (internals.BoxCorners != corners)
   {
-    internals.BoxTime = image->GetMTime();
-    const terrain::HeightCodes& codes = internals.Heights.GetCodes();
-    const glm::ivec2 size = internals.Heights.GetSize();
-    const double margin = 1e-3 * std::max(codes.MaximumCode, 1e-3);
-    const double beside = 1e-3; // cells by which rounding may not put a ray beside the grid
-    internals.BoxMinimumGC = glm::dvec3(-beside, -beside, -margin);
-    internals.BoxMaximumGC = glm::dvec3(glm::dvec2(size - 1) + beside, codes.MaximumCode + margin);
-    buildBox(internals.Box, internals.Heights.GetGeometry(), codes.ToHeight(-margin),
-      codes.ToHeight(codes.MaximumCode + margin), size.x, size.y);
+    internals.BoxCorners = corners;
+    buildBox(internals.Box, corners);
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -93,6 +93,40 @@ public:
   void RemoveMesh();
 
   ///@{
+  /// One period of detail heights, port 2; optional. The surface is then the heights plus
+  /// DetailScale times the detail, repeated from sample (0, 0) on with DetailCells cells along a
+  /// cell of the heights, both bilinear. A period is as many samples as the image has; every one
+  /// needs a height. The graphics card holds both images, not their product. The spacing of the
+  /// detail does not count.
+  void SetDetailConnection(vtkAlgorithmOutput* port)
+  {
+    this->SetInputConnection(2, port);
+  }
+  void SetDetailData(vtkImageData* detail);
+  vtkImageData* GetDetail();
+  ///@}
+
+  ///@{
+  /// Detail cells along a cell of the heights: a power of two from 1 to MostDetailCells, default
+  /// 16. Changing it builds and uploads nothing.
+  void SetDetailCells(int cells);
+  int GetDetailCells() const
+  {
+    return this->DetailCells;
+  }
+  static constexpr int MostDetailCells = 1024;
+  ///@}
+
+  ///@{
+  /// Factor of the detail's heights, >= 0; default 1. Changing it builds and uploads nothing.
+  void SetDetailScale(double scale);
+  double GetDetailScale() const
+  {
+    return this->DetailScale;
+  }
+  ///@}
+
+  ///@{
   /// Drawn height over true height, > 0; default 1. Heights are exaggerated from the image's origin
   /// in z. A uniform of the shader: changing it builds and uploads nothing.
   void SetVerticalExaggeration(double exaggeration);
@@ -239,6 +273,7 @@ private:
   void UniformModified();
 
   bool UpdateHeights();
+  void UpdateBox();
   bool CastsRays(vtkActor* act) const;
   bool UsesSurface(vtkActor* act) const;
   bool ColorsByHeight() const;
@@ -264,6 +299,8 @@ private:
   int LongSteps = 0;
   int SecantSteps = 0;
   double StepLength = 0.0;
+  int DetailCells = 16;
+  double DetailScale = 1.0;
   bool ShowCrossings = false;
   ComputeModes ComputeMode = ComputeModes::Automatic;
   int MaximumShownCrossings = 64;

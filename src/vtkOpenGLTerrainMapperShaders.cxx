@@ -72,6 +72,10 @@ std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act) const
   {
     defines += "#define TERRAIN_HEIGHTS_INTEGER\n";
   }
+  if (this->Internals->Heights.HasDetail())
+  {
+    defines += "#define TERRAIN_DETAIL\n";
+  }
   if (this->CastsRays(act) && !this->Internals->EyeInBox)
   {
     defines += "#define TERRAIN_BELOW_MESH\n";
@@ -163,10 +167,12 @@ void vtkOpenGLTerrainMapper::ReplaceShaderPositionVC(
   vtkShader* vertex = shaders[vtkShader::Vertex];
   substitute(this, vertex, "//VTK::PositionVC::Dec",
     "uniform vec2 terrainExaggeration; // z drawn = x * z + y, in the coordinates of the buffer\n"
+    "uniform vec3 terrainLift; // z drawn is moved by x, or by y where z in the buffer < z\n"
     "out vec4 vertexVCVSOutput;\n");
   substitute(this, vertex, "//VTK::PositionVC::Impl",
     "vec4 terrainVertexMC = vec4(vertexMC.xy,\n"
-    "    terrainExaggeration.x * vertexMC.z + terrainExaggeration.y, 1.0);\n"
+    "    terrainExaggeration.x * vertexMC.z + terrainExaggeration.y +\n"
+    "    (vertexMC.z < terrainLift.z ? terrainLift.y : terrainLift.x), 1.0);\n"
     "  vertexVCVSOutput = MCVCMatrix * terrainVertexMC;\n"
     "  gl_Position = MCDCMatrix * terrainVertexMC;\n");
   substitute(

@@ -197,6 +197,15 @@ void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkTerrainUniforms& uniforms)
   const double origin = this->Internals->Heights.GetGeometry().Origin.z;
   uniforms.Set("terrainExaggeration",
     glm::vec2(glm::dvec2(factor, (1.0 - factor) * (origin - shift) * scale)));
+
+  // the coarse mesh bounds the heights without their detail: its top goes up, its floor down
+  const glm::dvec2 detail = this->Internals->Heights.GetDetailRange();
+  const bool lifts = this->Technique != Techniques::Mesh;
+  const double floor = origin + this->Internals->Heights.GetFloorThreshold();
+  const std::array<glm::vec3, 1> lift{ glm::vec3(lifts
+      ? glm::dvec3(factor * detail.y * scale, factor * detail.x * scale, (floor - shift) * scale)
+      : glm::dvec3(0.0)) };
+  uniforms.SetArray("terrainLift", 1, lift.data());
 }
 
 //------------------------------------------------------------------------------
@@ -235,8 +244,12 @@ void vtkOpenGLTerrainMapper::SetSearchUniforms(vtkTerrainUniforms& uniforms)
   scene.Height = heights.GetSize().y;
   scene.CellsPerQuad = std::max<std::int64_t>(
     1, static_cast<std::int64_t>(fieldValue(this->GetInput(), "SamplesPerQuad", 1.0)));
+  scene.CellsPerQuad *= heights.HasDetail() ? this->DetailCells : 1;
+  const glm::dvec2 detail = heights.GetDetailRange();
   scene.LargestGap =
-    fieldValue(this->GetInput(), "LargestGap", codes.MaximumCode * codes.Scale) / codes.Scale;
+    (fieldValue(this->GetInput(), "LargestGap", codes.MaximumCode * codes.Scale) + detail.y -
+      detail.x) /
+    codes.Scale;
   scene.MaximumCode = codes.MaximumCode;
   scene.CodesPerCell =
     std::sqrt(spacing.x * spacing.y) / (this->VerticalExaggeration * codes.Scale);

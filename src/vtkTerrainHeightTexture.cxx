@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainHeightTexture.h"
 
+#include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainGL.h"
 #include "vtkTerrainHeightfield.h"
 #include "vtkTerrainParallelFor.h"
@@ -11,6 +12,12 @@
 
 #include <algorithm>
 #include <vector>
+
+namespace
+{
+/// Cells along a side of a surface with detail: float still tells a tenth of one.
+constexpr int MostCells = 1 << 20;
+}
 
 //------------------------------------------------------------------------------
 std::string vtkTerrainHeightTexture::SetImage(vtkImageData* image)
@@ -39,6 +46,47 @@ std::string vtkTerrainHeightTexture::SetImage(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkTerrainHeightTexture::SetDetail(vtkImageData* detail, int level, double scale)
+{
+  std::string why = this->Detail.SetImage(detail);
+  this->Sum = { this->Codes, this->Geometry, this->Size };
+  if (!this->HasDetail() || !this->HasSurface())
+  {
+    return why;
+  }
+  const terrain::HeightCodes& codes = this->Detail.GetCodes();
+  const int cells = 1 << level;
+  this->DetailLevel = level;
+  this->DetailScale = scale * codes.Scale / this->Codes.Scale;
+  this->Sum.Codes.Offset += scale * codes.Offset;
+  this->Sum.Codes.MaximumCode += this->DetailScale * codes.MaximumCode;
+  this->Sum.Geometry.Spacing /= cells;
+  if (std::max(this->Size.x, this->Size.y) - 1 > (MostCells >> level))
+  {
+    return "detail: " + std::to_string(cells) + " cells along a cell of the heights are too many";
+  }
+  this->Sum.Size = (this->Size - 1) * cells + 1;
+  return why;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec2 vtkTerrainHeightTexture::GetDetailRange() const
+{
+  const terrain::HeightCodes& codes = this->Detail.GetCodes();
+  const double factor = this->DetailScale * this->Codes.Scale / codes.Scale;
+  return this->HasDetail() ? factor * glm::dvec2(codes.Offset, codes.ToHeight(codes.MaximumCode))
+                           : glm::dvec2(0.0);
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainHeightTexture::GetFloorThreshold() const
+{
+  const double range = this->Codes.MaximumCode * this->Codes.Scale;
+  const double spacing = std::min(this->Geometry.Spacing.x, this->Geometry.Spacing.y);
+  return this->Codes.Offset - 0.5 * vtkTerrainCoarseMesh::FloorMargin * std::max(range, spacing);
+}
+
+//------------------------------------------------------------------------------
 bool vtkTerrainHeightTexture::HasSurface() const
 {
   return this->Codes.HasData && this->Size.x > 1 && this->Size.y > 1;
@@ -48,14 +96,15 @@ bool vtkTerrainHeightTexture::HasSurface() const
 vtkIdType vtkTerrainHeightTexture::GetMemorySize() const
 {
   return std::visit(
-    [this](const auto& store)
-    {
-      const std::size_t heights = store.Texels.size() * sizeof(store.Texels[0]);
-      const std::size_t pyramid = this->PyramidTime ? store.Pyramid.MemorySize() : 0;
-      const std::size_t all = (this->UploadTime ? heights : 0) + pyramid;
-      return static_cast<vtkIdType>(all);
-    },
-    this->Data);
+           [this](const auto& store)
+           {
+             const std::size_t heights = store.Texels.size() * sizeof(store.Texels[0]);
+             const std::size_t pyramid = this->PyramidTime ? store.Pyramid.MemorySize() : 0;
+             const std::size_t all = (this->UploadTime ? heights : 0) + pyramid;
+             return static_cast<vtkIdType>(all);
+           },
+           this->Data) +
+    this->Detail.GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -176,6 +225,7 @@ std::string vtkTerrainHeightTexture::Upload(vtkOpenGLRenderWindow* window, bool 
     done = std::visit([this](auto& store) { return this->UploadPyramid(store); }, this->Data);
     this->PyramidTime = done ? this->ImageTime : 0;
   }
+  done = done && this->Detail.Upload(window);
   return done ? std::string() : "heights could not be uploaded to the graphics driver";
 }
 
@@ -184,6 +234,7 @@ void vtkTerrainHeightTexture::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
   this->PyramidTexture->ReleaseGraphicsResources(window);
+  this->Detail.ReleaseGraphicsResources(window);
   this->UploadTime = 0;
   this->PyramidTime = 0;
 }
@@ -192,6 +243,7 @@ void vtkTerrainHeightTexture::ReleaseGraphicsResources(vtkWindow* window)
 void vtkTerrainHeightTexture::Activate()
 {
   this->Texture->Activate();
+  this->Detail.Activate();
   if (this->PyramidTime)
   {
     this->PyramidTexture->Activate();
@@ -202,6 +254,7 @@ void vtkTerrainHeightTexture::Activate()
 void vtkTerrainHeightTexture::Deactivate()
 {
   this->Texture->Deactivate();
+  this->Detail.Deactivate();
   if (this->PyramidTime)
   {
     this->PyramidTexture->Deactivate();
@@ -212,15 +265,17 @@ void vtkTerrainHeightTexture::Deactivate()
 void vtkTerrainHeightTexture::SetUniforms(vtkTerrainUniforms& uniforms)
 {
   uniforms.Set("terrainHeights", this->Texture->GetTextureUnit());
-  uniforms.Set("terrainSize", this->Size);
+  uniforms.Set("terrainSize", this->Sum.Size);
   uniforms.Set("terrainBias", static_cast<float>(this->Codes.Bias));
-  uniforms.Set("terrainMaximumCode", static_cast<float>(this->Codes.MaximumCode));
+  uniforms.Set("terrainMaximumCode", static_cast<float>(this->Sum.Codes.MaximumCode));
+  this->Detail.SetUniforms(uniforms, this->DetailLevel, this->DetailScale);
   if (uniforms.Uses("terrainPyramid"))
   {
     uniforms.Set("terrainPyramid", this->PyramidTexture->GetTextureUnit());
     uniforms.Set("terrainPyramidSize", this->PyramidSize);
-    uniforms.Set("terrainPyramidTop", this->PyramidTop);
+    const int below = this->HasDetail() ? this->DetailLevel : 0;
+    uniforms.Set("terrainPyramidTop", this->PyramidTop > 0 ? this->PyramidTop + below : 0);
     // Rays start near the surface: from the top down, most levels would be visited in vain.
-    uniforms.Set("terrainPyramidStart", std::min(this->PyramidTop, 5));
+    uniforms.Set("terrainPyramidStart", std::min(this->PyramidTop, 5) + below);
   }
 }

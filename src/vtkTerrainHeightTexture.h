@@ -3,10 +3,13 @@
 /**
  * @file
  * Heights on the GPU: one texture of height codes (core/HeightCodes.h), uploaded when the image
- * that holds them has changed. Private to the module.
+ * that holds them has changed; and, if there is any, the detail that is added to them. Private to
+ * the module.
  */
 #ifndef vtkTerrainHeightTexture_h
 #define vtkTerrainHeightTexture_h
+
+#include "vtkTerrainDetailTexture.h"
 
 #include "core/Coordinates.h"
 #include "core/HeightCodes.h"
@@ -34,6 +37,20 @@ public:
   /// sentence that says why the image cannot be used.
   std::string SetImage(vtkImageData* image);
 
+  /// Takes over an image of detail, null for none; call it after SetImage(). There are 2^level
+  /// cells of the detail along a cell of the heights, and scale times its heights is added. Returns
+  /// an empty string, or one sentence that says why the image cannot be used.
+  std::string SetDetail(vtkImageData* detail, int level, double scale);
+  bool HasDetail() const
+  {
+    return this->Detail.HasDetail();
+  }
+
+  /// Lowest and highest height that the detail adds, in height units; 0, 0 without detail.
+  glm::dvec2 GetDetailRange() const;
+  /// A height below all heights without detail, and above the floor of their coarse mesh.
+  double GetFloorThreshold() const;
+
   /// Uploads the heights, and their pyramid if it is wanted, if they have changed since the last
   /// upload or the window is another one. Returns an empty string, or one sentence that says why
   /// that failed.
@@ -47,18 +64,21 @@ public:
   void Deactivate();
   void SetUniforms(vtkTerrainUniforms& uniforms);
 
+  ///@{
+  /// Codes, place and samples of the surface: of the sum, if there is detail.
   const terrain::HeightCodes& GetCodes() const
   {
-    return this->Codes;
+    return this->Sum.Codes;
   }
   const terrain::GridGeometry& GetGeometry() const
   {
-    return this->Geometry;
+    return this->Sum.Geometry;
   }
   glm::ivec2 GetSize() const
   {
-    return this->Size;
+    return this->Sum.Size;
   }
+  ///@}
   /// True if there is at least one cell and one height.
   bool HasSurface() const;
 
@@ -103,6 +123,16 @@ private:
   std::variant<Store<unsigned short>, Store<float>> Data;
   glm::ivec2 PyramidSize{ 0, 0 };
   int PyramidTop = 0;
+  struct Surface
+  {
+    terrain::HeightCodes Codes;
+    terrain::GridGeometry Geometry;
+    glm::ivec2 Size{ 0, 0 };
+  };
+  Surface Sum;
+  vtkTerrainDetailTexture Detail;
+  int DetailLevel = 0;
+  double DetailScale = 1.0;
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkTextureObject> PyramidTexture;
   int NumberOfUploads = 0;

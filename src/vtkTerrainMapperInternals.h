@@ -17,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkTextureObject.h"
 
+#include <array>
 #include <map>
 #include <string>
 
@@ -37,7 +38,7 @@ public:
   /// Cells and height codes of the box, corners of the grid with a margin.
   glm::dvec3 BoxMinimumGC{ 0.0 };
   glm::dvec3 BoxMaximumGC{ 0.0 };
-  vtkMTimeType BoxTime = 0;
+  std::array<glm::dvec3, 2> BoxCorners{};
 
   terrain::PixelRays Rays;
   glm::dmat4 ViewToGrid{ 1.0 };

@@ -90,9 +90,9 @@ inline void SetPatch(
 
 /// The pieces of a ray over all cells that have a surface, in order along the ray. The surface is
 /// made of bilinear patches, or of columns around the samples, of which a cell has four quarters.
-template <typename Texel>
+template <typename Heights>
 std::vector<CellPiece> RayPieces(
-  const CodedHeights<Texel>& heights, const TerrainRay& ray, bool columns = false)
+  const Heights& heights, const TerrainRay& ray, bool columns = false)
 {
   std::vector<CellPiece> pieces;
   for (int j = 0; j < heights.size.y - 1; ++j)

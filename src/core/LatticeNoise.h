@@ -84,11 +84,16 @@ inline float Fade(float t)
 }
 
 /// Noise at the samples of one row, written to values[0 .. axis.Cells.size()); every value lies in
-/// [-1, 1], with a mean of 0 and a standard deviation of about 0.25.
-/// Source: Perlin 1985, "An Image Synthesizer", in two dimensions.
-inline void NoiseRow(
-  const LatticeAxis& axis, std::int64_t cellY, float offsetY, std::uint32_t seed, float* values)
+/// [-1, 1], with a mean of 0 and a standard deviation of about 0.25. With a period the noise
+/// repeats after that many lattice cells in both directions; cells are then >= 0. Source: Perlin
+/// 1985, "An Image Synthesizer", in two dimensions.
+inline void NoiseRow(const LatticeAxis& axis, std::int64_t cellY, float offsetY, std::uint32_t seed,
+  float* values, std::int64_t period = 0)
 {
+  const auto gradient = [&](std::int64_t x, std::int64_t y)
+  {
+    return period > 0 ? LatticeGradient(x % period, y % period, seed) : LatticeGradient(x, y, seed);
+  };
   const std::size_t count = axis.Cells.size();
   const float fadeY = Fade(offsetY);
   std::size_t begin = 0;
@@ -100,10 +105,10 @@ inline void NoiseRow(
     {
       ++end;
     }
-    const LatticeGradient g00(cell, cellY, seed);
-    const LatticeGradient g10(cell + 1, cellY, seed);
-    const LatticeGradient g01(cell, cellY + 1, seed);
-    const LatticeGradient g11(cell + 1, cellY + 1, seed);
+    const LatticeGradient g00 = gradient(cell, cellY);
+    const LatticeGradient g10 = gradient(cell + 1, cellY);
+    const LatticeGradient g01 = gradient(cell, cellY + 1);
+    const LatticeGradient g11 = gradient(cell + 1, cellY + 1);
     const float* offsets = axis.Offsets.data();
     for (std::size_t k = begin; k < end; ++k)
     {

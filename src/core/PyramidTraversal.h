@@ -118,12 +118,20 @@ inline float IntersectColumns(const glm::vec4& codes, const glm::vec3& begin, co
   return above.x <= 0.0f ? 0.0f : t;
 }
 
+/// The heights and the pyramid that rays are traced through, by their texels.
+template <typename Texel>
+struct CodedTypes
+{
+  using Heights = CodedHeights<Texel>;
+  using Pyramid = MinMaxPyramid<Texel>;
+};
+
 /// Heights and their pyramid, both as texels, and the functions that trace rays through them.
 template <typename Texel>
 struct CodedPyramid
 {
-  CodedHeights<Texel> heights;
-  const MinMaxPyramid<Texel>* pyramid = nullptr;
+  typename CodedTypes<Texel>::Heights heights;
+  const typename CodedTypes<Texel>::Pyramid* pyramid = nullptr;
   /// Level of the first node, 1..LevelCount(); more is taken as LevelCount().
   int start = 1;
   /// The surface of constant columns (TERRAIN_COLUMNS in the shader) instead of bilinear patches.
@@ -168,7 +176,7 @@ struct CodedPyramid
 
   glm::vec2 NodeExtremes(glm::ivec2 node, int level) const
   {
-    const PyramidNode<Texel>& extremes = this->pyramid->At(node, level);
+    const auto& extremes = this->pyramid->At(node, level);
     return glm::vec2(static_cast<float>(extremes.Maximum), static_cast<float>(extremes.Minimum)) -
       static_cast<float>(this->heights.bias);
   }

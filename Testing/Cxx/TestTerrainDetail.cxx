@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Detail heights in the mapper, against their sum with the heights made as an image: the same
+// surface from two small images, for every technique that casts rays.
+#include "vtkTerrainTesting.h"
+
+#include "vtkOpenGLTerrainMapper.h"
+#include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainDepthPass.h"
+#include "vtkTerrainDetailSource.h"
+#include "vtkTerrainSource.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTestErrorObserver.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+using Techniques = vtkOpenGLTerrainMapper::Techniques;
+
+constexpr int BaseSamples = 33;
+constexpr double BaseSpacing = 40.0;
+constexpr int Cells = 8;
+constexpr double Scale = 1.5;
+
+vtkSmartPointer<vtkImageData> makeBase()
+{
+  vtkNew<vtkTerrainSource> source;
+  source->SetDimensions(BaseSamples, BaseSamples);
+  source->SetSpacing(BaseSpacing);
+  source->SetRelief(300.0);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> makeDetail(int size)
+{
+  vtkNew<vtkTerrainDetailSource> source;
+  source->SetSize(size);
+  source->SetRelief(12.0);
+  source->Update();
+  return source->GetOutput();
+}
+
+/// Bilinear height at a position in samples; samples repeat.
+double bilinear(vtkImageData* image, double x, double y)
+{
+  const int* size = image->GetDimensions();
+  const auto at = [&](int i, int j)
+  { return image->GetScalarComponentAsDouble(i % size[0], j % size[1], 0, 0); };
+  const int i = static_cast<int>(x);
+  const int j = static_cast<int>(y);
+  const double u = x - i;
+  const double v = y - j;
+  return (at(i, j) * (1 - u) + at(i + 1, j) * u) * (1 - v) +
+    (at(i, j + 1) * (1 - u) + at(i + 1, j + 1) * u) * v;
+}
+
+vtkSmartPointer<vtkImageData> makeSum(vtkImageData* base, vtkImageData* detail)
+{
+  const int samples = (BaseSamples - 1) * Cells + 1;
+  vtkNew<vtkFloatArray> heights;
+  for (int j = 0; j < samples; ++j)
+  {
+    for (int i = 0; i < samples; ++i)
+    {
+      heights->InsertNextValue(static_cast<float>(
+        bilinear(base, double(i) / Cells, double(j) / Cells) + Scale * bilinear(detail, i, j)));
+    }
+  }
+  auto sum = vtkSmartPointer<vtkImageData>::New();
+  sum->SetDimensions(samples, samples, 1);
+  sum->SetSpacing(BaseSpacing / Cells, BaseSpacing / Cells, 1.0);
+  sum->GetPointData()->SetScalars(heights);
+  return sum;
+}
+
+/// One terrain in a window of its own, under one light from the side.
+struct Drawing
+{
+  explicit Drawing(vtkImageData* heights, vtkImageData* detail = nullptr)
+  {
+    this->Mesh->SetInputData(heights);
+    this->Mesh->SetSamplesPerQuad(detail ? 4 : 4 * Cells);
+    this->Mapper->SetInputConnection(this->Mesh->GetOutputPort());
+    this->Mapper->SetHeightsData(heights);
+    if (detail)
+    {
+      this->Mapper->SetDetailData(detail);
+      this->Mapper->SetDetailCells(Cells);
+      this->Mapper->SetDetailScale(Scale);
+    }
+    this->Actor->SetMapper(this->Mapper);
+    this->Scene.Renderer->AddActor(this->Actor);
+    this->Scene.Renderer->AutomaticLightCreationOff();
+    this->Scene.Renderer->AddLight(this->Light);
+    this->Light->SetPosition(-1000.0, 400.0, 700.0);
+    this->Light->SetFocalPoint(640.0, 640.0, 100.0);
+  }
+
+  void Look(const glm::dvec3& eye, const glm::dvec3& at)
+  {
+    vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetPosition(eye.x, eye.y, eye.z);
+    camera->SetFocalPoint(at.x, at.y, at.z);
+    this->Scene.Renderer->ResetCameraClippingRange();
+  }
+
+  std::vector<float> Distances()
+  {
+    this->Scene.Renderer->SetPass(this->Pass);
+    this->Scene.Window->Render();
+    this->Scene.Renderer->SetPass(nullptr);
+    vtkImageData* image = this->Pass->GetDistances();
+    const auto* begin = static_cast<float*>(image->GetScalarPointer());
+    return { begin, begin + image->GetNumberOfPoints() };
+  }
+
+  vtkTerrainTesting::Scene Scene = vtkTerrainTesting::MakeScene(120, 90);
+  vtkNew<vtkTerrainCoarseMesh> Mesh;
+  vtkNew<vtkOpenGLTerrainMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkLight> Light;
+  vtkNew<vtkTerrainDepthPass> Pass;
+};
+
+/// Part of the pixels whose distances differ by more than a tolerance, relative.
+double differs(const std::vector<float>& a, const std::vector<float>& b, double tolerance)
+{
+  std::size_t different = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    different += std::isnan(a[k]) != std::isnan(b[k]) ||
+      (!std::isnan(a[k]) && std::abs(a[k] - b[k]) > tolerance * b[k]);
+  }
+  return a.size() == b.size() ? double(different) / a.size() : 1.0;
+}
+
+const glm::dvec3 Views[][2] = {
+  { { 640.0, -700.0, 800.0 }, { 640.0, 640.0, 100.0 } }, // from outside
+  { { 640.0, 640.0, 1500.0 }, { 640.0, 641.0, 0.0 } },   // straight down
+  { { 300.0, 300.0, 260.0 }, { 900.0, 900.0, 150.0 } },  // from within the box
+  { { 640.0, -300.0, -400.0 }, { 640.0, 640.0, 100.0 } } // from below
+};
+
+class TerrainDetail : public testing::TestWithParam<Techniques>
+{
+};
+
+TEST_P(TerrainDetail, IsTheSumOfTheHeights)
+{
+  const auto base = makeBase();
+  for (const int size : { 64, 48, 5 })
+  {
+    SCOPED_TRACE(size);
+    const auto detail = makeDetail(size);
+    Drawing parts(base, detail);
+    Drawing whole(makeSum(base, detail));
+    parts.Mapper->SetTechnique(this->GetParam());
+    whole.Mapper->SetTechnique(Techniques::Pyramid); // whose tests are its own
+    // the searches may miss what is thinner than a step
+    const double allowed = this->GetParam() == Techniques::Pyramid ? 0.0 : 0.004;
+    for (const auto& view : Views)
+    {
+      SCOPED_TRACE(&view - &Views[0]);
+      parts.Look(view[0], view[1]);
+      whole.Look(view[0], view[1]);
+      EXPECT_LE(differs(parts.Distances(), whole.Distances(), 1e-4), allowed);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, TerrainDetail,
+  testing::Values(Techniques::Pyramid, Techniques::Equidistant),
+  [](const auto& technique)
+  { return technique.param == Techniques::Pyramid ? "Pyramid" : "Equidistant"; });
+
+// Lights see the sum, too: over rays, and over a coarse mesh that has none of the detail.
+TEST(TerrainDetailLight, IsThatOfTheSum)
+{
+  const auto base = makeBase();
+  const auto detail = makeDetail(64);
+  Drawing parts(base, detail);
+  Drawing whole(makeSum(base, detail));
+  parts.Look(Views[0][0], Views[0][1]);
+  whole.Look(Views[0][0], Views[0][1]);
+  const auto picture = vtkTerrainTesting::Render(parts.Scene.Window);
+  EXPECT_LE(vtkTerrainTesting::CountDifferentPixels(
+              picture, vtkTerrainTesting::Render(whole.Scene.Window), 3),
+    10);
+  EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(picture, "TerrainDetail"));
+
+  // straight down, the heights of the mesh hardly matter
+  parts.Mesh->PushUpOff();
+  parts.Mesh->SetSamplesPerQuad(1);
+  parts.Mapper->SetTechnique(Techniques::Mesh);
+  parts.Look({ 640.0, 640.0, 90000.0 }, { 640.0, 641.0, 0.0 });
+  whole.Look({ 640.0, 640.0, 90000.0 }, { 640.0, 641.0, 0.0 });
+  parts.Scene.Renderer->GetActiveCamera()->SetViewAngle(0.7);
+  whole.Scene.Renderer->GetActiveCamera()->SetViewAngle(0.7);
+  parts.Scene.Renderer->ResetCameraClippingRange();
+  whole.Scene.Renderer->ResetCameraClippingRange();
+  EXPECT_LE(vtkTerrainTesting::CountDifferentPixels(vtkTerrainTesting::Render(parts.Scene.Window),
+              vtkTerrainTesting::Render(whole.Scene.Window), 8),
+    120 * 90 / 100);
+}
+
+TEST(TerrainDetailChange, UploadsOnlyWhatChanged)
+{
+  const auto base = makeBase();
+  const auto detail = makeDetail(64);
+  Drawing drawing(base, detail);
+  drawing.Look(Views[0][0], Views[0][1]);
+  drawing.Scene.Window->Render();
+  const std::vector<float> before = drawing.Distances();
+  const int uploads = drawing.Mapper->GetNumberOfHeightUploads();
+  double bounds[6];
+  drawing.Mapper->GetBounds(bounds);
+  drawing.Mapper->SetDetailScale(10.0 * Scale);
+  double higher[6];
+  drawing.Mapper->GetBounds(higher);
+  EXPECT_NEAR(higher[5] - bounds[5], 9.0 * Scale * 6.0, 1e-3);
+  EXPECT_NEAR(higher[4] - bounds[4], -9.0 * Scale * 6.0, 1e-3);
+  EXPECT_GT(differs(drawing.Distances(), before, 1e-4), 0.1);
+  drawing.Mapper->SetDetailCells(4);
+  drawing.Distances();
+  EXPECT_EQ(drawing.Mapper->GetNumberOfHeightUploads(), uploads);
+  drawing.Mapper->SetDetailData(nullptr);
+  Drawing bare(base);
+  bare.Look(Views[0][0], Views[0][1]);
+  drawing.Look(Views[0][0], Views[0][1]);
+  EXPECT_EQ(differs(drawing.Distances(), bare.Distances(), 1e-6), 0.0);
+}
+
+// Base and detail are on the graphics card, not their product.
+TEST(TerrainDetailMemory, IsThatOfTheParts)
+{
+  const auto base = makeBase();
+  Drawing drawing(base, makeDetail(64));
+  drawing.Mapper->SetDetailCells(vtkOpenGLTerrainMapper::MostDetailCells);
+  drawing.Look(Views[0][0], Views[0][1]);
+  drawing.Scene.Window->Render();
+  EXPECT_LT(drawing.Mapper->GetTextureMemorySize(), 4 * 1.7 * (33 * 33 + 64 * 64) + 100);
+}
+
+TEST(TerrainDetailErrors, AreToldInOneSentence)
+{
+  vtkNew<vtkOpenGLTerrainMapper> mapper;
+  vtkNew<vtkTest::ErrorObserver> errors;
+  mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  for (const int cells : { 0, -2, 3, 24, 2048 })
+  {
+    mapper->SetDetailCells(cells);
+    EXPECT_TRUE(errors->GetError());
+    errors->Clear();
+  }
+  EXPECT_EQ(mapper->GetDetailCells(), 16);
+  mapper->SetDetailScale(-1.0);
+  EXPECT_EQ(mapper->GetDetailScale(), 0.0);
+
+  const auto holed = makeDetail(8);
+  holed->SetScalarComponentFromDouble(3, 3, 0, 0, std::nan(""));
+  Drawing drawing(makeBase(), holed);
+  drawing.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  drawing.Scene.Window->Render();
+  EXPECT_NE(errors->GetErrorMessage().find("every sample needs a height"), std::string::npos);
+}
+
+// One period fits itself: no step at the border is larger than those within.
+TEST(TerrainDetailSource, Tiles)
+{
+  for (const int size : { 1, 2, 7, 64, 100 })
+  {
+    const auto detail = makeDetail(size);
+    double within = 0.0;
+    double across = 0.0;
+    for (int j = 0; j < size; ++j)
+    {
+      for (int i = 0; i < size; ++i)
+      {
+        const double east = std::abs(bilinear(detail, i + 1, j) - bilinear(detail, i, j));
+        const double north = std::abs(bilinear(detail, i, j + 1) - bilinear(detail, i, j));
+        (i + 1 < size ? within : across) = std::max(i + 1 < size ? within : across, east);
+        (j + 1 < size ? within : across) = std::max(j + 1 < size ? within : across, north);
+      }
+    }
+    EXPECT_LE(across, 1.5 * within + 1e-6);
+    double range[2];
+    detail->GetScalarRange(range);
+    EXPECT_NEAR(range[1] - range[0], size < 16 ? 0.0 : 12.0, 1e-4);
+  }
+}
+}
