@@ -42,6 +42,25 @@ inline bool GetPair(vtkImageData* image, const char* name, double pair[2])
   return true;
 }
 
+/// How heights are laid out: CRS = Origin + (x, y) / Scale.
+struct Layout
+{
+  double Origin[2] = { 0.0, 0.0 };
+  double Scale[2] = { 1.0, 1.0 };
+};
+
+/// The layout that the field arrays LayoutOrigin and LayoutScale say, else x, y themselves.
+inline Layout GetLayout(vtkImageData* image)
+{
+  Layout layout;
+  if (!GetPair(image, "LayoutOrigin", layout.Origin) ||
+    !GetPair(image, "LayoutScale", layout.Scale))
+  {
+    return Layout();
+  }
+  return layout;
+}
+
 inline void AddNumbers(vtkImageData* image, const char* name, const std::vector<double>& values)
 {
   vtkNew<vtkDoubleArray> array;

@@ -149,6 +149,12 @@ bool vtkTerrainGeoreference::IsOnEarth()
   return this->Internals->WhyNot.empty() && this->Internals->System.IsOnEarth();
 }
 
+bool vtkTerrainGeoreference::IsGeographic()
+{
+  this->Prepare();
+  return this->Internals->System.GetKind() == vtkTerrainCoordinateSystem::Kind::Geographic;
+}
+
 std::string vtkTerrainGeoreference::GetWarning()
 {
   this->Prepare();

@@ -55,6 +55,7 @@
 #include <memory>
 #include <string>
 
+class vtkImageData;
 class vtkTerrainGeoid;
 
 class VTKTERRAIN_EXPORT vtkTerrainGeoreference : public vtkObject
@@ -99,6 +100,11 @@ public:
   {
     return this->Extent;
   }
+
+  /// CRS and extent of heights, from the field data that vtkTerrainRasterReader adds to them
+  /// (LayoutOrigin, LayoutScale; without these an image lies at its own coordinates). The CRS is
+  /// kept if the heights name none.
+  void SetFromHeights(vtkImageData* heights);
 
   /// Frame of the scene; default Plane.
   void SetFrame(FrameType frame);
@@ -147,6 +153,8 @@ public:
   /// True if there are places: the CRS is tied to the earth. Otherwise, with the frame Grid, only
   /// file and scene can be transformed.
   bool IsOnEarth();
+  /// True if x and y of the file are longitude and latitude.
+  bool IsGeographic();
   /// One sentence about something suspicious that is no error; empty as a rule.
   std::string GetWarning();
   /// Name of the file's CRS as people know it.

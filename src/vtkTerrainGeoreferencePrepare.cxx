@@ -4,6 +4,8 @@
 #include "vtkTerrainGeoreferenceInternals.h"
 
 #include "core/GridReference.h"
+#include "vtkTerrainFieldData.h"
+#include "vtkTerrainHeightfield.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +60,27 @@ std::vector<double> vtkTerrainExtent::Border(const double extent[4])
     }
   }
   return points;
+}
+
+void vtkTerrainGeoreference::SetFromHeights(vtkImageData* heights)
+{
+  const std::string system = vtkTerrainFieldData::GetText(heights, "CRS");
+  if (!system.empty())
+  {
+    this->SetCoordinateSystem(system);
+  }
+  const vtkTerrainFieldData::Layout layout = vtkTerrainFieldData::GetLayout(heights);
+  const terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(heights);
+  const int* dims = heights->GetDimensions();
+  double extent[4];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double first = geometry.Origin[axis];
+    const double last = first + (dims[axis] - 1) * geometry.Spacing[axis];
+    extent[2 * axis] = layout.Origin[axis] + first / layout.Scale[axis];
+    extent[2 * axis + 1] = layout.Origin[axis] + last / layout.Scale[axis];
+  }
+  this->SetExtent(extent[0], extent[1], extent[2], extent[3]);
 }
 
 void vtkTerrainGeoreference::Prepare()

@@ -136,6 +136,10 @@ vtkTerrainRasterFile::vtkTerrainRasterFile(const char* fileName)
 //------------------------------------------------------------------------------
 vtkTerrainRasterFile::~vtkTerrainRasterFile()
 {
+  if (this->GivenReference)
+  {
+    OSRRelease(this->GivenReference);
+  }
   if (this->Dataset)
   {
     const vtkTerrainGDALMessages messages;

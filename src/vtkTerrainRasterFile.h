@@ -11,6 +11,7 @@
 #define vtkTerrainRasterFile_h
 
 #include <gdal.h>
+#include <ogr_srs_api.h>
 
 #include <array>
 #include <cstdint>
@@ -82,6 +83,10 @@ public:
   vtkTerrainRasterFile(const vtkTerrainRasterFile&) = delete;
   void operator=(const vtkTerrainRasterFile&) = delete;
 
+  /// A CRS in place of the one that the file names: EPSG code, WKT or PROJ string. Throws if it is
+  /// not understood.
+  void SetCoordinateSystem(const std::string& definition);
+
   /// Takes band 1 and following; 0 takes the first one unless the file is a colour image. Throws.
   void SelectBand(int band);
   int GetBand() const
@@ -135,11 +140,13 @@ public:
   std::int64_t GetBlockRows(int overview) const;
 
 private:
+  OGRSpatialReferenceH GetSpatialReference() const;
   GDALRasterBandH FindBand(int overview) const;
   void CheckColors() const;
   void SampleHeights(double& lowest, bool& fillOccurs) const;
 
   GDALDatasetH Dataset = nullptr;
+  OGRSpatialReferenceH GivenReference = nullptr;
   GDALRasterBandH Band = nullptr;
   int BandNumber = 0;
 };

@@ -3,6 +3,8 @@
 // The part of vtkTerrainRasterFile that knows coordinate reference systems and units.
 #include "vtkTerrainRasterFile.h"
 
+#include "vtkTerrainCoordinateSystem.h"
+
 #include <cpl_conv.h>
 #include <ogr_srs_api.h>
 
@@ -104,13 +106,35 @@ bool IsOneOf(const std::string& name, std::initializer_list<const char*> names)
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainRasterFile::SetCoordinateSystem(const std::string& definition)
+{
+  const vtkTerrainGDALMessages messages;
+  const std::string wkt = vtkTerrainCoordinateSystem::ToWkt(definition);
+  if (wkt.empty())
+  {
+    throw vtkTerrainRasterError("the coordinate system '" + definition + "' is not understood");
+  }
+  if (this->GivenReference)
+  {
+    OSRRelease(this->GivenReference);
+  }
+  this->GivenReference = OSRNewSpatialReference(wkt.c_str());
+}
+
+//------------------------------------------------------------------------------
+OGRSpatialReferenceH vtkTerrainRasterFile::GetSpatialReference() const
+{
+  return this->GivenReference ? this->GivenReference : GDALGetSpatialRef(this->Dataset);
+}
+
+//------------------------------------------------------------------------------
 vtkTerrainRasterLayout vtkTerrainRasterFile::GetLayout() const
 {
   const vtkTerrainGDALMessages messages;
   vtkTerrainRasterLayout layout;
   const auto width = static_cast<double>(this->GetWidth());
   const auto height = static_cast<double>(this->GetHeight());
-  OGRSpatialReferenceH srs = GDALGetSpatialRef(this->Dataset);
+  OGRSpatialReferenceH srs = this->GetSpatialReference();
   if (srs)
   {
     layout.CRS = ExportWKT(srs);
@@ -141,7 +165,7 @@ std::string vtkTerrainRasterFile::GetVerticalUnit() const
     return unit;
   }
   const vtkTerrainGDALMessages messages;
-  OGRSpatialReferenceH srs = GDALGetSpatialRef(this->Dataset);
+  OGRSpatialReferenceH srs = this->GetSpatialReference();
   if (srs && (OSRIsCompound(srs) || OSRIsVertical(srs)))
   {
     char* name = nullptr;

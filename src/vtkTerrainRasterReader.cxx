@@ -274,6 +274,16 @@ const char* vtkTerrainRasterReader::GetFileName() const
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainRasterReader::SetCoordinateSystem(const std::string& definition)
+{
+  if (this->CoordinateSystem != definition)
+  {
+    this->CoordinateSystem = definition;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 const char* vtkTerrainRasterReader::GetErrorMessage() const
 {
   return this->ErrorMessage.c_str();
@@ -333,6 +343,10 @@ void vtkTerrainRasterReader::Warn(const std::string& text)
 void vtkTerrainRasterReader::Plan(vtkTerrainRasterPlan& plan) const
 {
   plan.File.SelectBand(this->Band);
+  if (!this->CoordinateSystem.empty())
+  {
+    plan.File.SetCoordinateSystem(this->CoordinateSystem);
+  }
   plan.Layout = plan.File.GetLayout();
   plan.Request.Window = ResolveWindow(plan.File, this->Window);
   plan.Request.NorthFirst = plan.Layout.NorthFirst;
@@ -492,6 +506,7 @@ void vtkTerrainRasterReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << "\n"
+     << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n"
      << indent << "Band: " << this->Band << "\n"
      << indent << "Window: " << this->Window[0] << " " << this->Window[1] << " " << this->Window[2]
      << " " << this->Window[3] << "\n"

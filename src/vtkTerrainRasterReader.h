@@ -83,6 +83,14 @@ public:
   VTK_FILEPATH const char* GetFileName() const;
   ///@}
 
+  /// CRS of the file in place of the one it names: "EPSG:n", WKT, or a PROJ string; empty (the
+  /// default) for its own.
+  void SetCoordinateSystem(const std::string& definition);
+  const std::string& GetCoordinateSystem() const
+  {
+    return this->CoordinateSystem;
+  }
+
   ///@{
   /// Band of heights, from 1 on. 0 (the default) is the first one, but refuses colour images: files
   /// with red, green and blue, with a palette, or with more than two bands of bytes.
@@ -155,6 +163,7 @@ private:
   void Warn(const std::string& text);
 
   std::string FileName;
+  std::string CoordinateSystem;
   int Band = 0;
   int Window[4] = { 0, 0, 0, 0 };
   int MaximumSize = 0;

@@ -39,6 +39,23 @@ constexpr double kEarthRadius = 6371008.8;
 // Samples handed to one thread at a time.
 constexpr vtkIdType kGrain = 4096;
 
+/// Height at grid coordinates whose columns repeat after `turn` of them (0: never). Between the
+/// last and the first column it is the bilinear patch.
+template <typename T>
+double SampleTurned(
+  const terrain::HeightfieldView<T>& heights, double x, double y, double turn, bool cubic)
+{
+  x = turn > 0.0 && x < 0.0 ? x + turn : x;
+  const double last = turn - 1.0;
+  if (turn > 0.0 && x > last)
+  {
+    const double t = x - last;
+    return (1.0 - t) * terrain::SampleBilinear(heights, last, y) +
+      t * terrain::SampleBilinear(heights, 0.0, y);
+  }
+  return cubic ? terrain::SampleCubic(heights, x, y) : terrain::SampleBilinear(heights, x, y);
+}
+
 /// Copies heights to scalars of type float or double from an index on.
 void CopyHeights(const std::vector<double>& heights, vtkDataArray* scalars, vtkIdType first)
 {
@@ -197,8 +214,7 @@ void vtkTerrainReproject::SampleTiles(const std::vector<double>& scene,
               double x = 0.0;
               double y = 0.0;
               tile->ToGrid(file.data() + 3 * i, x, y);
-              found[static_cast<std::size_t>(i)] =
-                cubic ? terrain::SampleCubic(view, x, y) : terrain::SampleBilinear(view, x, y);
+              found[static_cast<std::size_t>(i)] = SampleTurned(view, x, y, tile->Turn, cubic);
             }
           });
       });

@@ -8,6 +8,7 @@
 #define vtkTerrainReprojectInternals_h
 
 #include "core/Coordinates.h"
+#include "vtkTerrainFieldData.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainReproject.h"
 
@@ -27,21 +28,21 @@ struct vtkTerrainReproject::Tile
   std::string System;
   bool IsInMetres = false;
   terrain::GridGeometry Geometry;
-  /// CRS = LayoutOrigin + (x, y) / LayoutScale.
-  double LayoutOrigin[2] = { 0.0, 0.0 };
-  double LayoutScale[2] = { 1.0, 1.0 };
+  vtkTerrainFieldData::Layout Layout;
   /// In the CRS: first and last sample.
   double Extent[4] = { 0.0, 0.0, 0.0, 0.0 };
   double Heights[2] = { 0.0, 0.0 };
   /// In the scene; empty if none of it has an image.
   double Bounds[4] = { 1.0, -1.0, 1.0, -1.0 };
+  /// Columns round the earth, if that many close the circle; else 0.
+  double Turn = 0.0;
 
   /// Point of the CRS to grid coordinates, cells.
   void ToGrid(const double* file, double& x, double& y) const
   {
-    x = ((file[0] - this->LayoutOrigin[0]) * this->LayoutScale[0] - this->Geometry.Origin.x) /
+    x = ((file[0] - this->Layout.Origin[0]) * this->Layout.Scale[0] - this->Geometry.Origin.x) /
       this->Geometry.Spacing.x;
-    y = ((file[1] - this->LayoutOrigin[1]) * this->LayoutScale[1] - this->Geometry.Origin.y) /
+    y = ((file[1] - this->Layout.Origin[1]) * this->Layout.Scale[1] - this->Geometry.Origin.y) /
       this->Geometry.Spacing.y;
   }
 };

@@ -44,30 +44,13 @@ std::string vtkTerrainReproject::ReadTile(vtkImageData* image, Tile& tile) const
   {
     return "the spacing of the heights is not positive";
   }
-  tile.System = vtkTerrainFieldData::GetText(image, "CRS");
-  if (tile.System.empty())
-  {
-    tile.System = this->CoordinateSystem;
-  }
+  tile.Layout = vtkTerrainFieldData::GetLayout(image);
   tile.IsInMetres = image->GetFieldData()->GetAbstractArray("VerticalScale") != nullptr;
-  if (!vtkTerrainFieldData::GetPair(image, "LayoutOrigin", tile.LayoutOrigin) ||
-    !vtkTerrainFieldData::GetPair(image, "LayoutScale", tile.LayoutScale))
-  {
-    std::fill_n(tile.LayoutOrigin, 2, 0.0);
-    std::fill_n(tile.LayoutScale, 2, 1.0);
-  }
-  const int* dims = image->GetDimensions();
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double first = tile.Geometry.Origin[axis];
-    const double last = first + (dims[axis] - 1) * tile.Geometry.Spacing[axis];
-    double* ends = axis == 0 ? tile.Extent : tile.Extent + 2;
-    ends[0] = tile.LayoutOrigin[axis] + first / tile.LayoutScale[axis];
-    ends[1] = tile.LayoutOrigin[axis] + last / tile.LayoutScale[axis];
-  }
+  tile.Reference->SetCoordinateSystem(this->CoordinateSystem);
+  tile.Reference->SetFromHeights(image);
+  tile.System = tile.Reference->GetCoordinateSystem();
+  std::copy_n(tile.Reference->GetExtent(), 4, tile.Extent);
   image->GetPointData()->GetScalars()->GetFiniteRange(tile.Heights);
-  tile.Reference->SetCoordinateSystem(tile.System);
-  tile.Reference->SetExtent(tile.Extent[0], tile.Extent[1], tile.Extent[2], tile.Extent[3]);
   tile.Reference->SetFrame(tile.System.empty() ? Frame::Grid : Frame::Geocentric);
   return {};
 }
@@ -84,6 +67,26 @@ void vtkTerrainReproject::ShareScene(Tile& tile)
   tile.Reference->SetSceneHeights(scene->GetSceneHeights());
   tile.Reference->GetGeoid()->SetModel(scene->GetGeoid()->GetModel());
   tile.Reference->GetGeoid()->SetDirectory(scene->GetGeoid()->GetDirectory());
+}
+
+void vtkTerrainReproject::PlanTurn(Tile& tile)
+{
+  // One sample after the last: where the first one is, if the samples go round the earth.
+  const double columns = tile.Image->GetDimensions()[0];
+  const double y = 0.5 * (tile.Extent[2] + tile.Extent[3]);
+  const double step = tile.Geometry.Spacing.x / tile.Layout.Scale[0];
+  double places[9] = { tile.Extent[0], y, 0.0, tile.Extent[1] + step, y, 0.0, tile.Extent[0] + step,
+    y, 0.0 };
+  if (!tile.Reference->FileToPlaces(places, places, 3))
+  {
+    return;
+  }
+  const double gap = std::remainder(places[3] - places[0], 360.0);
+  const double cell = std::remainder(places[6] - places[0], 360.0);
+  constexpr double kLeastColumns = 3.0;
+  constexpr double kShareOfCell = 1e-3;
+  tile.Turn =
+    columns >= kLeastColumns && std::abs(gap) < kShareOfCell * std::abs(cell) ? columns : 0.0;
 }
 
 std::string vtkTerrainReproject::PlanScene()
@@ -128,6 +131,7 @@ std::string vtkTerrainReproject::PlanScene()
       why = "the heights have no coordinate system";
     }
     why = why.empty() ? tile->Reference->GetWhyNot() : why;
+    this->PlanTurn(*tile);
   }
   return why;
 }
@@ -151,8 +155,8 @@ void vtkTerrainReproject::PlanSpacing(const Tile& tile)
   // The cell in the middle, as vectors of the scene.
   const double x = 0.5 * (tile.Extent[0] + tile.Extent[1]);
   const double y = 0.5 * (tile.Extent[2] + tile.Extent[3]);
-  double points[9] = { x, y, 0.0, x + tile.Geometry.Spacing.x / tile.LayoutScale[0], y, 0.0, x,
-    y + tile.Geometry.Spacing.y / tile.LayoutScale[1], 0.0 };
+  double points[9] = { x, y, 0.0, x + tile.Geometry.Spacing.x / tile.Layout.Scale[0], y, 0.0, x,
+    y + tile.Geometry.Spacing.y / tile.Layout.Scale[1], 0.0 };
   this->FileToScene(tile, points, 3);
   const double area = std::abs((points[3] - points[0]) * (points[7] - points[1]) -
     (points[4] - points[1]) * (points[6] - points[0]));

@@ -58,6 +58,61 @@ bool Read(const std::string& text, double& value)
   value = std::strtod(text.c_str(), &end);
   return !text.empty() && end && *end == '\0' && std::isfinite(value);
 }
+
+/// A place as it is written: degrees, and metres above sea level or ellipsoid, or above the ground.
+struct WrittenPlace
+{
+  double Longitude = 0.0;
+  double Latitude = 0.0;
+  double Height = 0.0;
+  bool IsAboveGround = true;
+};
+
+/// Reads the height of a place. False if it is none.
+bool ReadHeight(std::string text, WrittenPlace& place)
+{
+  static const std::string suffix = "agl";
+  place.IsAboveGround =
+    text.size() > suffix.size() && text.substr(text.size() - suffix.size()) == suffix;
+  if (place.IsAboveGround)
+  {
+    text.resize(text.size() - suffix.size());
+  }
+  return Read(text, place.Height);
+}
+
+/// Reads what the class comment says a place is. Returns one sentence if it is none.
+std::string ReadPlace(const std::string& text, WrittenPlace& place)
+{
+  const std::vector<std::string> parts = Split(text);
+  const bool isDegrees =
+    parts.size() >= 2 && Read(parts[0], place.Longitude) && Read(parts[1], place.Latitude);
+  const std::size_t used = isDegrees ? 2 : 1;
+  if (isDegrees && (std::abs(place.Latitude) > 90.0 || std::abs(place.Longitude) > 720.0))
+  {
+    return "'" + text + "' is no longitude and latitude";
+  }
+  if (!isDegrees)
+  {
+    double reference[3] = { 0.0, 0.0, 0.0 };
+    std::string why = vtkTerrainGeoreference::PlaceFromText(parts[0], reference);
+    if (!why.empty())
+    {
+      return why;
+    }
+    place.Longitude = reference[0];
+    place.Latitude = reference[1];
+  }
+  if (parts.size() > used + 1)
+  {
+    return "'" + text + "' has too many parts: LON,LAT[,HEIGHT]";
+  }
+  if (parts.size() > used && !ReadHeight(parts[used], place))
+  {
+    return "'" + parts[used] + "' is no height: metres, or metres above the ground as 500agl";
+  }
+  return {};
+}
 }
 
 vtkStandardNewMacro(vtkTerrainViewpoint);
@@ -133,45 +188,33 @@ bool vtkTerrainViewpoint::ToPlace(const double scene[3], double place[3])
     std::isfinite(place[0]);
 }
 
+std::string vtkTerrainViewpoint::GetWhyNoPlace(const std::string& text)
+{
+  WrittenPlace written;
+  return ReadPlace(text, written);
+}
+
+std::string vtkTerrainViewpoint::GetWhyNoTime(const std::string& text)
+{
+  terrain::UtcTime time;
+  std::string why;
+  terrain::TimeFromText(text, time, why);
+  return why;
+}
+
 std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene[3])
 {
   std::string why = this->WhyNot();
+  WrittenPlace written;
+  why = why.empty() ? ReadPlace(text, written) : why;
   if (!why.empty())
   {
     return why;
   }
-  std::vector<std::string> parts = Split(text);
-  double place[3] = { 0.0, 0.0, 0.0 };
-  std::string heightText;
-  const bool isDegrees = parts.size() >= 2 && Read(parts[0], place[0]) && Read(parts[1], place[1]);
-  const std::size_t used = isDegrees ? 2 : 1;
-  if (!isDegrees)
-  {
-    why = vtkTerrainGeoreference::PlaceFromText(parts[0], place);
-  }
-  else if (std::abs(place[1]) > 90.0 || std::abs(place[0]) > 720.0)
-  {
-    why = "'" + text + "' is no longitude and latitude";
-  }
-  if (!why.empty() || parts.size() > used + 1)
-  {
-    return why.empty() ? "'" + text + "' has too many parts: LON,LAT[,HEIGHT]" : why;
-  }
-  bool aboveGround = true;
-  if (parts.size() > used)
-  {
-    std::string height = parts[used];
-    aboveGround = height.size() > 3 && height.substr(height.size() - 3) == "agl";
-    height = aboveGround ? height.substr(0, height.size() - 3) : height;
-    if (!Read(height, place[2]))
-    {
-      return "'" + parts[used] + "' is no height: metres, or metres above the ground as 500agl";
-    }
-  }
-  const double above = place[2];
-  place[2] = aboveGround ? 0.0 : place[2];
+  double place[3] = { written.Longitude, written.Latitude,
+    written.IsAboveGround ? 0.0 : written.Height };
   this->Georeference->PlacesToScene(place, scene, 1);
-  if (aboveGround && std::isfinite(scene[0]))
+  if (written.IsAboveGround && std::isfinite(scene[0]))
   {
     // In round frames the foot moves with the height: twice is enough for metres.
     for (int step = 0; step < 3; ++step)
@@ -182,7 +225,7 @@ std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene
       {
         return "'" + text + "' does not lie on the terrain";
       }
-      place[2] = there[2] + above;
+      place[2] = there[2] + written.Height;
       this->Georeference->PlacesToScene(place, scene, 1);
     }
   }

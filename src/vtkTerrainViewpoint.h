@@ -62,6 +62,12 @@ public:
   /// Scene z of the surface at scene x, y; NaN where there is none.
   double GetGround(double x, double y);
 
+  ///@{
+  /// One sentence if a text is no place or no time as the functions below take them, else empty.
+  static std::string GetWhyNoPlace(const std::string& text);
+  static std::string GetWhyNoTime(const std::string& text);
+  ///@}
+
   /// Scene point of a place's text.
   std::string FindPlace(const std::string& text, double scene[3]);
 

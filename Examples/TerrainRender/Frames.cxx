@@ -9,6 +9,8 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderTimer.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTerrainDepthPass.h"
@@ -116,8 +118,15 @@ void DrawFrames(vtkRenderWindow* window, vtkRenderer* renderer, int frames, Stat
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> DrawDepths(vtkRenderWindow* window, vtkRenderer* renderer)
+vtkSmartPointer<vtkImageData> DrawDepths(
+  vtkRenderWindow* window, vtkRenderer* renderer, vtkProp* terrain)
 {
+  vtkPropCollection* props = renderer->GetViewProps();
+  for (int i = 0; i < props->GetNumberOfItems(); ++i)
+  {
+    auto* prop = static_cast<vtkProp*>(props->GetItemAsObject(i));
+    prop->SetVisibility(prop == terrain);
+  }
   const vtkNew<vtkTerrainDepthPass> pass;
   renderer->SetPass(pass);
   window->Render();

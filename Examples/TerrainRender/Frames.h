@@ -11,6 +11,7 @@
 
 class Statistics;
 class vtkImageData;
+class vtkProp;
 class vtkRenderWindow;
 class vtkRenderer;
 
@@ -23,8 +24,9 @@ class vtkRenderer;
  */
 void DrawFrames(vtkRenderWindow* window, vtkRenderer* renderer, int frames, Statistics& statistics);
 
-/// Distances along the viewing direction of what the renderer shows: float scalars, the lowest row
-/// first, NaN where there is no surface. What the window shows is lost. Throws a Failure.
-vtkSmartPointer<vtkImageData> DrawDepths(vtkRenderWindow* window, vtkRenderer* renderer);
+/// Distances along the viewing direction of the terrain alone: float scalars, the lowest row first,
+/// NaN where there is no surface. What the window shows is lost. Throws a Failure.
+vtkSmartPointer<vtkImageData> DrawDepths(
+  vtkRenderWindow* window, vtkRenderer* renderer, vtkProp* terrain);
 
 #endif

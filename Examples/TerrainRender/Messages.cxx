@@ -62,7 +62,7 @@ public:
   void DisplayWarningText(const char* text) override
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    std::cerr << "terrain-render: warning: " << Sentence(text) << '\n';
+    Warn(Sentence(text));
   }
 
   /// The text of the first error since the last call, empty if there was none.
@@ -88,6 +88,12 @@ void CatchMessages()
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   const vtkNew<MessageCatcher> catcher;
   vtkOutputWindow::SetInstance(catcher);
+}
+
+//------------------------------------------------------------------------------
+void Warn(const std::string& text)
+{
+  std::cerr << "terrain-render: warning: " << text << '\n';
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,9 @@
 /// stderr as one line each.
 void CatchMessages();
 
+/// Prints a warning of the program itself on stderr, as one line.
+void Warn(const std::string& text);
+
 /// Throws a Failure about `what` if VTK reported an error since the last call; the reason is the
 /// text of the first one, without the place in the source; it stands alone if it names `what`.
 void ThrowOnError(const std::string& what);

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options.h"
 
+#include "Arguments.h"
+
 #include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <sstream>
 #include <vector>
 
 namespace
@@ -21,41 +22,6 @@ const std::map<std::string, Technique> kTechniques = { { "mesh", Technique::Mesh
 
 const std::map<std::string, Window> kWindows = { { "auto", Window::Automatic },
   { "egl", Window::EGL }, { "osmesa", Window::OSMesa }, { "x", Window::X } };
-
-/// Refuses with CLI11's own kind of error.
-[[noreturn]] void Refuse(const std::string& option, const std::string& reason)
-{
-  throw CLI::ValidationError(option, reason);
-}
-
-/// The whole text as a finite number between the two bounds, both allowed.
-double ParseNumber(
-  const std::string& option, const std::string& text, double minimum, double maximum)
-{
-  double value = 0.0;
-  if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value))
-  {
-    Refuse(option, "'" + text + "' is not a finite number");
-  }
-  if (value < minimum || value > maximum)
-  {
-    std::ostringstream reason;
-    reason << text << " is not between " << minimum << " and " << maximum;
-    Refuse(option, reason.str());
-  }
-  return value;
-}
-
-/// The whole text as an integer between the two bounds, both allowed.
-int ParseInteger(const std::string& option, const std::string& text, int minimum, int maximum)
-{
-  const double value = ParseNumber(option, text, minimum, maximum);
-  if (value != std::floor(value))
-  {
-    Refuse(option, "'" + text + "' is not a whole number");
-  }
-  return static_cast<int>(value);
-}
 
 std::array<int, 2> ParseSize(const std::string& text)
 {
@@ -90,12 +56,7 @@ bool HasUpright(const Camera& camera)
 Camera ParseCamera(const std::string& text)
 {
   constexpr double kFarthest = 1e12;
-  std::vector<double> numbers;
-  std::istringstream stream(text);
-  for (std::string item; std::getline(stream, item, ',');)
-  {
-    numbers.push_back(ParseNumber("--camera", item, -kFarthest, kFarthest));
-  }
+  const std::vector<double> numbers = ParseNumbers("--camera", text, kFarthest);
   if (numbers.size() != 6 && numbers.size() != 9)
   {
     Refuse("--camera",
@@ -132,6 +93,7 @@ struct Texts
   std::string ViewAngle;
   std::string Exaggeration;
   std::string Frames;
+  PlaceArguments Place;
 };
 
 void Declare(CLI::App& app, Options& options, Texts& texts)
@@ -159,6 +121,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
     ->transform(CLI::CheckedTransformer(kWindows).description(""));
   add("--frames", texts.Frames, "N", "how often the picture is drawn; default 1");
   add("--stats", options.Stats, "FILE", "JSON of counts, sizes and times");
+  texts.Place.Declare(app, options.Place);
   app.set_version_flag("--version", TERRAIN_RENDER_VERSION);
 }
 
@@ -188,16 +151,23 @@ void Interpret(const Texts& texts, Options& options)
   {
     options.Frames = ParseInteger("--frames", texts.Frames, 1, 1000000);
   }
+  texts.Place.Interpret(options.Place);
+  if (options.View && !options.Place.LookFrom.empty())
+  {
+    Refuse("--look-from", "--camera says where the eye is already");
+  }
 }
 
 /// No file may be named twice, or the input would be written over, or one output by the other.
 void CheckFiles(const Options& options)
 {
-  const std::array<std::pair<const char*, const std::string*>, 4> files = {
-    { { "HEIGHTS", &options.Heights }, { "--output", &options.Output },
+  const std::array<std::pair<const char*, const std::string*>, 6> files = {
+    { { "HEIGHTS", &options.Heights }, { "--drape", &options.Place.Drape },
+      { "--track", &options.Place.Track }, { "--output", &options.Output },
       { "--depth", &options.Depth }, { "--stats", &options.Stats } }
   };
-  for (std::size_t i = 0; i < files.size(); ++i)
+  constexpr std::size_t kInputs = 3;
+  for (std::size_t i = kInputs; i < files.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
@@ -212,6 +182,12 @@ void CheckFiles(const Options& options)
     Refuse("--output", "needs the name of a file");
   }
 }
+}
+
+//------------------------------------------------------------------------------
+std::string HeightsName(const Options& options)
+{
+  return options.Heights.empty() ? "built-in landscape" : options.Heights;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,8 @@
 #ifndef terrain_render_Options_h
 #define terrain_render_Options_h
 
+#include "PlaceOptions.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -61,10 +63,14 @@ struct Options
   int Frames = 1;
   /// File of statistics; empty for none.
   std::string Stats;
+  PlaceOptions Place;
 };
 
 /// Largest width and height of a picture, in pixels.
 constexpr int kMaximumSize = 16384;
+
+/// What messages about the heights begin with.
+std::string HeightsName(const Options& options);
 
 /// Name of a technique, as on the command line.
 const char* NameOf(Technique technique);

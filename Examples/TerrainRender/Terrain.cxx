@@ -31,17 +31,12 @@ namespace
 using Techniques = vtkOpenGLTerrainMapper::Techniques;
 
 /// Shares of the progress bar.
-constexpr double kReadShare = 0.7;
+constexpr double kReadShare = 0.5;
+constexpr double kPlaceShare = 0.2;
 constexpr double kMeshShare = 0.3;
 
 const char* const kNoSurface =
   "there is no surface to draw, for no four neighbouring samples all have heights";
-
-/// What messages about the heights begin with.
-std::string HeightsName(const Options& options)
-{
-  return options.Heights.empty() ? "built-in landscape" : options.Heights;
-}
 
 vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
 {
@@ -51,6 +46,7 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
   }
   auto reader = vtkSmartPointer<vtkTerrainRasterReader>::New();
   reader->SetFileName(options.Heights);
+  reader->SetCoordinateSystem(options.Place.CoordinateSystem);
   return reader;
 }
 
@@ -113,7 +109,7 @@ Terrain PrepareStrips(vtkImageData* heights, const Options& options, ProgressBar
   const vtkNew<vtkTerrainHierarchy> hierarchy;
   const auto show = [&progress](double done)
   {
-    progress.Show(kReadShare + kMeshShare * done, "preparing");
+    progress.Show(kReadShare + kPlaceShare + kMeshShare * done, "preparing");
     return true;
   };
   if (!hierarchy->SetHeights(heights, show))
@@ -171,14 +167,20 @@ vtkSmartPointer<vtkImageData> ReadHeights(
   statistics.AddTime("read", watch.GetMilliseconds());
 
   vtkSmartPointer<vtkImageData> heights = source->GetOutput();
-  const int* dimensions = heights->GetDimensions();
   statistics.SetText("heights", HeightsName(options));
+  CountSamples(heights, statistics);
+  return heights;
+}
+
+//------------------------------------------------------------------------------
+void CountSamples(vtkImageData* heights, Statistics& statistics)
+{
+  const int* dimensions = heights->GetDimensions();
   statistics.SetCount("columns", dimensions[0]);
   statistics.SetCount("rows", dimensions[1]);
   statistics.SetCount("samples", heights->GetNumberOfPoints());
   statistics.SetCount("bytes_of_heights",
     static_cast<std::int64_t>(heights->GetScalarSize()) * heights->GetNumberOfPoints());
-  return heights;
 }
 
 //------------------------------------------------------------------------------

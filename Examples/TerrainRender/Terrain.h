@@ -32,6 +32,9 @@ struct Terrain
 vtkSmartPointer<vtkImageData> ReadHeights(
   const Options& options, ProgressBar& progress, Statistics& statistics);
 
+/// Tells the number and size of the samples that are drawn.
+void CountSamples(vtkImageData* heights, Statistics& statistics);
+
 /// Builds what the technique draws with, coloured by height. Throws a Failure, also if the heights
 /// have no surface at all.
 Terrain PrepareTerrain(

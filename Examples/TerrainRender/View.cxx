@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View.h"
 
+#include "Failure.h"
+#include "Messages.h"
 #include "Options.h"
+#include "Placing.h"
 #include "Terrain.h"
 
 #include "vtkBoundingBox.h"
@@ -12,11 +15,13 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTerrainViewpoint.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 
 namespace
 {
@@ -113,7 +118,27 @@ void SetClippingRange(vtkCamera* camera, const vtkBoundingBox& box)
   camera->SetClippingRange(nearPlane, std::max((1.0 + kMargin) * farthest, 2.0 * nearPlane));
 }
 
-void AddLights(vtkRenderer* renderer)
+/// Throws a Failure about an option if there is a reason.
+void ThrowIf(const std::string& option, const std::string& why)
+{
+  if (!why.empty())
+  {
+    throw Failure(option, why);
+  }
+}
+
+/// What brings the places and times of the options into the scene.
+vtkSmartPointer<vtkTerrainViewpoint> MakeViewpoint(
+  const PlacedHeights& heights, const Options& options)
+{
+  auto viewpoint = vtkSmartPointer<vtkTerrainViewpoint>::New();
+  viewpoint->SetGeoreference(heights.Georeference);
+  viewpoint->SetHeights(heights.Image);
+  viewpoint->SetExaggeration(options.Exaggeration);
+  return viewpoint;
+}
+
+void AddLights(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options)
 {
   renderer->AutomaticLightCreationOff();
   const vtkNew<vtkLight> sun;
@@ -123,6 +148,14 @@ void AddLights(vtkRenderer* renderer)
   sun->SetFocalPoint(0.0, 0.0, 0.0);
   sun->SetColor(1.0, 0.98, 0.94);
   sun->SetIntensity(1.05);
+  if (!options.Place.Sun.empty())
+  {
+    ThrowIf("--sun", MakeViewpoint(heights, options)->SetSun(options.Place.Sun, sun));
+    if (!sun->GetSwitch())
+    {
+      Warn("--sun: it is night");
+    }
+  }
   renderer->AddLight(sun);
   const vtkNew<vtkLight> sky;
   sky->SetLightTypeToHeadlight();
@@ -159,11 +192,12 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkRenderer> MakeRenderer(const Terrain& terrain, const Options& options)
+vtkSmartPointer<vtkRenderer> MakeRenderer(
+  const Terrain& terrain, const PlacedHeights& heights, const Options& options)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->AddActor(terrain.Actor);
-  AddLights(renderer);
+  AddLights(renderer, heights, options);
   renderer->GradientBackgroundOn();
   renderer->SetBackground(0.90, 0.93, 0.95);
   renderer->SetBackground2(0.50, 0.66, 0.84);
@@ -176,6 +210,11 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(const Terrain& terrain, const Options&
     camera->SetPosition(options.View->Eye.data());
     camera->SetFocalPoint(options.View->FocalPoint.data());
     camera->SetViewUp(options.View->Up.data());
+  }
+  else if (!options.Place.LookFrom.empty())
+  {
+    ThrowIf("--look-from",
+      MakeViewpoint(heights, options)->Look(options.Place.LookFrom, options.Place.LookAt, camera));
   }
   else
   {

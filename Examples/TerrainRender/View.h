@@ -12,14 +12,17 @@
 class vtkRenderWindow;
 class vtkRenderer;
 struct Options;
+struct PlacedHeights;
 struct Terrain;
 
 /// An off-screen window of the kind and size that the options ask for, not opened yet.
 vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options);
 
-/// A renderer of the terrain under a light from the north-west, before a sky. The camera is that of
-/// the options, else looks from the south with all of the terrain in view; nothing beyond 1e-4 of
-/// the terrain's diagonal from the eye is lost to the near plane.
-vtkSmartPointer<vtkRenderer> MakeRenderer(const Terrain& terrain, const Options& options);
+/// A renderer of the terrain under a light from the north-west or the sun of the options, before a
+/// sky. The camera is that of the options, else looks from the south with all of the terrain in
+/// view; nothing beyond 1e-4 of the terrain's diagonal from the eye is lost to the near plane.
+/// Throws a Failure.
+vtkSmartPointer<vtkRenderer> MakeRenderer(
+  const Terrain& terrain, const PlacedHeights& heights, const Options& options);
 
 #endif

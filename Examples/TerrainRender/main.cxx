@@ -5,11 +5,13 @@
  * terrain-render: a file of heights to a picture. What it does is told by --help; its exit status
  * is 0, 2 for a wrong command line, 1 otherwise, with one line on stderr and no output left behind.
  */
+#include "Annotations.h"
 #include "Failure.h"
 #include "Frames.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Outputs.h"
+#include "Placing.h"
 #include "Progress.h"
 #include "Statistics.h"
 #include "Terrain.h"
@@ -38,13 +40,16 @@ void Render(const Options& options)
   PendingFile stats(options.Stats);
 
   auto progress = std::make_unique<ProgressBar>();
-  const vtkSmartPointer<vtkImageData> heights = ReadHeights(options, *progress, statistics);
-  const Terrain terrain = PrepareTerrain(heights, options, *progress, statistics);
+  const PlacedHeights heights =
+    PlaceHeights(ReadHeights(options, *progress, statistics), options, *progress, statistics);
+  const Terrain terrain = PrepareTerrain(heights.Image, options, *progress, statistics);
   progress.reset();
 
   const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(options);
-  const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(terrain, options);
+  const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(terrain, heights, options);
   window->AddRenderer(renderer);
+  AddLines(renderer, heights, options, statistics);
+  AddOverlay(renderer, heights, options);
   RefineTerrain(terrain, renderer, options, statistics);
   DrawFrames(window, renderer, options.Frames, statistics);
   DescribeTerrain(terrain, statistics);
@@ -53,7 +58,7 @@ void Render(const Options& options)
   WritePicture(window, picture);
   if (depth.IsWanted())
   {
-    WriteDepths(DrawDepths(window, renderer), depth);
+    WriteDepths(DrawDepths(window, renderer, terrain.Actor), depth);
   }
   if (stats.IsWanted())
   {

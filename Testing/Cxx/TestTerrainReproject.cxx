@@ -360,6 +360,46 @@ TEST(TerrainReproject, PoleInTheMiddle)
   }
 }
 
+TEST(TerrainReproject, RoundTheEarthWithoutSeam)
+{
+  // 360 columns of a degree, whose last and first are neighbours: heights of one wave round the
+  // pole, seen from above it.
+  constexpr double kDegree = 3.14159265358979323846 / 180.0;
+  for (double west : { -179.5, 0.5 })
+  {
+    for (bool cubic : { false, true })
+    {
+      vtkNew<vtkTerrainReproject> filter;
+      filter->SetInputData(Heights({ "EPSG:4326", west, 60.0, 1.0 }, 360, 31,
+        [west](double i, double) { return 100.0 * std::cos((west + i) * kDegree); }));
+      filter->SetInterpolation(cubic ? vtkTerrainReproject::InterpolationType::Cubic
+                                     : vtkTerrainReproject::InterpolationType::Bilinear);
+      filter->GetGeoreference()->SetOrigin(0.0, 90.0, 0.0);
+      filter->SetSpacing(25000.0);
+      filter->Update();
+      ASSERT_EQ(filter->GetErrorMessage(), "");
+      vtkImageData* output = filter->GetOutput();
+      int beyond = 0;
+      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+      {
+        double point[3];
+        output->GetPoint(i, point);
+        const double height = output->GetPointData()->GetScalars()->GetComponent(i, 0);
+        if (std::hypot(point[0], point[1]) > 3.0e6)
+        {
+          continue;
+        }
+        double place[3];
+        filter->GetGeoreference()->SceneToPlaces(point, place, 1);
+        // A chord of one degree is 100 (1 - cos 0.5 degrees) below the wave at most.
+        EXPECT_NEAR(height, 100.0 * std::cos(place[0] * kDegree), 0.004) << point[0] << point[1];
+        beyond += std::abs(std::remainder(place[0] - west + 0.5, 360.0)) < 0.5 ? 1 : 0;
+      }
+      EXPECT_GT(beyond, 50);
+    }
+  }
+}
+
 TEST(TerrainReproject, RefusesWithASentence)
 {
   const auto flat = [](double, double) { return 1.0; };

@@ -3,6 +3,7 @@
 #include "TerrainRenderFixture.h"
 
 #include <gdal.h>
+#include <ogr_srs_api.h>
 
 #include <algorithm>
 #include <chrono>
@@ -121,10 +122,18 @@ std::string TerrainRenderFixture::WriteRaster(
     description.Height, description.Bands, description.IsBytes ? GDT_Byte : GDT_Float32, nullptr);
   std::vector<double> transform = description.GeoTransform;
   GDALSetGeoTransform(dataset, transform.data());
+  if (!description.CoordinateSystem.empty())
+  {
+    OGRSpatialReferenceH reference = OSRNewSpatialReference(nullptr);
+    EXPECT_EQ(OSRSetFromUserInput(reference, description.CoordinateSystem.c_str()), OGRERR_NONE);
+    GDALSetSpatialRef(dataset, reference);
+    OSRRelease(reference);
+  }
   std::vector<float> row(description.Width);
   for (int band = 1; band <= description.Bands; ++band)
   {
     GDALRasterBandH target = GDALGetRasterBand(dataset, band);
+    GDALSetRasterUnitType(target, description.Unit.c_str());
     if (description.HasNoData)
     {
       GDALSetRasterNoDataValue(target, description.NoData);
@@ -216,6 +225,27 @@ Depths TerrainRenderFixture::ReadDepths(const std::string& name) const
     CE_None);
   GDALClose(dataset);
   return depths;
+}
+
+//------------------------------------------------------------------------------
+Picture TerrainRenderFixture::ReadPicture(const std::string& name) const
+{
+  Picture picture;
+  GDALDatasetH dataset = GDALOpen(this->Path(name).c_str(), GA_ReadOnly);
+  if (!dataset)
+  {
+    ADD_FAILURE() << name << " cannot be read";
+    return picture;
+  }
+  picture.Width = GDALGetRasterXSize(dataset);
+  picture.Height = GDALGetRasterYSize(dataset);
+  picture.Values.resize(3 * static_cast<std::size_t>(picture.Width) * picture.Height);
+  EXPECT_EQ(GDALDatasetRasterIO(dataset, GF_Read, 0, 0, picture.Width, picture.Height,
+              picture.Values.data(), picture.Width, picture.Height, GDT_Byte, 3, nullptr, 3,
+              3 * picture.Width, 1),
+    CE_None);
+  GDALClose(dataset);
+  return picture;
 }
 
 //------------------------------------------------------------------------------

@@ -36,6 +36,25 @@ struct RasterDescription
   double NoData = -32767.0;
   /// As GDAL has it: x = g0 + g1 column + g2 row, y = g3 + g4 column + g5 row.
   std::vector<double> GeoTransform = { 0.0, 1.0, 0.0, 0.0, 0.0, -1.0 };
+  /// "EPSG:n", WKT or PROJ; empty for none.
+  std::string CoordinateSystem;
+  /// Of heights; empty for none.
+  std::string Unit;
+};
+
+/// A picture of 8 bits a channel.
+struct Picture
+{
+  int Width = 0;
+  int Height = 0;
+  /// Red, green, blue of each pixel, row 0 on top.
+  std::vector<unsigned char> Values;
+
+  /// Channel 0 to 2 of a pixel.
+  int At(int column, int row, int channel) const
+  {
+    return this->Values[3 * (static_cast<std::size_t>(row) * this->Width + column) + channel];
+  }
 };
 
 /// What a depth file holds.
@@ -85,6 +104,7 @@ protected:
   RunResult Draw(const std::string& heights, std::vector<std::string> arguments = {}) const;
 
   Depths ReadDepths(const std::string& name = "depth.tif") const;
+  Picture ReadPicture(const std::string& name = "picture.png") const;
   /// Width and height of a PNG; 0 x 0 if it is none.
   std::vector<int> ReadPictureSize(const std::string& name) const;
   std::string ReadText(const std::string& name) const;

@@ -42,7 +42,27 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--camera", "0,0,9,0,0,0,0,0,0" }, "up vector" }, { { "--output", "" }, "--output" },
   { { "--output", "a.png", "--depth", "a.png" }, "a.png" },
   { { "a.tif", "--output", "a.tif" }, "a.tif" }, { { "a.tif", "b.tif" }, "b.tif" },
-  { { "--fast" }, "--fast" } };
+  { { "--fast" }, "--fast" }, { { "--crs", "EPSG:99999999" }, "--crs" },
+  { { "--crs", "ENGCRS[]" }, "--crs" }, { { "--frame", "mercator" }, "mercator" },
+  { { "--origin", "8" }, "LON,LAT" }, { { "--origin", "8,91" }, "LON,LAT" },
+  { { "--origin", "8,47,0,0" }, "LON,LAT" }, { { "--origin", "8,north" }, "north" },
+  { { "--origin", "8,47", "--frame", "utm" }, "--origin" }, { { "--utm-zone", "45" }, "N or S" },
+  { { "--utm-zone", "61N" }, "--utm-zone" }, { { "--utm-zone", "N" }, "--utm-zone" },
+  { { "--utm-zone", "" }, "--utm-zone" },
+  { { "--utm-zone", "45N", "--frame", "plane" }, "--frame" },
+  { { "--curvature", "--frame", "grid" }, "--curvature" }, { { "--cell", "0" }, "--cell" },
+  { { "--cell", "-30" }, "--cell" }, { { "--cell", "nan" }, "nan" },
+  { { "--vertical", "sea" }, "sea" }, { { "--geoid", "" }, "--geoid" },
+  { { "--look-from", "8,47,500agl" }, "--look-at" }, { { "--look-at", "8,47" }, "--look-from" },
+  { { "--look-from", "8,47,high", "--look-at", "8,47" }, "high" },
+  { { "--look-from", "8,97,500", "--look-at", "8,47" }, "8,97" },
+  { { "--look-from", "8,47,500", "--look-at", "there" }, "--look-at" },
+  { { "--look-from", "8,47,500", "--look-at", "8,47", "--camera", "1,2,3,4,5,6" }, "--camera" },
+  { { "--sun", "noon" }, "noon" }, { { "--sun", "2024-02-30T12:00" }, "calendar" },
+  { { "--sun", "1850-02-28T12:00" }, "1850" }, { { "--graticule", "miles" }, "miles" },
+  { { "--track-mode", "flying" }, "flying" },
+  { { "--drape", "a.png", "--output", "a.png" }, "a.png" },
+  { { "--track", "a.json", "--stats", "a.json" }, "a.json" } };
 }
 
 TEST_F(TerrainRenderOptions, WrongOnesAreRefused)
@@ -60,9 +80,11 @@ TEST_F(TerrainRenderOptions, HelpAndVersionAreNoErrors)
 {
   const RunResult help = this->Run({ "--help" });
   EXPECT_EQ(help.Status, 0);
-  for (const char* option :
-    { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells", "--camera", "--view-angle",
-      "--exaggeration", "--depth", "--window", "--frames", "--stats" })
+  for (const char* option : { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells",
+         "--camera", "--view-angle", "--exaggeration", "--depth", "--window", "--frames", "--stats",
+         "--crs", "--frame", "--curvature", "--origin", "--utm-zone", "--cell", "--cubic",
+         "--vertical", "--geoid", "--drape", "--track", "--track-mode", "--look-from", "--look-at",
+         "--sun", "--graticule", "--scale-bar", "--north-arrow" })
   {
     EXPECT_NE(help.Output.find(option), std::string::npos) << option;
   }

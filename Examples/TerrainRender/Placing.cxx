@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Placing.h"
+
+#include "Failure.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Progress.h"
+#include "Statistics.h"
+#include "Terrain.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTerrainGeoid.h"
+#include "vtkTerrainGeoreference.h"
+#include "vtkTerrainReproject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using FrameType = vtkTerrainGeoreference::FrameType;
+using HeightType = vtkTerrainGeoreference::HeightType;
+
+/// Share of the progress bar.
+constexpr double kPlaceShare = 0.2;
+/// How far the scale of a file's own grid may be from 1.
+constexpr double kScaleError = 0.01;
+/// Largest drop of the earth, in metres, over an extent that the frame Plane is chosen for.
+constexpr double kDeepestDrop = 200e3;
+
+/// A scene as the options describe it, of the frame Grid unless they name one.
+vtkSmartPointer<vtkTerrainGeoreference> DescribeScene(
+  vtkImageData* image, const PlaceOptions& options)
+{
+  auto scene = vtkSmartPointer<vtkTerrainGeoreference>::New();
+  scene->SetFromHeights(image);
+  scene->SetFrame(options.Frame.value_or(FrameType::Grid));
+  if (options.Origin)
+  {
+    scene->SetOrigin((*options.Origin)[0], (*options.Origin)[1], (*options.Origin)[2]);
+  }
+  scene->SetZone(options.Zone, options.Northern);
+  scene->SetSceneHeights(options.Vertical);
+  if (!options.Geoid.empty())
+  {
+    scene->GetGeoid()->SetModel(options.Geoid);
+  }
+  return scene;
+}
+
+/// True unless a metre of the file's own grid is known to be something else on the ground, in the
+/// middle of the data. `ground` is their frame Plane.
+bool IsTrueToScale(vtkTerrainGeoreference* ground, vtkImageData* image)
+{
+  const int* dims = image->GetDimensions();
+  const double* spacing = image->GetSpacing();
+  if (dims[0] < 2 || dims[1] < 2)
+  {
+    return true;
+  }
+  const double* extent = ground->GetExtent();
+  const double x = 0.5 * (extent[0] + extent[1]);
+  const double y = 0.5 * (extent[2] + extent[3]);
+  const double nextX = x + (extent[1] - extent[0]) / (dims[0] - 1);
+  const double nextY = y + (extent[3] - extent[2]) / (dims[1] - 1);
+  double points[9] = { x, y, 0.0, nextX, y, 0.0, x, nextY, 0.0 };
+  ground->FileToScene(points, points, 3);
+  const double area = std::abs((points[3] - points[0]) * (points[7] - points[1]) -
+    (points[4] - points[1]) * (points[6] - points[0]));
+  return !(std::abs(std::sqrt(area / (spacing[0] * spacing[1])) - 1.0) >= kScaleError);
+}
+
+/// Sets the frame of a scene of the frame Grid for which the options name none. Returns what there
+/// is to warn of.
+std::string ChooseFrame(PlacedHeights& placed, const std::string& name)
+{
+  const vtkNew<vtkTerrainGeoreference> ground;
+  ground->SetFromHeights(placed.Image);
+  const bool inDegrees = ground->IsGeographic();
+  if (!ground->GetWhyNot().empty())
+  {
+    if (inDegrees)
+    {
+      throw Failure(name, ground->GetWhyNot());
+    }
+    return placed.Georeference->GetWhyNot();
+  }
+  if (!inDegrees && IsTrueToScale(ground, placed.Image))
+  {
+    return placed.Georeference->GetWarning();
+  }
+  double sideways = 0.0;
+  double drop = 0.0;
+  ground->GetFlatError(sideways, drop);
+  if (drop < kDeepestDrop)
+  {
+    placed.Georeference->SetFrame(FrameType::Plane);
+    return {};
+  }
+  return "it reaches too far for a flat scene, and is laid out as a map that is true to scale in "
+         "its middle: --frame local shows the earth round";
+}
+
+/// Empty if the scene has places on earth, else why not.
+std::string WhyNoPlaces(vtkTerrainGeoreference* scene)
+{
+  const std::string why = scene->GetWhyNot();
+  if (!why.empty() || scene->IsOnEarth())
+  {
+    return why;
+  }
+  return scene->GetCoordinateSystem().empty()
+    ? "it has no coordinate system (--crs names one)"
+    : "its coordinate system '" + scene->GetCoordinateSystemName() + "' is tied to no place";
+}
+
+vtkSmartPointer<vtkImageData> Resample(
+  const PlacedHeights& placed, const Options& options, ProgressBar& progress)
+{
+  // more samples a side than this fit into no texture of common drivers
+  constexpr double kMostSamples = 16384.0;
+  const vtkNew<vtkTerrainReproject> filter;
+  filter->SetInputData(placed.Image);
+  filter->SetGeoreference(placed.Georeference);
+  filter->SetSpacing(options.Place.Cell);
+  filter->SetInterpolation(options.Place.Cubic ? vtkTerrainReproject::InterpolationType::Cubic
+                                               : vtkTerrainReproject::InterpolationType::Bilinear);
+  progress.Watch(filter, kPlaceShare, "placing");
+  filter->UpdateInformation();
+  ThrowOnError(HeightsName(options));
+  vtkInformation* info = filter->GetOutputInformation(0);
+  const int* extent = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  const double longest = std::max(extent[1], extent[3]) + 1.0;
+  if (options.Place.Cell == 0.0 && longest > kMostSamples)
+  {
+    filter->SetSpacing(info->Get(vtkDataObject::SPACING())[0] * longest / (kMostSamples - 2.0));
+  }
+  filter->Update();
+  ThrowOnError(HeightsName(options));
+  return filter->GetOutput();
+}
+}
+
+//------------------------------------------------------------------------------
+PlacedHeights PlaceHeights(
+  vtkImageData* read, const Options& options, ProgressBar& progress, Statistics& statistics)
+{
+  const Stopwatch watch;
+  const std::string name = HeightsName(options);
+  const PlaceOptions& wanted = options.Place;
+  PlacedHeights placed;
+  placed.Image = read;
+  placed.Georeference = DescribeScene(placed.Image, wanted);
+  std::string warning;
+  if (!wanted.Frame)
+  {
+    warning = ChooseFrame(placed, name);
+  }
+  else if (!placed.Georeference->GetWhyNot().empty())
+  {
+    throw Failure(name, placed.Georeference->GetWhyNot());
+  }
+  if (placed.Georeference->GetFrame() != FrameType::Grid || wanted.Cell > 0.0 ||
+    wanted.Vertical != HeightType::AsIs)
+  {
+    placed.Image = Resample(placed, options, progress);
+    CountSamples(placed.Image, statistics);
+    statistics.AddTime("place", watch.GetMilliseconds());
+  }
+  placed.WhyNoPlaces = WhyNoPlaces(placed.Georeference);
+  const char* option = wanted.FirstThatNeedsPlaces();
+  if (option && !placed.WhyNoPlaces.empty())
+  {
+    throw Failure(
+      name, std::string(option) + " needs to know where it is, but " + placed.WhyNoPlaces);
+  }
+  if (!warning.empty())
+  {
+    Warn(name + ": " + warning);
+  }
+  statistics.SetText("crs", placed.Georeference->GetCoordinateSystemName());
+  return placed;
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From heights as a file has them to a scene in metres whose places on earth are known.
+ */
+#ifndef terrain_render_Placing_h
+#define terrain_render_Placing_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTerrainGeoreference.h"
+
+#include <string>
+
+class ProgressBar;
+class Statistics;
+struct Options;
+
+/// Heights in the coordinates of the scene, and where on earth those are.
+struct PlacedHeights
+{
+  vtkSmartPointer<vtkImageData> Image;
+  vtkSmartPointer<vtkTerrainGeoreference> Georeference;
+  /// Empty if the scene has places on earth, else one sentence that says why not.
+  std::string WhyNoPlaces;
+};
+
+/**
+ * Brings heights that were read into the frame that the options ask for. Without such options the
+ * file's own grid is kept where it is in metres and true to scale in its middle (within 1 %), and
+ * where nothing is known of it; heights in degrees, Web Mercator and the like are resampled in the
+ * frame Plane. That has no use for large parts of the earth, where the ground falls by more than
+ * 200 km below the middle's horizon (1,600 km off): those keep the layout of the reader, and a
+ * warning says so.
+ *
+ * Throws a Failure: what is asked for cannot be had, or an option needs places that there are not.
+ */
+PlacedHeights PlaceHeights(
+  vtkImageData* read, const Options& options, ProgressBar& progress, Statistics& statistics);
+
+#endif

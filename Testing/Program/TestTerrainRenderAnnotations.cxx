@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What terrain-render draws onto and over the terrain: tracks, graticules, scale bars, sunlight.
+#include "TerrainRenderFixture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// A north-south ridge of 91 x 81 samples of about 30 m round 86.915 E, 28 N: 1,000 m high in the
+/// middle column, 20 m less a column to both sides.
+RasterDescription Ridge()
+{
+  RasterDescription ridge;
+  ridge.Width = 91;
+  ridge.Height = 81;
+  ridge.CoordinateSystem = "EPSG:4326";
+  ridge.GeoTransform = { 86.90135, 0.0003, 0.0, 28.01215, 0.0, -0.0003 };
+  ridge.Sample = [](int i, int) { return 1000.0 - 20.0 * std::abs(i - 45); };
+  return ridge;
+}
+
+/// From straight above, 30 degrees of 6,000 m: all of the ridge.
+const std::vector<std::string> kAbove = { "--look-from", "86.915,28,7000", "--look-at",
+  "86.915,28,0" };
+
+std::vector<std::string> Above(const std::vector<std::string>& more)
+{
+  std::vector<std::string> arguments = kAbove;
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+bool IsRed(const Picture& picture, int column, int row)
+{
+  return picture.At(column, row, 0) > 150 && picture.At(column, row, 1) < 90 &&
+    picture.At(column, row, 2) < 90;
+}
+
+int CountRed(const Picture& picture)
+{
+  int red = 0;
+  for (int row = 0; row < picture.Height; ++row)
+  {
+    for (int column = 0; column < picture.Width; ++column)
+    {
+      red += IsRed(picture, column, row) ? 1 : 0;
+    }
+  }
+  return red;
+}
+
+int CountDifferent(const Picture& a, const Picture& b)
+{
+  int different = 0;
+  for (std::size_t i = 0; i < a.Values.size(); i += 3)
+  {
+    different += std::equal(&a.Values[i], &a.Values[i] + 3, &b.Values[i]) ? 0 : 1;
+  }
+  return different;
+}
+
+/// Mean of the green channel over a column of the picture.
+double MeanOfColumn(const Picture& picture, int column)
+{
+  double sum = 0.0;
+  for (int row = 40; row < 80; ++row)
+  {
+    sum += picture.At(column, row, 1) / 40.0;
+  }
+  return sum;
+}
+
+class TerrainRenderAnnotations : public TerrainRenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    TerrainRenderFixture::SetUp();
+    this->Heights = this->WriteRaster("ridge.tif", Ridge());
+  }
+
+  std::string WriteTrack(const std::string& name, const std::string& points) const
+  {
+    return this->WriteText(name,
+      R"(<?xml version="1.0"?><gpx version="1.1" creator="test" )"
+      R"(xmlns="http://www.topografix.com/GPX/1/1"><trk><trkseg>)" +
+        points + "</trkseg></trk></gpx>");
+  }
+
+  Picture DrawPicture(const std::vector<std::string>& arguments)
+  {
+    const RunResult result = this->Draw(this->Heights, arguments);
+    EXPECT_EQ(result.Errors, "");
+    this->ExpectDrawn(result, 2000);
+    return this->ReadPicture();
+  }
+
+  std::string Heights;
+};
+
+const char* const kWestToEast = R"(<trkpt lat="28.0" lon="86.905"><ele>2000</ele></trkpt>)"
+                                R"(<trkpt lat="28.0" lon="86.925"><ele>2000</ele></trkpt>)";
+}
+
+TEST_F(TerrainRenderAnnotations, TrackLiesOnTheGround)
+{
+  const Picture bare = this->DrawPicture(kAbove);
+  EXPECT_EQ(CountRed(bare), 0);
+  const Depths depths = this->ReadDepths();
+  const std::string track = this->WriteTrack("track.gpx", kWestToEast);
+  const Picture picture = this->DrawPicture(Above({ "--track", track }));
+  // through the middle of the picture, in its middle rows only
+  for (const int column : { 60, 70, 80, 90, 100 })
+  {
+    EXPECT_TRUE(IsRed(picture, column, 59) || IsRed(picture, column, 60)) << column;
+    EXPECT_FALSE(IsRed(picture, column, 50)) << column;
+  }
+  // the depths are those of the terrain alone
+  EXPECT_EQ(this->ReadDepths().At(80, 60), depths.At(80, 60));
+  // seen along the ridge, the track climbs it from both sides; at its own height it is level
+  const std::vector<std::string> along = { "--look-from", "86.915,27.96,1500", "--look-at",
+    "86.915,28,1000" };
+  const auto highestRed = [](const Picture& seen, int column)
+  {
+    for (int row = 0; row < seen.Height; ++row)
+    {
+      if (IsRed(seen, column, row))
+      {
+        return row;
+      }
+    }
+    return seen.Height;
+  };
+  std::vector<std::string> arguments = along;
+  arguments.insert(arguments.end(), { "--track", track });
+  const Picture climbing = this->DrawPicture(arguments);
+  EXPECT_LT(highestRed(climbing, 80) + 8, highestRed(climbing, 62));
+  arguments.insert(arguments.end(), { "--track-mode", "absolute" });
+  const Picture level = this->DrawPicture(arguments);
+  EXPECT_NEAR(highestRed(level, 80), highestRed(level, 62), 1);
+  EXPECT_LT(highestRed(level, 80), highestRed(climbing, 80) - 8);
+}
+
+TEST_F(TerrainRenderAnnotations, VectorsOfAnySystemAndKind)
+{
+  const char* const json = R"({"type":"FeatureCollection","crs":{"type":"name","properties":)"
+                           R"({"name":"urn:ogc:def:crs:EPSG::32645"}},"features":[)"
+                           R"({"type":"Feature","properties":{},"geometry":%s}]})";
+  // the middle of the ridge in UTM 45 N
+  const std::string middle = "[491642.6,3097205.3]";
+  const std::vector<std::string> geometries = { R"({"type":"Point","coordinates":)" + middle + "}",
+    R"({"type":"MultiLineString","coordinates":[[[491342.9,3097205.3],[491942.9,3097205.3]]]})",
+    R"({"type":"Polygon","coordinates":[[)" + middle +
+      R"(,[491942.9,3097205.3],[491942.9,3097482.1],)" + middle + "]]}" };
+  for (const std::string& geometry : geometries)
+  {
+    std::string text = json;
+    text.replace(text.find("%s"), 2, geometry);
+    const Picture picture =
+      this->DrawPicture(Above({ "--track", this->WriteText("layer.json", text) }));
+    EXPECT_TRUE(IsRed(picture, 80, 60) || IsRed(picture, 79, 59)) << geometry;
+    EXPECT_LT(CountRed(picture), 400) << geometry;
+  }
+}
+
+TEST_F(TerrainRenderAnnotations, TracksThatCannotBeDrawn)
+{
+  const auto refuse = [this](const std::string& path, const std::string& mention)
+  {
+    const std::vector<std::string> before = this->ListFiles();
+    ExpectRefused(this->Draw(this->Heights, { "--track", path }), 1, mention);
+    EXPECT_EQ(this->ListFiles(), before);
+  };
+  refuse(this->Path("nowhere.gpx"), "nowhere.gpx");
+  refuse(this->WriteText("text.gpx", "These are no points.\n"), "text.gpx");
+  refuse(this->WriteTrack("empty.gpx", ""), "no points");
+  refuse(this->Heights, "ridge.tif");
+  refuse(
+    this->WriteTrack("far.gpx", R"(<trkpt lat="47.0" lon="11.0"/><trkpt lat="47.1" lon="11.0"/>)"),
+    "does not meet the terrain");
+}
+
+TEST_F(TerrainRenderAnnotations, GraticuleScaleBarAndArrow)
+{
+  const Picture bare = this->DrawPicture(kAbove);
+  const Depths depths = this->ReadDepths();
+  for (const std::vector<std::string>& arguments :
+    { std::vector<std::string>{ "--graticule", "degrees" }, { "--graticule", "utm" },
+      { "--scale-bar" }, { "--north-arrow" } })
+  {
+    const Picture picture = this->DrawPicture(Above(arguments));
+    EXPECT_GT(CountDifferent(bare, picture), 40) << arguments.front();
+    EXPECT_LT(CountDifferent(bare, picture), 160 * 120 / 2) << arguments.front();
+    EXPECT_EQ(this->ReadDepths().CountHits(), depths.CountHits());
+  }
+}
+
+TEST_F(TerrainRenderAnnotations, ScaleBarAndArrowNeedNoPlaces)
+{
+  const std::string hill = this->WriteHill();
+  const RunResult result = this->Draw(hill, { "--scale-bar", "--north-arrow" });
+  this->ExpectDrawn(result, 1000);
+  EXPECT_EQ(result.Errors, "");
+}
+
+TEST_F(TerrainRenderAnnotations, SunRisesInTheEast)
+{
+  // 1:30 UTC is 7:18 by the sun there, 10:30 is 16:18
+  const Picture morning = this->DrawPicture(Above({ "--sun", "2024-06-21T01:30Z" }));
+  EXPECT_GT(MeanOfColumn(morning, 90), MeanOfColumn(morning, 70) + 20.0);
+  const Picture evening = this->DrawPicture(Above({ "--sun", "2024-06-21T16:15+05:45" }));
+  EXPECT_GT(MeanOfColumn(evening, 70), MeanOfColumn(evening, 90) + 20.0);
+  const RunResult night = this->Draw(this->Heights, Above({ "--sun", "2024-06-21T18:00Z" }));
+  this->ExpectDrawn(night, 3000);
+  EXPECT_NE(night.Errors.find("night"), std::string::npos) << night.Errors;
+}
