@@ -161,12 +161,12 @@ void Interpret(const Texts& texts, Options& options)
 /// No file may be named twice, or the input would be written over, or one output by the other.
 void CheckFiles(const Options& options)
 {
-  const std::array<std::pair<const char*, const std::string*>, 6> files = {
-    { { "HEIGHTS", &options.Heights }, { "--drape", &options.Place.Drape },
-      { "--track", &options.Place.Track }, { "--output", &options.Output },
-      { "--depth", &options.Depth }, { "--stats", &options.Stats } }
+  const std::array<std::pair<const char*, const std::string*>, 5> files = {
+    { { "HEIGHTS", &options.Heights }, { "--track", &options.Place.Track },
+      { "--output", &options.Output }, { "--depth", &options.Depth },
+      { "--stats", &options.Stats } }
   };
-  constexpr std::size_t kInputs = 3;
+  constexpr std::size_t kInputs = 2;
   for (std::size_t i = kInputs; i < files.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)

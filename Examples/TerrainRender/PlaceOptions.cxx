@@ -123,10 +123,9 @@ void CheckView(const PlaceOptions& options)
 //------------------------------------------------------------------------------
 const char* PlaceOptions::FirstThatNeedsPlaces() const
 {
-  const std::array<std::pair<const char*, bool>, 5> needs = {
+  const std::array<std::pair<const char*, bool>, 4> needs = {
     { { "--look-from", !this->LookFrom.empty() }, { "--sun", !this->Sun.empty() },
-      { "--drape", !this->Drape.empty() }, { "--track", !this->Track.empty() },
-      { "--graticule", this->Graticule.has_value() } }
+      { "--track", !this->Track.empty() }, { "--graticule", this->Graticule.has_value() } }
   };
   for (const auto& [option, isGiven] : needs)
   {
@@ -168,7 +167,6 @@ void PlaceArguments::Declare(CLI::App& app, PlaceOptions& options)
     "heights count from: as-is (default), ellipsoid, geoid (sea level)")
     ->transform(OneOf(kVerticals));
   add("--geoid", options.Geoid, "NAME", "geoid data of GeographicLib; default egm96-5");
-  add("--drape", options.Drape, "FILE", "picture of any CRS to lay onto the terrain");
   add("--track", options.Track, "FILE", "points and lines: GPX, or any vector file GDAL opens");
   add("--track-mode", options.TrackMode, "NAME",
     "the track lies on the ground: clamped (default), at its heights above it: agl, or at its "

@@ -40,8 +40,7 @@ struct PlaceOptions
   /// Name of geoid data; empty for the default.
   std::string Geoid;
 
-  /// Files of a picture and of points and lines; empty for none.
-  std::string Drape;
+  /// File of points and lines; empty for none.
   std::string Track;
   vtkTerrainDrape::ModeType TrackMode = vtkTerrainDrape::ModeType::Clamped;
 

@@ -61,7 +61,6 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--sun", "noon" }, "noon" }, { { "--sun", "2024-02-30T12:00" }, "calendar" },
   { { "--sun", "1850-02-28T12:00" }, "1850" }, { { "--graticule", "miles" }, "miles" },
   { { "--track-mode", "flying" }, "flying" },
-  { { "--drape", "a.png", "--output", "a.png" }, "a.png" },
   { { "--track", "a.json", "--stats", "a.json" }, "a.json" } };
 }
 
@@ -83,8 +82,8 @@ TEST_F(TerrainRenderOptions, HelpAndVersionAreNoErrors)
   for (const char* option : { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells",
          "--camera", "--view-angle", "--exaggeration", "--depth", "--window", "--frames", "--stats",
          "--crs", "--frame", "--curvature", "--origin", "--utm-zone", "--cell", "--cubic",
-         "--vertical", "--geoid", "--drape", "--track", "--track-mode", "--look-from", "--look-at",
-         "--sun", "--graticule", "--scale-bar", "--north-arrow" })
+         "--vertical", "--geoid", "--track", "--track-mode", "--look-from", "--look-at", "--sun",
+         "--graticule", "--scale-bar", "--north-arrow" })
   {
     EXPECT_NE(help.Output.find(option), std::string::npos) << option;
   }
