@@ -328,6 +328,11 @@ int vtkTerrainRasterReader::Fail(const std::string& reason)
 {
   this->ErrorMessage = "cannot read heights from '" + this->FileName + "': " + reason;
   this->SetErrorCode(vtkErrorCode::FileFormatError);
+  // the pipeline leaves the output of the update before this one
+  if (vtkDataObject* output = this->GetOutputDataObject(0))
+  {
+    output->Initialize();
+  }
   vtkErrorMacro(<< this->ErrorMessage);
   return 0;
 }

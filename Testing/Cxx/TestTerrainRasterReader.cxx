@@ -216,37 +216,6 @@ TEST(TerrainRasterReader, DegreesAreLaidOutAtTheCentreLatitude)
   EXPECT_NEAR(Number(image, "LayoutOrigin", 1), 45.0, 1e-12);
 }
 
-TEST(TerrainRasterReader, CoordinateSystemInPlaceOfTheFiles)
-{
-  RasterFile file;
-  file.Width = 10;
-  file.Height = 20;
-  file.GeoTransform = { 7.0, 0.01, 0.0, 45.1, 0.0, -0.01 };
-  file.Values = Count(10, 20);
-  for (const int named : { 0, 32632 })
-  {
-    file.EPSG = named;
-    vtkNew<vtkTerrainRasterReader> reader;
-    reader->SetFileName(file.Write("renamed.tif"));
-    reader->SetCoordinateSystem("EPSG:4326");
-    reader->Update();
-    EXPECT_STREQ(reader->GetWarningMessage(), "");
-    EXPECT_NEAR(reader->GetOutput()->GetSpacing()[0], 788.468351, 1e-5);
-    auto* crs =
-      vtkStringArray::SafeDownCast(reader->GetOutput()->GetFieldData()->GetAbstractArray("CRS"));
-    ASSERT_NE(crs, nullptr);
-    EXPECT_EQ(crs->GetValue(0).rfind("GEOGCRS[\"WGS 84\"", 0), 0U);
-    reader->SetCoordinateSystem("");
-    reader->Update();
-    EXPECT_EQ(reader->GetOutput()->GetSpacing()[0], 0.01);
-    reader->GlobalWarningDisplayOff();
-    reader->SetCoordinateSystem("EPSG:99999999");
-    reader->Update();
-    reader->GlobalWarningDisplayOn();
-    EXPECT_NE(std::string(reader->GetErrorMessage()).find("not understood"), std::string::npos);
-  }
-}
-
 TEST(TerrainRasterReader, FeetBecomeMetres)
 {
   RasterFile file;

@@ -222,3 +222,23 @@ TEST_F(TerrainRasterReaderErrors, ReaderRecovers)
   EXPECT_STREQ(this->Reader->GetErrorMessage(), "");
   EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 9);
 }
+
+TEST_F(TerrainRasterReaderErrors, CoordinateSystemInPlaceOfTheFiles)
+{
+  RasterFile file = MakeSquare(10);
+  file.GeoTransform = { 7.0, 0.01, 0.0, 45.05, 0.0, -0.01 };
+  for (const int named : { 0, 32632 })
+  {
+    file.EPSG = named;
+    const std::string path = file.Write("renamed.tif");
+    this->Reader->SetFileName(path);
+    this->Reader->SetCoordinateSystem("EPSG:4326");
+    this->Reader->Update();
+    EXPECT_STREQ(this->Reader->GetErrorMessage(), "");
+    EXPECT_STREQ(this->Reader->GetWarningMessage(), "");
+    // metres of 0.01 degrees of longitude at 45 degrees
+    EXPECT_NEAR(this->Reader->GetOutput()->GetSpacing()[0], 788.468351, 1e-5);
+    this->Reader->SetCoordinateSystem("EPSG:99999999");
+    this->ExpectError(path, "'EPSG:99999999' is not understood");
+  }
+}
