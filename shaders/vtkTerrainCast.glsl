@@ -7,8 +7,7 @@
 // by; TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels each way are there
 // (vtkTerrainBeamCS.glsl).
 
-uniform int terrainClipPlaneCount;
-uniform vec4 terrainClipPlanesVC[6]; // kept is dot(plane, position) >= 0
+uniform int terrainLayer; // surfaces that the ray passes by
 
 #ifdef TERRAIN_BEAM_PIXELS
 uniform sampler2D terrainBeamStarts;
@@ -35,16 +34,20 @@ struct TerrainSighting
   vec2 fraction;     // position in the cell, 0..1
   bool front;        // seen from above
   int crossings;     // work done, see TerrainHit
+  int wall;          // clipping plane at which a block is cut, or -1 for the surface
 };
 
-// The part of the distances [range.x, range.y] of a pixel's ray that no clipping plane cuts off.
-vec2 terrainClipRange(vec2 pixel, vec2 range)
+// The part of the distances [range.x, range.y] of a pixel's ray that no clipping plane cuts off, and
+// the plane at which it begins, or -1.
+vec2 terrainClipRange(vec2 pixel, vec2 range, out int begin)
 {
+  begin = -1;
   for (int i = 0; i < terrainClipPlaneCount; ++i)
   {
     float atStart = dot(terrainClipPlanesVC[i], terrainPositionVC(pixel, range.x));
     float atEnd = dot(terrainClipPlanesVC[i], terrainPositionVC(pixel, range.y));
     float crossing = mix(range.x, range.y, atStart / (atStart - atEnd));
+    begin = atStart < 0.0 ? i : begin;
     range.x = atStart < 0.0 ? (atEnd < 0.0 ? range.y : crossing) : range.x;
     range.y = atEnd < 0.0 ? (atStart < 0.0 ? range.x : crossing) : range.y;
   }
@@ -81,21 +84,51 @@ TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front)
   return hit;
 }
 
+#ifdef TERRAIN_BLOCK
+// True if a pixel's ray is below the surface at a distance: within the block.
+bool terrainIsWithinBlock(vec2 pixel, float distanceVC, out ivec2 cell, out vec2 fraction)
+{
+  TerrainRay ray = terrainPixelRay(pixel, distanceVC, distanceVC);
+  ivec2 step = ivec2(floor(ray.originGC.xy));
+  cell = clamp(ray.anchorCell + step, ivec2(0), terrainSize - 2);
+  fraction = clamp(ray.originGC.xy - vec2(cell - ray.anchorCell), vec2(0.0), vec2(1.0));
+  vec4 codes = terrainCellCodes(cell);
+  return terrainCellValid(codes) && ray.originGC.z <= terrainPatchCode(codes, fraction);
+}
+#endif
+
 // What the ray of a pixel sees from a distance on.
 TerrainSighting terrainCast(vec2 pixel, float entryDistance)
 {
   float start = max(max(entryDistance, terrainNear), terrainSafeStart(pixel));
   vec2 range = terrainEnterBox(pixel, vec2(start, terrainFar));
-  range = terrainClipRange(pixel, range);
+  int wall;
+  range = terrainClipRange(pixel, range, wall);
   TerrainSighting sighting;
   sighting.found = false;
   sighting.crossings = 0;
+  int layer = terrainLayer;
+#ifdef TERRAIN_BLOCK
+  if (wall >= 0 && range.x < range.y &&
+    terrainIsWithinBlock(pixel, range.x, sighting.cell, sighting.fraction))
+  {
+    if (layer == 0)
+    {
+      sighting.found = true;
+      sighting.distanceVC = range.x;
+      sighting.front = true;
+      sighting.wall = wall;
+      return sighting;
+    }
+    --layer;
+  }
+#endif
   while (range.x < range.y)
   {
     bool front;
     TerrainHit hit = terrainTraceRange(pixel, range, front);
     sighting = TerrainSighting(hit.found, range.x + hit.s, hit.cell, hit.fraction, front,
-      sighting.crossings + hit.crossings);
+      sighting.crossings + hit.crossings, -1);
 #ifdef TERRAIN_CULL_FRONT
     bool culled = hit.found && front;
 #else
@@ -104,10 +137,11 @@ TerrainSighting terrainCast(vec2 pixel, float entryDistance)
 #ifdef TERRAIN_CULL_BACK
     culled = culled || (hit.found && !front);
 #endif
-    if (!culled)
+    if (!hit.found || (!culled && layer == 0))
     {
       break;
     }
+    layer -= culled ? 0 : 1;
     // on from behind the hit: by a hundredth of a cell, and by what float can tell
     float pace = 0.01 / max(length(terrainAtPixelGC(pixel).xy), 1e-30);
     range.x += hit.s + max(pace, 1e-6 * sighting.distanceVC);

@@ -17,6 +17,7 @@ void main()
   TerrainSighting sighting =
     terrainCast(vec2(texel + terrainViewportOrigin) + 0.5, terrainNear);
   float work = float(sighting.crossings + 1);
+  work += sighting.found ? float(sighting.wall + 1) / 32.0 : 0.0;
   imageStore(terrainSightingImage, texel,
     sighting.found ? vec4(sighting.distanceVC, vec2(sighting.cell) + sighting.fraction,
                        sighting.front ? work : -work)

@@ -4,7 +4,8 @@
 // The point of the surface that a fragment shows: what VTK's lights and colours work on.
 // Needs vtkTerrainHeights.glsl, vtkTerrainView.glsl and, for rays, vtkTerrainCast.glsl.
 // Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_MESH if rays begin at the
-// coarse mesh; TERRAIN_FLAT for the normals of single patches, not of differences across them.
+// coarse mesh; TERRAIN_DEPTH_OFFSET if depths are shifted thereafter; TERRAIN_FLAT for the normals of single patches, not of differences across them;
+// TERRAIN_BLOCK if the surface covers a block that clipping planes cut.
 
 struct TerrainSurface
 {
@@ -15,6 +16,7 @@ struct TerrainSurface
   ivec2 cell;
   vec2 fraction;   // position in the cell, 0..1
   float code;      // height code
+  vec2 gradient;   // of the patch, codes per cell
   int crossings;   // work done, see TerrainHit
 };
 
@@ -56,17 +58,55 @@ vec2 terrainSmoothGradient(ivec2 cell, vec2 fraction, vec4 codes)
 TerrainSurface terrainSurfaceAt(ivec2 cell, vec2 fraction, vec4 positionVC, bool front)
 {
   vec4 codes = terrainCellCodes(cell);
+  vec2 gradient = terrainPatchGradient(codes, fraction);
 #ifdef TERRAIN_FLAT
-  vec3 normalVC = terrainNormalVC(terrainPatchGradient(codes, fraction));
+  vec3 normalVC = terrainNormalVC(gradient);
 #else
   vec3 normalVC = terrainNormalVC(terrainSmoothGradient(cell, fraction, codes));
 #endif
   return TerrainSurface(true, positionVC, front ? normalVC : -normalVC, front, cell, fraction,
-    terrainPatchCode(codes, fraction), 0);
+    terrainPatchCode(codes, fraction), gradient, 0);
+}
+
+// The cell of the heights' own arrays, without detail, and the position in it, 0..1.
+ivec2 terrainArrayCell(TerrainSurface surface, out vec2 fraction)
+{
+#ifdef TERRAIN_DETAIL
+  ivec2 cell = surface.cell >> terrainDetailLevel;
+  fraction = (vec2(surface.cell - (cell << terrainDetailLevel)) + surface.fraction) /
+    float(1 << terrainDetailLevel);
+  return cell;
+#else
+  fraction = surface.fraction;
+  return surface.cell;
+#endif
+}
+
+// Number of the cell in the grid of the heights.
+int terrainCellId(TerrainSurface surface)
+{
+  vec2 fraction;
+  ivec2 cell = terrainArrayCell(surface, fraction);
+  return cell.x + (textureSize(terrainHeights, 0).x - 1) * cell.y;
+}
+
+// Number of the nearest sample in the grid of the heights.
+int terrainSampleId(TerrainSurface surface)
+{
+  vec2 fraction;
+  ivec2 nearest = terrainArrayCell(surface, fraction);
+  nearest += ivec2(floor(fraction + 0.5));
+  return nearest.x + textureSize(terrainHeights, 0).x * nearest.y;
+}
+
+// The lower 24 bits of a number as a colour, as VTK's selection reads them.
+vec4 terrainIdColor(int id)
+{
+  return vec4(float(id & 255), float((id >> 8) & 255), float((id >> 16) & 255), 255.0) / 255.0;
 }
 
 #ifdef TERRAIN_CAST
-#if defined(TERRAIN_BELOW_MESH) && defined(GL_ARB_conservative_depth)
+#if defined(TERRAIN_BELOW_MESH) && defined(GL_ARB_conservative_depth) && !defined(TERRAIN_DEPTH_OFFSET)
 layout(depth_greater) out float gl_FragDepth; // the hit lies behind the proxy
 #endif
 
@@ -107,19 +147,49 @@ TerrainSurface terrainSeen(vec2 pixel, vec4 proxyVC)
     surface = terrainSurfaceAt(sighting.cell, sighting.fraction,
       terrainPositionVC(pixel, sighting.distanceVC), sighting.front);
   }
+#ifdef TERRAIN_BLOCK
+  if (sighting.found && sighting.wall >= 0)
+  {
+    surface.normalVC = -terrainClipPlanesVC[sighting.wall].xyz;
+    surface.code = terrainPositionGC(pixel, sighting.distanceVC).z;
+  }
+#endif
   surface.crossings = sighting.crossings;
   return surface;
 }
 #endif
 
+// Difference of depth from a pixel to the next on the surface.
+float terrainDepthSlope(vec2 pixel, TerrainSurface surface)
+{
+  float s = -surface.positionVC.z;
+  vec2 pace = terrainPlanePace(pixel, s, surface.gradient);
+  vec2 depths = vec2(terrainDepth(terrainPositionVC(pixel + vec2(1.0, 0.0), s + pace.x)),
+    terrainDepth(terrainPositionVC(pixel + vec2(0.0, 1.0), s + pace.y)));
+  return length(depths - terrainDepth(surface.positionVC));
+}
+
 #ifdef TERRAIN_MESH
+// True if a clipping plane cuts a position off.
+bool terrainIsClipped(vec4 positionVC)
+{
+  bool clipped = false;
+  for (int i = 0; i < terrainClipPlaneCount; ++i)
+  {
+    clipped = clipped || dot(terrainClipPlanesVC[i], positionVC) < 0.0;
+  }
+  return clipped;
+}
+
 uniform mat4 terrainViewToGrid; // view to grid coordinates
+uniform int terrainMirrored;    // 1 if triangles turn round on their way to the view
 
 // The point of the surface below a point of a mesh, of which the front or the back is seen.
 TerrainSurface terrainBelow(vec4 positionVC, bool front)
 {
   vec2 positionGC = (terrainViewToGrid * positionVC).xy;
   ivec2 cell = clamp(ivec2(floor(positionGC)), ivec2(0), terrainSize - 2);
-  return terrainSurfaceAt(cell, clamp(positionGC - vec2(cell), 0.0, 1.0), positionVC, front);
+  return terrainSurfaceAt(
+    cell, clamp(positionGC - vec2(cell), 0.0, 1.0), positionVC, front != (terrainMirrored == 1));
 }
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // From the pixel to its ray and back to the view. Twin: src/core/PixelRays.h.
-// Needs vtkTerrainRay.glsl. Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start
+// Needs vtkTerrainRay.glsl. Defines: TERRAIN_CLIP_PLANES, the most clipping planes. Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start
 // is then exact to 1e-9 of a cell at any distance; else to 1e-7 of the distance.
 
 // Vectors that depend on the pixel: [0] + x * [1] + y * [2]; [3..5] hold what float cuts off of
@@ -16,6 +16,8 @@ uniform vec4 terrainDepthRow;      // depth = 0.5 + 0.5 * dot(depth row, p) / do
 uniform vec4 terrainWeightRow;
 uniform vec3 terrainBoxMinimum;    // grid coordinates of the box of the terrain
 uniform vec3 terrainBoxMaximum;
+uniform int terrainClipPlaneCount;
+uniform vec4 terrainClipPlanesVC[TERRAIN_CLIP_PLANES]; // kept is dot(plane, position) >= 0
 uniform float terrainNear;         // distances of the clipping planes along the viewing direction
 uniform float terrainFar;
 uniform ivec2 terrainViewportOrigin; // lower left pixel of the viewport
@@ -56,6 +58,13 @@ vec3 terrainAtPixelGC(vec2 pixel)
   return terrainDirectionGC[0] + pixel.x * terrainDirectionGC[1] + pixel.y * terrainDirectionGC[2];
 }
 
+// Position at a distance along the viewing direction, in grid coordinates.
+vec3 terrainPositionGC(vec2 pixel, float distanceVC)
+{
+  return vec3(terrainAtPixel(terrainOriginGC, pixel) +
+    terrainReal(distanceVC) * terrainAtPixel(terrainDirectionGC, pixel));
+}
+
 // The part of the distances [range.x, range.y] of a pixel's ray within the box of the terrain, a
 // little widened; range.x >= range.y if there is none.
 vec2 terrainEnterBox(vec2 pixel, vec2 range)
@@ -72,6 +81,21 @@ vec2 terrainEnterBox(vec2 pixel, vec2 range)
   float leave = min(min(farthest.x, farthest.y), farthest.z);
   float slack = 1e-5 * max(abs(enter), abs(leave));
   return vec2(max(range.x, enter - slack), min(range.y, leave + slack));
+}
+
+// How the distance along the viewing direction changes from a pixel to the next on the plane through
+// a point of the pixel's ray at distance s: in x, in y. The plane's gradient is in codes per cell. At
+// grazing angles the change is limited.
+vec2 terrainPlanePace(vec2 pixel, float s, vec2 gradient)
+{
+  vec3 direction = terrainAtPixelGC(pixel);
+  float slope = dot(gradient, direction.xy);
+  float least = 1e-3 * (abs(direction.z) + abs(slope)) + 1e-30;
+  float closing = direction.z - slope;
+  closing = (closing < 0.0 ? -1.0 : 1.0) * max(abs(closing), least);
+  vec3 moveX = terrainOriginGC[1] + s * terrainDirectionGC[1];
+  vec3 moveY = terrainOriginGC[2] + s * terrainDirectionGC[2];
+  return vec2(dot(gradient, moveX.xy) - moveX.z, dot(gradient, moveY.xy) - moveY.z) / closing;
 }
 
 // Direction of a pixel's ray in view coordinates, z = -1.

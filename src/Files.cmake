@@ -26,8 +26,12 @@ set(classes
 )
 
 set(private_sources
+  vtkOpenGLTerrainMapperColors
+  vtkOpenGLTerrainMapperCutting
+  vtkOpenGLTerrainMapperPasses
   vtkOpenGLTerrainMapperShaders
   vtkOpenGLTerrainMapperUniforms
+  vtkTerrainColoring
   vtkTerrainComputeProgram
   vtkTerrainComputeTexture
   vtkTerrainCoordinateSystem

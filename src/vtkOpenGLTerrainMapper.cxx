@@ -33,11 +33,6 @@ vtkStandardNewMacro(vtkOpenGLTerrainMapper);
 
 namespace
 {
-/// Triangles of a box, outward, from points numbered x + 2 y + 4 z.
-constexpr vtkIdType BoxTriangles[12][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 },
-  { 0, 1, 5 }, { 0, 5, 4 }, { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 },
-  { 1, 7, 5 } };
-
 glm::dmat4 toGlm(vtkMatrix4x4* matrix)
 {
   glm::dmat4 result;
@@ -63,24 +58,6 @@ glm::dmat4 gridToModel(
     geometry.Origin.x, geometry.Origin.y, geometry.Origin.z + exaggeration * codes.Offset, 1.0);
   return matrix;
 }
-
-void buildBox(vtkPolyData* box, const std::array<glm::dvec3, 2>& corners)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (int i = 0; i < 8; ++i)
-  {
-    points->InsertNextPoint(corners[i & 1].x, corners[(i >> 1) & 1].y, corners[i >> 2].z);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& triangle : BoxTriangles)
-  {
-    triangles->InsertNextCell(3, triangle);
-  }
-  box->Initialize();
-  box->SetPoints(points);
-  box->SetPolys(triangles);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -105,12 +82,25 @@ void vtkOpenGLTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LongSteps: " << this->LongSteps << "\n";
   os << indent << "SecantSteps: " << this->SecantSteps << "\n";
   os << indent << "StepLength: " << this->StepLength << "\n";
-  os << indent << "ShowCrossings: " << this->ShowCrossings << "\n";
   os << indent << "ComputeMode: " << static_cast<int>(this->ComputeMode) << "\n";
   os << indent << "UseBeams: " << this->UseBeams << "\n";
   os << indent << "DetailCells: " << this->DetailCells << "\n";
   os << indent << "DetailScale: " << this->DetailScale << "\n";
-  os << indent << "MaximumShownCrossings: " << this->MaximumShownCrossings << "\n";
+  const vtkTerrainColoring& coloring = this->Internals->Coloring;
+  os << indent << "ShowCrossings: " << coloring.ShowCrossings << "\n";
+  os << indent << "MaximumShownCrossings: " << coloring.MaximumShownCrossings << "\n";
+  os << indent << "ColorSource: " << static_cast<int>(coloring.Source) << "\n";
+  os << indent << "Drape: " << coloring.Drape << "\n";
+  os << indent << "Contours: " << coloring.Contours << "\n";
+  os << indent << "ContourInterval: " << coloring.ContourInterval << "\n";
+  os << indent << "ContourWidth: " << coloring.ContourWidth << "\n";
+  os << indent << "Hillshade: " << coloring.Hillshade << "\n";
+  os << indent << "HillshadeAzimuth: " << coloring.HillshadeAzimuth << "\n";
+  os << indent << "HillshadeAltitude: " << coloring.HillshadeAltitude << "\n";
+  os << indent << "Block: " << this->Internals->Cutting.Block << "\n";
+  os << indent << "BlockBase: " << this->Internals->Cutting.BlockBase << "\n";
+  os << indent << "MaximumLayers: " << this->Internals->MaximumLayers << "\n";
+  os << indent << "SampleShading: " << this->Internals->SampleShading << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -229,10 +219,8 @@ vtkTerrainSetUniformMacro(LongSteps, int, 0);
 vtkTerrainSetUniformMacro(SecantSteps, int, 0);
 vtkTerrainSetUniformMacro(StepLength, double, 0.0);
 vtkTerrainSetUniformMacro(DetailScale, double, 0.0);
-vtkTerrainSetUniformMacro(ShowCrossings, bool, false);
 vtkTerrainSetUniformMacro(
   ComputeMode, vtkOpenGLTerrainMapper::ComputeModes, ComputeModes::Automatic);
-vtkTerrainSetUniformMacro(MaximumShownCrossings, int, 1);
 vtkTerrainSetUniformMacro(UseBeams, bool, false);
 
 //------------------------------------------------------------------------------
@@ -277,8 +265,7 @@ vtkIdType vtkOpenGLTerrainMapper::GetTextureMemorySize() const
 void vtkOpenGLTerrainMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Heights.ReleaseGraphicsResources(window);
-  this->Internals->ColorMap->ReleaseGraphicsResources(window);
-  this->Internals->ColorMapTime = 0;
+  this->Internals->Coloring.ReleaseGraphicsResources(window);
   this->Internals->BeamStarts.ReleaseGraphicsResources(window);
   this->Internals->Sightings.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
@@ -309,35 +296,6 @@ bool vtkOpenGLTerrainMapper::UpdateHeights()
   }
   this->UpdateBox();
   return internals.Why.empty();
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::UpdateBox()
-{
-  vtkInternals& internals = *this->Internals;
-  if (!internals.Why.empty())
-  {
-    if (internals.Box->GetNumberOfPoints() > 0)
-    {
-      internals.Box->Initialize();
-      internals.BoxCorners = {};
-    }
-    return;
-  }
-  const terrain::HeightCodes& codes = internals.Heights.GetCodes();
-  const glm::dvec2 last = internals.Heights.GetSize() - 1;
-  const double margin = 1e-3 * std::max(codes.MaximumCode, 1e-3);
-  const double beside = 1e-3; // cells by which rounding may not put a ray beside the grid
-  internals.BoxMinimumGC = glm::dvec3(-beside, -beside, -margin);
-  internals.BoxMaximumGC = glm::dvec3(last + beside, codes.MaximumCode + margin);
-  const terrain::GridGeometry& geometry = internals.Heights.GetGeometry();
-  const std::array<glm::dvec3, 2> corners{ geometry.ToModel({ 0.0, 0.0 }, codes.ToHeight(-margin)),
-    geometry.ToModel(last, codes.ToHeight(codes.MaximumCode + margin)) };
-  if (internals.BoxCorners != corners)
-  {
-    internals.BoxCorners = corners;
-    buildBox(internals.Box, corners);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -383,8 +341,16 @@ void vtkOpenGLTerrainMapper::ComputeBounds()
   terrain::GridGeometry geometry = this->Internals->Heights.GetGeometry();
   geometry.Exaggeration = this->VerticalExaggeration;
   const terrain::HeightCodes& codes = this->Internals->Heights.GetCodes();
-  this->Bounds[4] = geometry.ToModel({ 0.0, 0.0 }, codes.ToHeight(0.0)).z;
-  this->Bounds[5] = geometry.ToModel({ 0.0, 0.0 }, codes.ToHeight(codes.MaximumCode)).z;
+  const terrain::Cutting& cutting = this->Internals->Cutting;
+  const terrain::SampleRectangle drawn = this->DrawnRectangle();
+  const glm::dvec3 low = geometry.ToModel(drawn.First, cutting.Lowest(codes.ToHeight(0.0)));
+  const glm::dvec3 high = geometry.ToModel(drawn.Last, codes.ToHeight(codes.MaximumCode));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool cut = axis < 2 && !cutting.Extracts;
+    this->Bounds[2 * axis] = cut ? this->Bounds[2 * axis] : low[axis];
+    this->Bounds[2 * axis + 1] = cut ? this->Bounds[2 * axis + 1] : high[axis];
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -419,15 +385,16 @@ void vtkOpenGLTerrainMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
     {
       internals.Heights.Activate();
       this->UpdateView(ren, act);
-      this->UpdateColorMap(ren);
-      this->ComputeAhead(ren, act);
+      this->UpdateColors(ren);
+      this->ComputeBeams(ren, act);
     }
   }
-  if (this->CastsRays(act) && (internals.EyeInBox || this->Technique == Techniques::Pyramid))
-  {
-    this->CurrentInput = internals.Box;
-  }
+  this->UpdateProxy(act);
   this->Superclass::RenderPieceStart(ren, act);
+  if (this->CastsRays(act))
+  {
+    this->PointPicking = false; // rays find the points, too
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -483,7 +450,7 @@ void vtkOpenGLTerrainMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
   {
     glEnable(GL_DEPTH_CLAMP); // the far sides count beyond the far plane, too
   }
-  this->Superclass::RenderPieceDraw(ren, act);
+  this->DrawLayers(ren, act);
   if (this->Internals->EyeInBox)
   {
     glDisable(GL_DEPTH_CLAMP);
@@ -500,10 +467,7 @@ void vtkOpenGLTerrainMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)
     this->Internals->Heights.Deactivate();
     this->Internals->BeamStarts.Finish();
     this->Internals->Sightings.Finish();
-    if (this->ColorsByHeight())
-    {
-      this->Internals->ColorMap->Deactivate();
-    }
+    this->Internals->Coloring.Deactivate();
   }
 }
 
@@ -532,7 +496,8 @@ bool vtkOpenGLTerrainMapper::GetNeedToRebuildShaders(
   this->IgnoresUniformTime = false;
 
   std::string& builtWith = this->Internals->ShaderBuiltWith[&cellBO];
-  const std::string defines = this->ShaderDefines(act);
+  const std::string defines =
+    this->ShaderDefines(act) + (this->ShiftsDepth(ren, act) ? "shifted" : "");
   if (builtWith != defines)
   {
     builtWith = defines;

@@ -45,10 +45,15 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For ProcessSelectorPixelBuffers
 
 class vtkImageData;
 class vtkTerrainComputeTexture;
 class vtkTerrainUniforms;
+namespace terrain
+{
+struct SampleRectangle;
+}
 
 class VTKTERRAIN_EXPORT vtkOpenGLTerrainMapper : public vtkOpenGLPolyDataMapper
 {
@@ -172,15 +177,9 @@ public:
   /// Draw, in place of the surface's colour, how many nodes or samples each pixel's ray took: blue
   /// for none to red for the given number and above. Default off, 64.
   void SetShowCrossings(bool show);
-  bool GetShowCrossings() const
-  {
-    return this->ShowCrossings;
-  }
+  bool GetShowCrossings() const;
   void SetMaximumShownCrossings(int crossings);
-  int GetMaximumShownCrossings() const
-  {
-    return this->MaximumShownCrossings;
-  }
+  int GetMaximumShownCrossings() const;
   ///@}
 
   ///@{
@@ -212,6 +211,106 @@ public:
     return this->UseBeams;
   }
   ///@}
+
+  /// Where the values come from that colour the surface while ScalarVisibility is on. They pass
+  /// through the lookup table or transfer function and the scalar range as in any mapper; values
+  /// are interpolated, then mapped. Array, the default, is the array of the heights' image that
+  /// ScalarMode, SelectColorArray and the table's vector mode select, of its points or its cells;
+  /// the heights themselves unless told otherwise. Colours (unsigned chars by default,
+  /// SetColorModeToDirectScalars) and tables of annotated values are mixed after mapping. Height
+  /// makes hypsometric tints whatever ScalarMode says. Slope is in degrees from the horizontal;
+  /// Aspect is the direction downhill in degrees clockwise from north, NaN where it is level; both
+  /// without exaggeration.
+  enum class ColorSources
+  {
+    Array,
+    Height,
+    Slope,
+    Aspect
+  };
+  void SetColorSource(ColorSources source);
+  ColorSources GetColorSource() const;
+  ///@}
+
+  ///@{
+  /// Lays a picture over the colours of the surface, below lights and contour lines: W x H x 1
+  /// points of 1 to 4 unsigned chars (grey, grey and alpha, RGB, RGBA), row 0 southernmost. What is
+  /// transparent, and what lies beside the picture, keeps the surface's colour. bounds are west,
+  /// east, south and north of the picture's outer edges in the coordinates of the heights; without
+  /// them, the image's own: pixel centres at origin + index * spacing. Filtered with mipmaps,
+  /// anisotropic up to 16 (but for llvmpipe). nullptr takes the picture away. (An actor's own
+  /// vtkTexture spans the terrain: texture coordinates 0 at the first sample, 1 at the last.)
+  void SetDrape(vtkImageData* picture, const double bounds[4]);
+  void SetDrape(vtkImageData* picture);
+  vtkImageData* GetDrape() const;
+  ///@}
+
+  ///@{
+  /// Draw contour lines: at multiples of an interval in the unit of heights (default 100), of a
+  /// width in pixels (default 1.5) with smooth edges, in a colour (default opaque black). Default
+  /// off.
+  void SetContours(bool show);
+  bool GetContours() const;
+  void SetContourInterval(double heights);
+  double GetContourInterval() const;
+  void SetContourWidth(double pixels);
+  double GetContourWidth() const;
+  void SetContourColor(double red, double green, double blue, double opacity = 1.0);
+  ///@}
+
+  ///@{
+  /// Multiply the colours with the cosine of the angle between the surface and a sun, which needs
+  /// no lights (turn the property's lighting off). Azimuth in degrees clockwise from north (default
+  /// 315), altitude in degrees above the horizon (default 45). Default off.
+  void SetHillshade(bool show);
+  bool GetHillshade() const;
+  void SetHillshadeAzimuth(double degrees);
+  double GetHillshadeAzimuth() const;
+  void SetHillshadeAltitude(double degrees);
+  double GetHillshadeAltitude() const;
+  ///@}
+
+  ///@{
+  /// Draw the samples first[0] <= i <= last[0], first[1] <= j <= last[1] only. Default all of them.
+  void SetExtract(const int first[2], const int last[2]);
+  void ExtractAll();
+  ///@}
+
+  ///@{
+  /// Draw a solid block from the surface down to a height (default 0), with the technique Pyramid:
+  /// walls along the borders of what is drawn, a floor, and faces where clipping planes cut. Holes
+  /// without data have no walls. Default off.
+  void SetBlock(bool show);
+  bool GetBlock() const;
+  void SetBlockBase(double height);
+  double GetBlockBase() const;
+  ///@}
+
+  ///@{
+  /// Most surfaces behind each other that a translucent terrain shows (opacity below 1, translucent
+  /// colours), with the technique Pyramid. Each casts all rays again. Default 4.
+  void SetMaximumLayers(int layers);
+  int GetMaximumLayers() const;
+  ///@}
+
+  ///@{
+  /// Cast a ray for each sample where the window has multisamples, which makes silhouettes smooth,
+  /// for as many times the work. Without it, multisampling smooths the edges of other actors, not
+  /// those of the terrain: the fragments of its proxy cover whole pixels. Default off.
+  void SetSampleShading(bool shade);
+  bool GetSampleShading() const;
+  ///@}
+
+  ///@{
+  /// As vtkMapper, with the heights' arrays.
+  bool HasTranslucentPolygonalGeometry() override;
+  ///@}
+
+  /// For vtkHardwareSelector: with rays, cells and points are those of the grid of heights,
+  /// i + (W - 1) * j and i + W * j, and a point is the sample nearest to the hit. The technique
+  /// Mesh has the cells and points of port 0.
+  void ProcessSelectorPixelBuffers(
+    vtkHardwareSelector* selector, std::vector<unsigned int>& offsets, vtkProp* prop) override;
 
   /// Number of times the heights went to the graphics card.
   int GetNumberOfHeightUploads() const;
@@ -262,7 +361,12 @@ protected:
   void ReplaceShaderDepth(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderNormal(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderColor(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  void ReplaceShaderTCoord(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderClip(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  void ReplaceShaderPicking(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  void ReplaceShaderCoincidentOffset(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  bool DrawingEdges(vtkRenderer* ren, vtkActor* act) override;
+  void UpdateMaximumPointCellIds(vtkRenderer* ren, vtkActor* act) override;
   void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
 
 private:
@@ -276,21 +380,27 @@ private:
   void UpdateBox();
   bool CastsRays(vtkActor* act) const;
   bool UsesSurface(vtkActor* act) const;
-  bool ColorsByHeight() const;
-  std::string ShaderDefines(vtkActor* act) const;
+  bool ShiftsDepth(vtkRenderer* ren, vtkActor* act);
+  bool IsTextured(vtkActor* act);
+  void UpdateColors(vtkRenderer* ren);
+  void UpdateProxy(vtkActor* act);
+  int LayersToDraw(vtkRenderer* ren, vtkActor* act);
+  void DrawLayers(vtkRenderer* ren, vtkActor* act);
+  terrain::SampleRectangle DrawnRectangle() const;
+  void FollowDepth(ShaderMap shaders, vtkActor* act);
+  std::string ShaderDefines(vtkActor* act);
   void UpdateView(vtkRenderer* ren, vtkActor* act);
-  void UpdateColorMap(vtkRenderer* ren);
   bool UsesCompute(vtkActor* act) const;
   std::string CastFunctions() const;
   bool UsesBeams(vtkActor* act) const;
-  void ComputeAhead(vtkRenderer* ren, vtkActor* act);
+  void ComputeBeams(vtkRenderer* ren, vtkActor* act);
+  void ComputeSightings(vtkRenderer* ren, vtkActor* act);
   void Compute(vtkRenderer* ren, vtkActor* act, vtkTerrainComputeTexture& texture,
     const std::string& functions, int pixels, int components);
   void SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vtkActor* act);
   void SetViewUniforms(vtkTerrainUniforms& uniforms);
   void SetSearchUniforms(vtkTerrainUniforms& uniforms);
   void SetClipUniforms(vtkTerrainUniforms& uniforms, vtkActor* act);
-  void SetColorUniforms(vtkTerrainUniforms& uniforms);
   void SetVertexUniforms(vtkTerrainUniforms& uniforms);
 
   Techniques Technique = Techniques::Pyramid;
@@ -301,9 +411,7 @@ private:
   double StepLength = 0.0;
   int DetailCells = 16;
   double DetailScale = 1.0;
-  bool ShowCrossings = false;
   ComputeModes ComputeMode = ComputeModes::Automatic;
-  int MaximumShownCrossings = 64;
   bool UseBeams = true;
   vtkTimeStamp UniformTime;
   bool IgnoresUniformTime = false;

@@ -29,17 +29,6 @@
 
 namespace
 {
-/// Substitutes a tag in a shader; says so if the tag is not there.
-void substitute(vtkObject* self, vtkShader* shader, const std::string& tag, const std::string& text)
-{
-  std::string source = shader->GetSource();
-  if (!vtkShaderProgram::Substitute(source, tag, text))
-  {
-    vtkErrorWithObjectMacro(self, "The shader has no tag " << tag);
-  }
-  shader->SetSource(source);
-}
-
 /// Name of the search of a technique in shaders/vtkTerrainSearch.glsl.
 const char* searchDefine(vtkOpenGLTerrainMapper::Techniques technique)
 {
@@ -59,7 +48,19 @@ const char* searchDefine(vtkOpenGLTerrainMapper::Techniques technique)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act) const
+void vtkTerrainSubstitute(
+  vtkObject* self, vtkShader* shader, const std::string& tag, const std::string& text)
+{
+  std::string source = shader->GetSource();
+  if (!vtkShaderProgram::Substitute(source, tag, text))
+  {
+    vtkErrorWithObjectMacro(self, "The shader has no tag " << tag);
+  }
+  shader->SetSource(source);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act)
 {
   if (!this->UsesSurface(act))
   {
@@ -100,14 +101,16 @@ std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act) const
   {
     defines += "#define TERRAIN_CULL_FRONT\n";
   }
-  if (this->ShowCrossings)
+  defines += "#define TERRAIN_CLIP_PLANES " + std::to_string(terrain::MaximumClipPlanes) + "\n";
+  if (this->Internals->Cutting.Block)
   {
-    defines += "#define TERRAIN_SHOW_CROSSINGS\n";
+    defines += "#define TERRAIN_BLOCK\n";
   }
-  else if (this->ColorsByHeight())
+  if (this->IsTextured(act))
   {
-    defines += "#define TERRAIN_COLOR_BY_HEIGHT\n";
+    defines += "#define TERRAIN_TEXTURED\n";
   }
+  defines += this->Internals->Coloring.Defines();
   return defines;
 }
 
@@ -120,12 +123,6 @@ std::string vtkOpenGLTerrainMapper::CastFunctions() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkOpenGLTerrainMapper::ColorsByHeight() const
-{
-  return this->ScalarVisibility && !this->Colors && this->Internals->Heights.HasSurface();
-}
-
-//------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
 {
   ++this->Internals->ShaderBuilds;
@@ -134,7 +131,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
   {
     // extend: our functions stand before main, after VTK's declarations of the camera
     vtkShader* fragment = shaders[vtkShader::Fragment];
-    substitute(this, fragment, "//VTK::System::Dec",
+    vtkTerrainSubstitute(this, fragment, "//VTK::System::Dec",
       "//VTK::System::Dec\n"
       "#extension GL_ARB_gpu_shader_fp64 : enable\n"
       "#extension GL_ARB_conservative_depth : enable\n" +
@@ -146,7 +143,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
         this->Internals->Sightings.IsFilled() ? vtkTerrainSighting : this->CastFunctions();
     }
     functions += std::string(vtkTerrainSurface) + vtkTerrainColor;
-    substitute(this, fragment, "//VTK::Camera::Dec", "//VTK::Camera::Dec\n" + functions);
+    vtkTerrainSubstitute(this, fragment, "//VTK::Camera::Dec", "//VTK::Camera::Dec\n" + functions);
   }
   this->Superclass::ReplaceShaderValues(shaders, ren, act);
   if (!defines.empty())
@@ -155,6 +152,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
     std::string source = shaders[vtkShader::Fragment]->GetSource();
     vtkShaderProgram::Substitute(source, "gl_FrontFacing == false", "!terrainPoint.front");
     shaders[vtkShader::Fragment]->SetSource(source);
+    this->FollowDepth(shaders, act);
   }
 }
 
@@ -165,22 +163,23 @@ void vtkOpenGLTerrainMapper::ReplaceShaderPositionVC(
   ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
 {
   vtkShader* vertex = shaders[vtkShader::Vertex];
-  substitute(this, vertex, "//VTK::PositionVC::Dec",
+  vtkTerrainSubstitute(this, vertex, "//VTK::PositionVC::Dec",
     "uniform vec2 terrainExaggeration; // z drawn = x * z + y, in the coordinates of the buffer\n"
     "uniform vec3 terrainLift; // z drawn is moved by x, or by y where z in the buffer < z\n"
     "out vec4 vertexVCVSOutput;\n");
-  substitute(this, vertex, "//VTK::PositionVC::Impl",
+  vtkTerrainSubstitute(this, vertex, "//VTK::PositionVC::Impl",
     "vec4 terrainVertexMC = vec4(vertexMC.xy,\n"
     "    terrainExaggeration.x * vertexMC.z + terrainExaggeration.y +\n"
     "    (vertexMC.z < terrainLift.z ? terrainLift.y : terrainLift.x), 1.0);\n"
     "  vertexVCVSOutput = MCVCMatrix * terrainVertexMC;\n"
     "  gl_Position = MCDCMatrix * terrainVertexMC;\n");
-  substitute(
+  vtkTerrainSubstitute(
     this, vertex, "//VTK::Camera::Dec", "uniform mat4 MCDCMatrix;\nuniform mat4 MCVCMatrix;\n");
 
   vtkShader* fragment = shaders[vtkShader::Fragment];
-  substitute(this, fragment, "//VTK::PositionVC::Dec", "in vec4 vertexVCVSOutput;");
-  substitute(this, fragment, "//VTK::PositionVC::Impl", "vec4 vertexVC = vertexVCVSOutput;");
+  vtkTerrainSubstitute(this, fragment, "//VTK::PositionVC::Dec", "in vec4 vertexVCVSOutput;");
+  vtkTerrainSubstitute(
+    this, fragment, "//VTK::PositionVC::Impl", "vec4 vertexVC = vertexVCVSOutput;");
   this->Superclass::ReplaceShaderPositionVC(shaders, ren, act);
 }
 
@@ -189,19 +188,24 @@ void vtkOpenGLTerrainMapper::ReplaceShaderPositionVC(
 void vtkOpenGLTerrainMapper::ReplaceShaderDepth(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
 {
   vtkShader* fragment = shaders[vtkShader::Fragment];
+  const std::string textured = this->IsTextured(act)
+    ? "  tcoordVCVSOutput = terrainTexturePosition(terrainPoint);\n"
+      "  mat2 terrainTextureMove = terrainTextureFootprint(gl_FragCoord.xy, terrainPoint);\n"
+    : "";
   if (this->CastsRays(act))
   {
-    substitute(this, fragment, "//VTK::Depth::Impl",
+    vtkTerrainSubstitute(this, fragment, "//VTK::Depth::Impl",
       "TerrainSurface terrainPoint = terrainSeen(gl_FragCoord.xy, vertexVC);\n"
       "  if (!terrainPoint.found) { discard; }\n"
       "  vertexVC = terrainPoint.positionVC;\n"
-      "  gl_FragDepth = terrainFragmentDepth(vertexVC, gl_FragCoord.z);\n");
+      "  gl_FragDepth = terrainFragmentDepth(vertexVC, gl_FragCoord[2]);\n" +
+        textured + "  //VTK::Depth::Impl\n");
   }
   else if (this->UsesSurface(act))
   {
-    substitute(this, fragment, "//VTK::Depth::Impl",
-      "TerrainSurface terrainPoint = terrainBelow(vertexVC, gl_FrontFacing);\n"
-      "  //VTK::Depth::Impl\n");
+    vtkTerrainSubstitute(this, fragment, "//VTK::Depth::Impl",
+      "TerrainSurface terrainPoint = terrainBelow(vertexVC, gl_FrontFacing);\n" + textured +
+        "  //VTK::Depth::Impl\n");
   }
   this->Superclass::ReplaceShaderDepth(shaders, ren, act);
 }
@@ -221,31 +225,5 @@ void vtkOpenGLTerrainMapper::ReplaceShaderNormal(ShaderMap shaders, vtkRenderer*
   {
     normal += "  vec3 coatNormalVCVSOutput = terrainPoint.normalVC;\n";
   }
-  substitute(this, shaders[vtkShader::Fragment], "//VTK::Normal::Impl", normal);
-}
-
-//------------------------------------------------------------------------------
-// Extend: the colours of VTK's code are overwritten where the surface has its own.
-void vtkOpenGLTerrainMapper::ReplaceShaderColor(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
-{
-  if (this->UsesSurface(act) && (this->ShowCrossings || this->ColorsByHeight()))
-  {
-    substitute(this, shaders[vtkShader::Fragment], "//VTK::Color::Impl",
-      "//VTK::Color::Impl\n"
-      "  vec4 terrainColor = terrainSurfaceColor(terrainPoint);\n"
-      "  ambientColor = ambientIntensity * terrainColor.rgb;\n"
-      "  diffuseColor = diffuseIntensity * terrainColor.rgb;\n"
-      "  opacity *= terrainColor.a;\n");
-  }
-  this->Superclass::ReplaceShaderColor(shaders, ren, act);
-}
-
-//------------------------------------------------------------------------------
-// Replace for rays: they are clipped before they are cast, so that the cut shows what lies behind.
-void vtkOpenGLTerrainMapper::ReplaceShaderClip(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
-{
-  if (!this->CastsRays(act))
-  {
-    this->Superclass::ReplaceShaderClip(shaders, ren, act);
-  }
+  vtkTerrainSubstitute(this, shaders[vtkShader::Fragment], "//VTK::Normal::Impl", normal);
 }

@@ -42,7 +42,6 @@
 
 namespace
 {
-constexpr int ColorMapSize = 1024;
 /// Level of the pyramid in which rays begin at the start of a beam, which lies near the surface.
 constexpr int BeamLevel = 2;
 
@@ -105,7 +104,8 @@ bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
 bool vtkOpenGLTerrainMapper::UsesBeams(vtkActor* act) const
 {
   return this->UseBeams && this->CastsRays(act) && this->Technique == Techniques::Pyramid &&
-    vtkTerrainComputeProgram::IsSupported() && !this->UsesCompute(act);
+    vtkTerrainComputeProgram::IsSupported() && !this->UsesCompute(act) &&
+    !this->Internals->Cutting.Block; // walls may lie before the start
 }
 
 //------------------------------------------------------------------------------
@@ -127,7 +127,7 @@ void vtkOpenGLTerrainMapper::Compute(vtkRenderer* ren, vtkActor* act,
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::ComputeAhead(vtkRenderer* ren, vtkActor* act)
+void vtkOpenGLTerrainMapper::ComputeBeams(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& internals = *this->Internals;
   if (this->UsesBeams(act))
@@ -136,6 +136,13 @@ void vtkOpenGLTerrainMapper::ComputeAhead(vtkRenderer* ren, vtkActor* act)
       vtkInternals::BeamDefine() + vtkTerrainPyramid + vtkTerrainBeam + vtkTerrainBeamCS,
       vtkInternals::BeamPixels, 1);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ComputeSightings(vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& internals = *this->Internals;
+  internals.Sightings.Finish();
   if (this->UsesCompute(act))
   {
     this->Compute(
@@ -164,7 +171,8 @@ void vtkOpenGLTerrainMapper::SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vt
   this->SetViewUniforms(uniforms);
   this->SetSearchUniforms(uniforms);
   this->SetClipUniforms(uniforms, act);
-  this->SetColorUniforms(uniforms);
+  internals.Coloring.SetUniforms(uniforms, internals.Heights, this->VerticalExaggeration);
+  uniforms.Set("terrainLayer", internals.Layer);
   if (uniforms.Uses("terrainBeamStarts"))
   {
     uniforms.Set("terrainBeamStarts", internals.BeamStarts.GetTextureUnit());
@@ -222,6 +230,7 @@ void vtkOpenGLTerrainMapper::SetViewUniforms(vtkTerrainUniforms& uniforms)
   uniforms.Set("terrainNear", static_cast<float>(rays.Near));
   uniforms.Set("terrainFar", static_cast<float>(rays.Far));
   uniforms.Set("terrainViewToGrid", glm::mat4(this->Internals->ViewToGrid));
+  uniforms.Set("terrainMirrored", this->Internals->KeepsOrientation ? 0 : 1);
   uniforms.Set("terrainViewportOrigin", glm::ivec2(this->Internals->Viewport));
   const std::array<glm::vec3, 2> box{ glm::vec3(this->Internals->BoxMinimumGC),
     glm::vec3(this->Internals->BoxMaximumGC) };
@@ -246,9 +255,8 @@ void vtkOpenGLTerrainMapper::SetSearchUniforms(vtkTerrainUniforms& uniforms)
     1, static_cast<std::int64_t>(fieldValue(this->GetInput(), "SamplesPerQuad", 1.0)));
   scene.CellsPerQuad *= heights.HasDetail() ? this->DetailCells : 1;
   const glm::dvec2 detail = heights.GetDetailRange();
-  scene.LargestGap =
-    (fieldValue(this->GetInput(), "LargestGap", codes.MaximumCode * codes.Scale) + detail.y -
-      detail.x) /
+  scene.LargestGap = (fieldValue(this->GetInput(), "LargestGap", codes.MaximumCode * codes.Scale) +
+                       detail.y - detail.x) /
     codes.Scale;
   scene.MaximumCode = codes.MaximumCode;
   scene.CodesPerCell =
@@ -271,83 +279,4 @@ void vtkOpenGLTerrainMapper::SetSearchUniforms(vtkTerrainUniforms& uniforms)
   uniforms.Set("terrainStepLength", search.StepLength);
   uniforms.Set("terrainStepRelief", search.StepRelief);
   uniforms.Set("terrainLargestGap", search.LargestGap);
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetClipUniforms(vtkTerrainUniforms& uniforms, vtkActor* act)
-{
-  if (!uniforms.Uses("terrainClipPlaneCount"))
-  {
-    return;
-  }
-  const int count = std::min(this->GetNumberOfClippingPlanes(), 6);
-  std::array<glm::vec4, 6> planes{};
-  for (int i = 0; i < count; ++i)
-  {
-    double plane[4];
-    this->GetClippingPlaneInDataCoords(act->GetMatrix(), i, plane);
-    const glm::dvec4 planeVC =
-      glm::dvec4(plane[0], plane[1], plane[2], plane[3]) * this->Internals->ViewToModel;
-    planes[i] = glm::vec4(planeVC / glm::length(glm::dvec3(planeVC)));
-  }
-  uniforms.Set("terrainClipPlaneCount", count);
-  uniforms.SetArray("terrainClipPlanesVC", 6, planes.data());
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::UpdateColorMap(vtkRenderer* ren)
-{
-  if (!this->ColorsByHeight())
-  {
-    return;
-  }
-  vtkInternals& internals = *this->Internals;
-  vtkScalarsToColors* table = this->GetLookupTable();
-  const double* range =
-    this->UseLookupTableScalarRange ? table->GetRange() : this->GetScalarRange();
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow());
-  const bool current = internals.ColorMap->GetContext() == window &&
-    internals.ColorMapTime == table->GetMTime() &&
-    std::equal(range, range + 2, internals.ColorRange);
-  if (!current)
-  {
-    std::copy(range, range + 2, internals.ColorRange);
-    std::vector<double> values(ColorMapSize);
-    for (int i = 0; i < ColorMapSize; ++i)
-    {
-      values[i] = range[0] + (range[1] - range[0]) * (i + 0.5) / ColorMapSize;
-    }
-    table->SetRange(range);
-    table->Build();
-    std::vector<unsigned char> colors(std::size_t{ 4 } * ColorMapSize);
-    table->MapScalarsThroughTable2(
-      values.data(), colors.data(), VTK_DOUBLE, ColorMapSize, 1, VTK_RGBA);
-    internals.ColorMap->ReleaseGraphicsResources(internals.ColorMap->GetContext());
-    internals.ColorMap->SetContext(window);
-    internals.ColorMap->SetMinificationFilter(vtkTextureObject::Linear);
-    internals.ColorMap->SetMagnificationFilter(vtkTextureObject::Linear);
-    internals.ColorMap->SetWrapS(vtkTextureObject::ClampToEdge);
-    internals.ColorMap->SetWrapT(vtkTextureObject::ClampToEdge);
-    internals.ColorMap->Create2DFromRaw(ColorMapSize, 1, 4, VTK_UNSIGNED_CHAR, colors.data());
-    internals.ColorMapTime = table->GetMTime();
-  }
-  internals.ColorMap->Activate();
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetColorUniforms(vtkTerrainUniforms& uniforms)
-{
-  if (uniforms.Uses("terrainMaximumShownCrossings"))
-  {
-    uniforms.Set("terrainMaximumShownCrossings", static_cast<float>(this->MaximumShownCrossings));
-  }
-  if (uniforms.Uses("terrainColorMap"))
-  {
-    const terrain::HeightCodes& codes = this->Internals->Heights.GetCodes();
-    const double* range = this->Internals->ColorRange;
-    const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
-    uniforms.Set("terrainColorMap", this->Internals->ColorMap->GetTextureUnit());
-    uniforms.Set("terrainColorScale",
-      glm::vec2(glm::dvec2(codes.Scale / width, (codes.Offset - range[0]) / width)));
-  }
 }

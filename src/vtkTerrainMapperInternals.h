@@ -8,9 +8,11 @@
 #define vtkTerrainMapperInternals_h
 
 #include "vtkOpenGLTerrainMapper.h"
+#include "vtkTerrainColoring.h"
 #include "vtkTerrainComputeTexture.h"
 #include "vtkTerrainHeightTexture.h"
 
+#include "core/Cutting.h"
 #include "core/PixelRays.h"
 
 #include "vtkNew.h"
@@ -20,6 +22,8 @@
 #include <array>
 #include <map>
 #include <string>
+
+class vtkShader;
 
 class vtkOpenGLTerrainMapper::vtkInternals
 {
@@ -46,9 +50,16 @@ public:
   /// True if the actor's matrix and the view keep the orientation of triangles.
   bool KeepsOrientation = true;
 
-  vtkNew<vtkTextureObject> ColorMap;
-  vtkMTimeType ColorMapTime = 0;
-  double ColorRange[2] = { 0.0, 1.0 };
+  vtkTerrainColoring Coloring;
+  /// The proxy with texture coordinates, which VTK's code for textures asks for.
+  vtkNew<vtkPolyData> TexturedProxy;
+  vtkMTimeType TexturedTime = 0;
+
+  terrain::Cutting Cutting;
+  int MaximumLayers = 4;
+  /// The layer that is being drawn: surfaces that rays pass by.
+  int Layer = 0;
+  bool SampleShading = false;
 
   glm::ivec4 Viewport{ 0 };
   /// Distances at which the rays of tiles of BeamPixels x BeamPixels pixels begin
@@ -65,5 +76,9 @@ public:
   /// The defines that the shader of each primitive was built with.
   std::map<vtkOpenGLHelper*, std::string> ShaderBuiltWith;
 };
+
+/// Substitutes a tag in a shader; says so if the tag is not there.
+void vtkTerrainSubstitute(
+  vtkObject* self, vtkShader* shader, const std::string& tag, const std::string& text);
 
 #endif

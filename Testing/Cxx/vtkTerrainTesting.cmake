@@ -6,6 +6,7 @@ list(TRANSFORM vtkTerrain_test_modules PREPEND "VTK::")
 add_library(vtkTerrainTestSupport STATIC
   vtkTerrainTesting.cxx
   vtkTerrainTestingMain.cxx
+  vtkTerrainTestingScene.cxx
   vtkTerrainTestingShader.cxx)
 target_include_directories(vtkTerrainTestSupport PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
 target_link_libraries(vtkTerrainTestSupport

@@ -1,0 +1,416 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainTestingScene.h"
+
+#include "vtkTerrainCoarseMesh.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRendererCollection.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vtkTerrainTesting
+{
+namespace
+{
+using Techniques = vtkOpenGLTerrainMapper::Techniques;
+
+constexpr int Width = 200;
+constexpr int Height = 150;
+constexpr int Columns = 41;
+constexpr int Rows = 33;
+constexpr int Parts = 5; // of a cell's side in the fine mesh
+constexpr int Agreement = 8;
+
+//------------------------------------------------------------------------------
+double HeightAt(vtkImageData* heights, int i, int j)
+{
+  return heights->GetScalarComponentAsDouble(i, j, 0, 0);
+}
+
+//------------------------------------------------------------------------------
+/// Between a and b; what has no weight may be NaN.
+double Mixed(double a, double b, double t)
+{
+  return t == 0.0 ? a : t == 1.0 ? b : (1.0 - t) * a + t * b;
+}
+
+//------------------------------------------------------------------------------
+/// An array of points at node (x, y) of the fine mesh, bilinearly; NaN where a corner that counts
+/// is.
+double FineValue(vtkImageData* image, vtkDataArray* array, int component, int x, int y)
+{
+  const int* size = image->GetDimensions();
+  const int i = std::min(x / Parts, size[0] - 2);
+  const int j = std::min(y / Parts, size[1] - 2);
+  const double u = static_cast<double>(x) / Parts - i;
+  const double v = static_cast<double>(y) / Parts - j;
+  auto at = [&](int di, int dj)
+  { return array->GetComponent(i + di + vtkIdType{ size[0] } * (j + dj), component); };
+  return Mixed(Mixed(at(0, 0), at(1, 0), u), Mixed(at(0, 1), at(1, 1), u), v);
+}
+
+//------------------------------------------------------------------------------
+/// Adds the arrays of the image's points to the fine mesh.
+void AddPointArrays(vtkPolyData* mesh, vtkImageData* image, int width, int height)
+{
+  for (int a = 0; a < image->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = image->GetPointData()->GetArray(a);
+    const auto fine = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    fine->SetName(array->GetName());
+    fine->SetNumberOfComponents(array->GetNumberOfComponents());
+    fine->SetNumberOfTuples(vtkIdType{ width } * height);
+    for (vtkIdType i = 0; i < fine->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        const auto x = static_cast<int>(i % width);
+        const auto y = static_cast<int>(i / width);
+        fine->SetComponent(i, c, FineValue(image, array, c, x, y));
+      }
+    }
+    mesh->GetPointData()->AddArray(fine);
+  }
+  mesh->GetPointData()->SetActiveScalars(image->GetPointData()->GetScalars()->GetName());
+}
+
+//------------------------------------------------------------------------------
+/// Slope and aspect, in degrees, in the middle of square (x, y) of the fine mesh.
+std::array<double, 2> SlopeAndAspect(vtkImageData* heights, int x, int y)
+{
+  const int i = x / Parts;
+  const int j = y / Parts;
+  const double u = (x % Parts + 0.5) / Parts;
+  const double v = (y % Parts + 0.5) / Parts;
+  const double southWest = HeightAt(heights, i, j);
+  const double southEast = HeightAt(heights, i + 1, j);
+  const double northWest = HeightAt(heights, i, j + 1);
+  const double northEast = HeightAt(heights, i + 1, j + 1);
+  const double east =
+    Mixed(southEast - southWest, northEast - northWest, v) / heights->GetSpacing()[0];
+  const double north =
+    Mixed(northWest - southWest, northEast - southEast, u) / heights->GetSpacing()[1];
+  const double aspect = vtkMath::DegreesFromRadians(std::atan2(-east, -north));
+  return { vtkMath::DegreesFromRadians(std::atan(std::hypot(east, north))),
+    aspect < 0.0 ? aspect + 360.0 : aspect };
+}
+
+//------------------------------------------------------------------------------
+bool CellIsValid(vtkImageData* heights, int i, int j)
+{
+  return std::isfinite(HeightAt(heights, i, j) + HeightAt(heights, i + 1, j) +
+    HeightAt(heights, i, j + 1) + HeightAt(heights, i + 1, j + 1));
+}
+
+//------------------------------------------------------------------------------
+/// True for pixels within one of a jump of depth in a z-buffer: where depth changes far more from a
+/// pixel to the next than on either side of them.
+std::vector<bool> Silhouettes(const std::vector<float>& depth)
+{
+  auto jumps = [&](int index, int step)
+  {
+    const double before = std::abs(depth[index] - depth[index - step]);
+    const double jump = std::abs(depth[index + step] - depth[index]);
+    const double after = std::abs(depth[index + 2 * step] - depth[index + step]);
+    return jump > 2.0 * (before + after) + 1e-4;
+  };
+  std::vector<bool> band(depth.size(), false);
+  for (int y = 1; y < Height - 2; ++y)
+  {
+    for (int x = 1; x < Width - 2; ++x)
+    {
+      const int index = x + Width * y;
+      for (int step : { 1, Width })
+      {
+        for (int around = 0; jumps(index, step) && around < 9; ++around)
+        {
+          const int beside = around % 3 - 1 + Width * (around / 3 - 1);
+          band[index + beside] = true;
+          band[index + step + beside] = true;
+        }
+      }
+    }
+  }
+  return band;
+}
+
+//------------------------------------------------------------------------------
+TerrainScene MakeTerrainScene(
+  const SceneFunction& function, Techniques technique, vtkImageData* heights)
+{
+  TerrainScene scene(technique);
+  const TerrainProp terrain =
+    scene.AddTerrain(heights ? heights : static_cast<vtkImageData*>(MakeHills().Get()));
+  scene.Look({ 200.0, 900.0, 420.0 }, { 200.0, 190.0, 80.0 });
+  if (function)
+  {
+    function(scene, terrain);
+  }
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+/// The silhouettes of a scene with all its terrains opaque and without passes.
+std::vector<bool> SilhouettesOf(TerrainScene& scene)
+{
+  vtkRendererCollection* renderers = scene.Window->GetRenderers();
+  for (int i = 0; i < renderers->GetNumberOfItems(); ++i)
+  {
+    static_cast<vtkRenderer*>(renderers->GetItemAsObject(i))->SetPass(nullptr);
+  }
+  for (TerrainProp& terrain : scene.Terrains)
+  {
+    terrain.Actor->ForceOpaqueOn();
+    terrain.Actor->GetProperty()->SetOpacity(1.0);
+  }
+  scene.Window->Render();
+  return Silhouettes(ReadDepth(scene.Window));
+}
+
+//------------------------------------------------------------------------------
+bool PixelsAgree(vtkImageData* a, vtkImageData* b, int x, int y)
+{
+  int largest = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double difference =
+      a->GetScalarComponentAsDouble(x, y, 0, c) - b->GetScalarComponentAsDouble(x, y, 0, c);
+    largest = std::max(largest, std::abs(static_cast<int>(difference)));
+  }
+  return largest <= Agreement;
+}
+
+//------------------------------------------------------------------------------
+/// Compares a picture with that of a scene.
+testing::AssertionResult Judge(vtkImageData* rays, TerrainScene& scene, const Demands& demands)
+{
+  const auto mesh = Render(scene.Window);
+  const std::vector<bool> band = SilhouettesOf(scene);
+  const auto bare = DrawScene(nullptr, Techniques::Mesh);
+  const vtkIdType effect = CountDifferentPixels(mesh, bare, 2);
+  int compared = 0;
+  int different = 0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      const bool counts = !band[x + Width * y];
+      compared += counts ? 1 : 0;
+      different += counts && !PixelsAgree(rays, mesh, x, y) ? 1 : 0;
+    }
+  }
+  const bool same = different <= (1.0 - demands.Share) * compared;
+  if (same && compared > Width * Height / 2 && effect >= demands.Effect * Width * Height)
+  {
+    return testing::AssertionSuccess();
+  }
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::string name = WindowName() + "-" + test->test_suite_name() + "-" + test->name();
+  WritePicture(rays, OutputPath(name + "-rays.png"));
+  WritePicture(mesh, OutputPath(name + "-mesh.png"));
+  return testing::AssertionFailure()
+    << different << " of " << compared << " pixels away from silhouettes differ, and the scene "
+    << "changes " << effect << " pixels; the pictures are " << OutputPath(name + "-*.png");
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> MakeHills(bool withHole)
+{
+  vtkNew<vtkDoubleArray> heights;
+  heights->SetName("heights");
+  heights->SetNumberOfValues(vtkIdType{ Columns } * Rows);
+  for (int j = 0; j < Rows; ++j)
+  {
+    for (int i = 0; i < Columns; ++i)
+    {
+      const bool hole = withHole && std::abs(i - 22) < 4 && std::abs(j - 18) < 4;
+      heights->SetValue(i + Columns * j,
+        hole ? std::numeric_limits<double>::quiet_NaN()
+             : 100.0 + 30.0 * std::sin(0.4 * i) * std::cos(0.35 * j) + 8.0 * std::sin(0.9 * i + j));
+    }
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(Columns, Rows, 1);
+  image->SetSpacing(10.0, 12.0, 1.0);
+  image->GetPointData()->SetScalars(heights);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeFineMesh(vtkImageData* heights)
+{
+  const int* size = heights->GetDimensions();
+  const double* origin = heights->GetOrigin();
+  const double* spacing = heights->GetSpacing();
+  const int width = Parts * (size[0] - 1) + 1;
+  const int height = Parts * (size[1] - 1) + 1;
+  vtkDataArray* scalars = heights->GetPointData()->GetScalars();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkFloatArray> positions;
+  positions->SetName("TextureCoordinates");
+  positions->SetNumberOfComponents(2);
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      positions->InsertNextTuple2(x / (width - 1.0), y / (height - 1.0));
+      const double z = FineValue(heights, scalars, 0, x, y);
+      points->InsertNextPoint(origin[0] + spacing[0] * x / Parts,
+        origin[1] + spacing[1] * y / Parts, origin[2] + (std::isfinite(z) ? z : 0.0));
+    }
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkCellData* cellData = heights->GetCellData();
+  mesh->GetCellData()->CopyAllocate(cellData);
+  vtkNew<vtkDoubleArray> slopes;
+  slopes->SetName("Slope");
+  vtkNew<vtkDoubleArray> aspects;
+  aspects->SetName("Aspect");
+  vtkNew<vtkCellArray> triangles;
+  for (int y = 0; y < height - 1; ++y)
+  {
+    for (int x = 0; x < width - 1; ++x)
+    {
+      if (CellIsValid(heights, x / Parts, y / Parts))
+      {
+        const vtkIdType corner = x + vtkIdType{ width } * y;
+        triangles->InsertNextCell({ corner, corner + 1, corner + width + 1 });
+        triangles->InsertNextCell({ corner, corner + width + 1, corner + width });
+        const std::array<double, 2> fall = SlopeAndAspect(heights, x, y);
+        for (vtkIdType cell = triangles->GetNumberOfCells() - 2;
+             cell < triangles->GetNumberOfCells(); ++cell)
+        {
+          slopes->InsertNextValue(fall[0]);
+          aspects->InsertNextValue(fall[1]);
+          mesh->GetCellData()->CopyData(
+            cellData, x / Parts + vtkIdType{ size[0] - 1 } * (y / Parts), cell);
+        }
+      }
+    }
+  }
+  mesh->SetPoints(points);
+  mesh->SetPolys(triangles);
+  mesh->GetPointData()->SetTCoords(positions);
+  AddPointArrays(mesh, heights, width, height);
+  mesh->GetCellData()->AddArray(slopes);
+  mesh->GetCellData()->AddArray(aspects);
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+TerrainScene::TerrainScene(Techniques technique)
+  : Technique(technique)
+{
+  const Scene scene = MakeScene(Width, Height);
+  this->Window = scene.Window;
+  this->Renderer = scene.Renderer;
+  this->Renderer->SetBackground(0.2, 0.3, 0.5);
+}
+
+//------------------------------------------------------------------------------
+TerrainProp TerrainScene::AddTerrain(vtkImageData* heights)
+{
+  TerrainProp terrain;
+  terrain.Mapper = vtkSmartPointer<vtkOpenGLTerrainMapper>::New();
+  terrain.Actor = vtkSmartPointer<vtkActor>::New();
+  terrain.Mapper->SetHeightsData(heights);
+  terrain.Mapper->SetTechnique(this->Technique);
+  if (this->Technique == Techniques::Mesh)
+  {
+    terrain.Mapper->SetInputData(MakeFineMesh(heights));
+  }
+  else
+  {
+    vtkNew<vtkTerrainCoarseMesh> mesh;
+    mesh->SetInputData(heights);
+    mesh->SetSamplesPerQuad(8);
+    terrain.Mapper->SetInputConnection(mesh->GetOutputPort());
+  }
+  terrain.Actor->SetMapper(terrain.Mapper);
+  terrain.Actor->GetProperty()->SetColor(0.8, 0.7, 0.5);
+  terrain.Actor->GetProperty()->SetAmbient(0.2);
+  terrain.Actor->GetProperty()->SetDiffuse(0.8);
+  this->Renderer->AddActor(terrain.Actor);
+  this->Terrains.push_back(terrain);
+  return terrain;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkActor> TerrainScene::AddSphere(double x, double y, double z, double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(x, y, z);
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(48);
+  sphere->SetPhiResolution(48);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.9, 0.3, 0.2);
+  this->Renderer->AddActor(actor);
+  return actor;
+}
+
+//------------------------------------------------------------------------------
+void TerrainScene::Look(const std::array<double, 3>& eye, const std::array<double, 3>& focus)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(eye.data());
+  camera->SetFocalPoint(focus.data());
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  this->Renderer->ResetCameraClippingRange();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> DrawScene(
+  const SceneFunction& function, Techniques technique, vtkImageData* heights)
+{
+  return Render(MakeTerrainScene(function, technique, heights).Window);
+}
+
+//------------------------------------------------------------------------------
+testing::AssertionResult DrawsAsTheMesh(const SceneFunction& function, const Demands& demands)
+{
+  TerrainScene scene = MakeTerrainScene(function, Techniques::Mesh, demands.Heights);
+  return Judge(DrawScene(function, demands.Technique, demands.Heights), scene, demands);
+}
+
+//------------------------------------------------------------------------------
+testing::AssertionResult DrawsAsThePlainMesh(
+  const PropFunction& terrain, const PropFunction& mesh, const Demands& demands)
+{
+  auto settle = [&](TerrainScene&, const TerrainProp& prop)
+  {
+    prop.Actor->GetProperty()->LightingOff();
+    terrain(prop.Mapper, prop.Actor);
+  };
+  auto replace = [&](TerrainScene&, const TerrainProp& prop)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(MakeFineMesh(prop.Mapper->GetHeights()));
+    mapper->ScalarVisibilityOff();
+    prop.Actor->SetMapper(mapper);
+    prop.Actor->GetProperty()->LightingOff();
+    mesh(mapper, prop.Actor);
+  };
+  TerrainScene scene = MakeTerrainScene(replace, Techniques::Mesh, demands.Heights);
+  return Judge(DrawScene(settle, demands.Technique, demands.Heights), scene, demands);
+}
+}
