@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <dlfcn.h>
 #include <string>
 
 namespace
@@ -163,6 +164,19 @@ void AddLights(vtkRenderer* renderer, const PlacedHeights& heights, const Option
   sky->SetIntensity(0.35);
   renderer->AddLight(sky);
 }
+
+/// VTK's own OSMesa window takes the library for granted, and would crash without it.
+void RequireOSMesa()
+{
+  for (const char* name : { "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so" })
+  {
+    if (dlopen(name, RTLD_LAZY)) // stays open for the window
+    {
+      return;
+    }
+  }
+  throw Failure("no OSMesa window can be had: libOSMesa is not installed");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -176,6 +190,7 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options)
       setenv(kVariable, "vtkEGLRenderWindow", 1);
       break;
     case Window::OSMesa:
+      RequireOSMesa();
       setenv(kVariable, "vtkOSOpenGLRenderWindow", 1);
       break;
     case Window::X:

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 
 using vtkTerrainTesting::RasterFile;
@@ -103,9 +104,17 @@ TEST(TerrainRasterReader, ReadsSignedBytes)
   RasterFile file;
   file.Width = 2;
   file.Height = 2;
-  file.Type = GDT_Byte;
-  file.Options = { "PIXELTYPE=SIGNEDBYTE" };
-  file.Values = { 1, 2, 255, 128 };
+  if (std::atoi(GDALVersionInfo("VERSION_NUM")) >= 3070000)
+  {
+    file.Type = static_cast<GDALDataType>(14); // GDT_Int8
+    file.Values = { 1, 2, -1, -128 };
+  }
+  else
+  {
+    file.Type = GDT_Byte;
+    file.Options = { "PIXELTYPE=SIGNEDBYTE" };
+    file.Values = { 1, 2, 255, 128 };
+  }
   const auto reader = Read(file.Write("signed.tif"));
   EXPECT_EQ(reader->GetOutput()->GetScalarType(), VTK_SIGNED_CHAR);
   EXPECT_EQ(Height(reader->GetOutput(), 0, 0), -1);

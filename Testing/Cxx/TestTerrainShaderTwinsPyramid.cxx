@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -174,12 +175,19 @@ std::vector<glm::vec4> run(vtkRenderWindow* window, const std::string& head,
   return result;
 }
 
-/// Mesa's software rasterizer calculates as C++ does, bit for bit; other drivers fuse and reorder.
+/// Mesa's software rasterizer up to LLVM 15 calculates as C++ does, bit for bit; later ones and
+/// other drivers fuse and reorder.
+bool calculatesAsTwin(vtkRenderWindow* window)
+{
+  const std::string words = window->ReportCapabilities();
+  const std::string name = "llvmpipe (LLVM ";
+  const std::size_t at = words.find(name);
+  return at != std::string::npos && std::atoi(words.c_str() + at + name.size()) <= 15;
+}
+
 int allowedDifferences(vtkRenderWindow* window)
 {
-  const bool exact =
-    std::string(window->ReportCapabilities()).find("llvmpipe") != std::string::npos;
-  return exact ? 0 : NumberOfRays / 50;
+  return calculatesAsTwin(window) ? 0 : NumberOfRays / 25;
 }
 
 /// Traces the rays of beams on the GPU and compares them with the twin. Tolerance: see
@@ -205,6 +213,8 @@ void comparePaths(vtkRenderWindow* window, const terrain::CodedField<Texel>& fie
     run(window, head, trace + "result = vec4(hit.cell, hit.fraction);", beams, uniforms);
   ASSERT_EQ(paths.size(), beams.Items.size());
   ASSERT_EQ(places.size(), beams.Items.size());
+  const bool exact = calculatesAsTwin(window);
+  const auto position = [](const glm::vec4& at) { return glm::vec2(at) + glm::vec2(at.z, at.w); };
   int hits = 0;
   int differentPaths = 0;
   int differentPlaces = 0;
@@ -217,7 +227,9 @@ void comparePaths(vtkRenderWindow* window, const terrain::CodedField<Texel>& fie
     hits += hit.found;
     differentPaths += paths[k] !=
       glm::vec4(hit.found, hit.found ? hit.s : paths[k].y, hit.crossings, visits & 0xffffffu);
-    differentPlaces += hit.found && places[k] != glm::vec4(hit.cell, hit.fraction);
+    const glm::vec4 place(hit.cell, hit.fraction);
+    differentPlaces += hit.found &&
+      (exact ? places[k] != place : glm::distance(position(places[k]), position(place)) > 1e-3f);
   }
   EXPECT_GT(hits, 0);
   EXPECT_LE(differentPaths, allowedDifferences(window));
