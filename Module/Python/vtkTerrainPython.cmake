@@ -5,14 +5,20 @@ set(VTKTERRAIN_WRAP_PYTHON AUTO CACHE STRING
 set_property(CACHE VTKTERRAIN_WRAP_PYTHON PROPERTY STRINGS AUTO ON OFF)
 
 # Sets the variable named by result to why an interpreter cannot use the module; empty if it can.
+# pip builds with a PYTHONPATH that hides installed packages: what -E does without is tried as well.
 function (vtkterrain_why_not_interpreter interpreter result)
-  execute_process(
-    COMMAND "${interpreter}" -c
-      "from vtkmodules.vtkCommonCore import vtkVersion; print(vtkVersion().GetVTKVersion())"
-    RESULT_VARIABLE failure
-    OUTPUT_VARIABLE version
-    ERROR_VARIABLE error
-    OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_STRIP_TRAILING_WHITESPACE)
+  set(failure ON)
+  foreach (option IN ITEMS -B -E)
+    if (failure)
+      execute_process(
+        COMMAND "${interpreter}" ${option} -c
+          "from vtkmodules.vtkCommonCore import vtkVersion; print(vtkVersion().GetVTKVersion())"
+        RESULT_VARIABLE failure
+        OUTPUT_VARIABLE version
+        ERROR_VARIABLE error
+        OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_STRIP_TRAILING_WHITESPACE)
+    endif ()
+  endforeach ()
   set(why_not "")
   if (failure)
     string(REGEX REPLACE ".*\n" "" error "${error}")
