@@ -97,7 +97,8 @@ public:
 
   /// Colours of a relief map from the lowest to the highest point: green, brown, white, and blue
   /// below 0 where a good part of the heights lies there.
-  static vtkSmartPointer<vtkColorTransferFunction> MakeReliefColors(double lowest, double highest);
+  VTK_WRAPEXCLUDE static vtkSmartPointer<vtkColorTransferFunction> MakeReliefColors(
+    double lowest, double highest);
 
   /// True if there is a surface at all: a cell whose four samples have heights.
   bool HasSurface();

@@ -13,22 +13,19 @@ import vtkTerrainTesting
 EXAMPLE = pathlib.Path(__file__).parents[2] / "Examples" / "Python" / "render.py"
 
 
-def write_hill(path):
-    """Heights of a round hill as an ESRI ASCII grid."""
+def hill():
+    """A round hill."""
     j, i = np.mgrid[0:48, 0:64]
-    heights = 12.0 * np.exp(-((i - 30.0) ** 2 + (j - 20.0) ** 2) / 120.0)
-    with open(path, "w", encoding="ascii") as file:
-        file.write("ncols 64\nnrows 48\nxllcorner 0\nyllcorner 0\ncellsize 1\n")
-        np.savetxt(file, heights, fmt="%.4f")
+    return 12.0 * np.exp(-((i - 30.0) ** 2 + (j - 20.0) ** 2) / 120.0)
 
 
 class TestRender(unittest.TestCase):
     def test_example_draws_what_the_program_in_cxx_draws(self):
-        hill = vtkTerrainTesting.output_path("hill.asc")
-        write_hill(hill)
+        path = vtkTerrainTesting.output_path("hill.asc")
+        vtkTerrainTesting.write_ascii_grid(path, hill())
         from_python = vtkTerrainTesting.output_path("hill-python.png")
         from_cxx = vtkTerrainTesting.output_path("hill-cxx.png")
-        subprocess.run([sys.executable, EXAMPLE, hill, from_python], check=True)
+        subprocess.run([sys.executable, EXAMPLE, path, from_python], check=True)
         picture = vtkTerrainTesting.read_picture(from_python)
         self.assertEqual(picture.shape, (720, 1280, 3))
         lit = (picture.max(axis=2) > 20).mean()
@@ -37,7 +34,7 @@ class TestRender(unittest.TestCase):
         program = os.environ.get("VTKTERRAIN_PIPELINE_PROGRAM")
         if not program:
             self.skipTest("the program terrain-pipeline is not built")
-        subprocess.run([program, hill, from_cxx], check=True)
+        subprocess.run([program, path, from_cxx], check=True)
         np.testing.assert_array_equal(picture, vtkTerrainTesting.read_picture(from_cxx))
 
     def test_window_without_a_display(self):

@@ -6,10 +6,12 @@ import sys
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 _SKIPPED = 77  # exit status of a file of which every test was skipped
+_VISIBLE = 8  # of 255: what two pixels of the same colour differ by at most
 
 
 def output_path(name):
@@ -25,13 +27,44 @@ def ramp(rows, columns):
 
 
 def read_picture(path):
-    """A PNG file as an array of rows, columns and colours."""
+    """A PNG file as an array of rows, from the bottom, columns and colours."""
     reader = vtkPNGReader()
     reader.SetFileName(str(path))
     reader.Update()
     image = reader.GetOutput()
     columns, rows, _ = image.GetDimensions()
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)
+
+
+def write_ascii_grid(path, heights):
+    """Heights, rows from the south, as an ESRI ASCII grid of spacing 1 at the origin."""
+    with open(path, "w", encoding="ascii") as file:
+        file.write(f"ncols {heights.shape[1]}\nnrows {heights.shape[0]}\n"
+                   "xllcenter 0\nyllcenter 0\ncellsize 1\n")
+        np.savetxt(file, heights[::-1], fmt="%.6f")
+
+
+def write_picture(path, picture):
+    """An array of rows, from the top, columns and colours as a PNG file."""
+    rows, columns, colors = picture.shape
+    image = vtkImageData()
+    image.SetDimensions(columns, rows, 1)
+    image.GetPointData().SetScalars(
+        numpy_to_vtk(np.ascontiguousarray(picture[::-1]).reshape(-1, colors), deep=True))
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    writer.SetFileName(str(path))
+    writer.Write()
+
+
+def compare_with_baseline(test, picture, name, largest_share=1e-3):
+    """Fails if more than a share of the pixels differ from the baseline visibly."""
+    drawn = output_path(f"{name}.png")
+    write_picture(drawn, picture)
+    baseline = read_picture(os.path.join(os.environ["VTKTERRAIN_BASELINE_DIR"], f"{name}.png"))[::-1]
+    test.assertEqual(picture.shape, baseline.shape)
+    share = (np.abs(picture.astype(int) - baseline) > _VISIBLE).any(axis=2).mean()
+    test.assertLessEqual(share, largest_share, drawn)
 
 
 def run():

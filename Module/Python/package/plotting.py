@@ -1,0 +1,170 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Terrain in PyVista's plotters.
+
+>>> import pyvista
+>>> from vtkTerrain.plotting import add_terrain
+>>> plotter = pyvista.Plotter()
+>>> terrain = add_terrain(plotter, "dem.tif", exaggeration=1.5)
+>>> plotter.show()
+
+Where PyVista has components of plotters (0.48 and later), importing this module also makes
+``plotter.terrain.add(heights, ...)`` and ``plotter.terrain.enable_picking(callback)``.
+"""
+import os
+
+import numpy as np
+import pyvista
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+from .heights import heights_from_array
+from .vtkTerrain import vtkTerrainActor, vtkTerrainPicker, vtkTerrainRasterReader
+
+_NUMBER_OF_COLORS = 256
+
+
+def _read(path):
+    reader = vtkTerrainRasterReader()
+    reader.SetFileName(path)
+    reader.Update()
+    if reader.GetErrorMessage():
+        raise OSError(reader.GetErrorMessage())
+    return reader.GetOutput()
+
+
+def heights_from(heights, **place):
+    """Heights as a ``vtkImageData``, from all that ``add_terrain`` takes.
+
+    ``place`` are the options of ``heights_from_array``; only plain arrays have any.
+    """
+    is_array = not (isinstance(heights, (vtkImageData, str, os.PathLike)) or hasattr(heights, "dims"))
+    if is_array:
+        return heights_from_array(heights, **place)
+    if place:
+        raise TypeError(f"{', '.join(place)} can only be given for plain arrays: "
+                        f"{type(heights).__name__} tells where it lies")
+    if isinstance(heights, vtkImageData):
+        return heights
+    if isinstance(heights, (str, os.PathLike)):
+        return _read(heights)
+    from .xarrays import heights_from_dataarray
+
+    return heights_from_dataarray(heights)
+
+
+def _add_colors(actor, cmap, clim):
+    """Sets the colours of the heights and returns them as a table."""
+    relief = actor.GetLookupTable()
+    clim = tuple(clim) if clim is not None else relief.GetRange()
+    if cmap is None:
+        table = pyvista.LookupTable()
+        table.values = [[*(round(255 * part) for part in relief.GetColor(height)), 255]
+                        for height in np.linspace(*clim, _NUMBER_OF_COLORS)]
+    else:
+        table = pyvista.LookupTable(cmap)
+    table.scalar_range = clim
+    actor.SetLookupTable(table)
+    return table
+
+
+def _add_scalar_bar(plotter, table, options):
+    mapper = pyvista.DataSetMapper()
+    mapper.lookup_table = table
+    mapper.scalar_range = table.scalar_range
+    plotter.add_scalar_bar(**{"title": "Elevation", **(options or {}), "mapper": mapper})
+
+
+def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap=None, clim=None,
+                color=None, opacity=1.0, show_scalar_bar=None, scalar_bar_args=None, name=None,
+                reset_camera=None, pickable=True, **place):
+    """Adds a heightfield to a plotter; returns the ``vtkTerrainActor``.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        What draws it.
+    heights : array_like, pyvista.ImageData, xarray.DataArray, str or path
+        Heights: an array of rows, from the south, and columns; an image of W x H x 1 points with one
+        scalar each; a DataArray (see ``vtkTerrain.xarrays``); or the name of any raster that GDAL
+        opens.
+    technique : {"pyramid", "linear", "exponential", "equidistant", "mesh"}
+        How the surface is found. "pyramid" is exact; "mesh" draws all cells as triangles.
+    exaggeration : float
+        Drawn height over true height, above 0.
+    cmap : str, list or matplotlib colormap, optional
+        Colours of the heights; those of a relief map by default, from the lowest to the highest.
+    clim : (float, float), optional
+        Heights of the first and last colour of ``cmap``; the lowest and the highest by default.
+    color : ColorLike, optional
+        One colour for all, instead of colours of the heights.
+    opacity : float
+        1 is opaque, 0 not seen.
+    show_scalar_bar : bool, optional
+        Whether to show the colours of the heights; the theme's setting by default.
+    scalar_bar_args : dict, optional
+        Options of ``pyvista.Plotter.add_scalar_bar``.
+    name, reset_camera, pickable
+        As those of ``pyvista.Plotter.add_mesh``.
+    **place
+        For a plain array: ``spacing``, ``origin``, ``first_row``, ``coordinate_system``, as
+        ``vtkTerrain.heights_from_array`` takes them.
+    """
+    actor = vtkTerrainActor()
+    techniques = {key.lower(): value for key, value in vars(type(actor.GetTechnique())).items()
+                  if key[0] != "_"}
+    if technique not in techniques:
+        raise ValueError(f"technique must be one of {', '.join(techniques)}, not {technique!r}")
+    if not exaggeration > 0:
+        raise ValueError(f"exaggeration must be above 0, not {exaggeration}")
+    actor.SetInputData(heights_from(heights, **place))
+    if not actor.HasSurface():
+        raise ValueError("there is no surface to draw: no four neighbouring samples all have heights")
+    actor.SetTechnique(techniques[technique])
+    actor.SetVerticalExaggeration(exaggeration)
+    actor.GetProperty().SetOpacity(opacity)
+    if color is not None:
+        actor.SetColorByHeight(False)
+        actor.GetProperty().SetColor(pyvista.Color(color).float_rgb)
+    plotter.add_actor(actor, name=name, reset_camera=reset_camera, pickable=pickable, render=False)
+    if color is None:
+        table = _add_colors(actor, cmap, clim)
+        if plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar:
+            _add_scalar_bar(plotter, table, scalar_bar_args)
+    return actor
+
+
+def enable_terrain_picking(plotter, callback, *, side="right"):
+    """Calls ``callback(point, picker)`` for each click on a terrain.
+
+    ``point`` is where on the surface it was, as drawn, an array of three numbers; ``picker`` is a
+    ``vtkTerrainPicker`` that tells the rest (``GetHeight``, ``GetGridPosition``, ``GetValue``,
+    ``GetPickNormal``, ``GetActor``). ``side`` is the button of the mouse, "left" or "right".
+    """
+    picker = vtkTerrainPicker()
+
+    def pick(_):
+        column, row = plotter.iren.get_event_position()
+        picker.Pick(column, row, 0.0, plotter.iren.get_poked_renderer(column, row))
+        if picker.IsTerrainPicked():
+            callback(np.array(picker.GetPickPosition()), picker)
+
+    plotter.iren.track_click_position(pick, side=side, viewport=True)
+
+
+class TerrainComponent:
+    """Terrain as ``plotter.terrain``."""
+
+    def __init__(self, plotter):
+        self._plotter = plotter
+
+    def add(self, heights, **options):
+        """``add_terrain`` for this plotter."""
+        return add_terrain(self._plotter, heights, **options)
+
+    def enable_picking(self, callback, **options):
+        """``enable_terrain_picking`` for this plotter."""
+        enable_terrain_picking(self._plotter, callback, **options)
+
+
+if hasattr(pyvista, "register_plotter_component"):
+    pyvista.register_plotter_component("terrain")(TerrainComponent)
