@@ -4,24 +4,18 @@
 import sys
 
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
-from vtkTerrain import vtkOpenGLTerrainMapper, vtkTerrainCoarseMesh, vtkTerrainRasterReader
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+from vtkTerrain import vtkTerrainActor, vtkTerrainRasterReader
 
 heights = vtkTerrainRasterReader()  # or vtkTerrainSource, or vtkTerrain.heights_from_array(array)
 heights.SetFileName(sys.argv[1])
 
-mesh = vtkTerrainCoarseMesh()  # lies nowhere below the surface
-mesh.SetInputConnection(heights.GetOutputPort())
+terrain = vtkTerrainActor()
+terrain.SetInputConnection(heights.GetOutputPort())
+terrain.SetVerticalExaggeration(1.5)
 
-mapper = vtkOpenGLTerrainMapper()  # casts rays from the mesh down to the surface
-mapper.SetInputConnection(mesh.GetOutputPort())
-mapper.SetHeightsConnection(heights.GetOutputPort())
-mapper.SetVerticalExaggeration(1.5)
-
-actor = vtkActor()
-actor.SetMapper(mapper)
 renderer = vtkRenderer()
-renderer.AddActor(actor)
+renderer.AddActor(terrain)
 window = vtkRenderWindow()  # X, EGL or OSMesa, whichever there is
 window.SetOffScreenRendering(1)
 window.SetSize(1280, 720)
