@@ -58,29 +58,50 @@ vec2 terrainClipRange(vec2 pixel, vec2 range, out int begin)
 // farther is traced again from near the hit.
 const float terrainLongRay = 256.0;
 
+// True if a ray meets the surface from above. Where a tolerance has ended the search before the
+// surface, the side of it tells.
+bool terrainSeesFront(TerrainRay ray, TerrainHit hit)
+{
+  vec4 codes = terrainCellCodes(hit.cell);
+#ifdef TERRAIN_COLUMNS
+  return terrainFindColumnFace(codes, hit.fraction, ray.directionGC).front;
+#else
+  bool front = ray.directionGC.z <=
+    dot(terrainPatchGradient(codes, hit.fraction), ray.directionGC.xy);
+#ifdef TERRAIN_WITHIN
+  float above =
+    ray.originGC.z + hit.s * ray.directionGC.z - terrainPatchCode(codes, hit.fraction);
+  float rounding = 1e-5 * (terrainMaximumCode + abs(ray.originGC.z));
+  front = abs(above) > rounding ? above > 0.0 : front;
+#endif
+  return front;
+#endif
+}
+
 // The first hit of a pixel's ray between two distances; hit.s counts from range.x. The loop is there
 // so that the trace stands in the program once.
 TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front)
 {
   TerrainHit hit = terrainNoHit();
-  vec3 direction = terrainAtPixelGC(pixel);
-  float pace = length(direction.xy);
+  float pace = length(terrainAtPixelGC(pixel).xy);
   float begin = 0.0;
   bool again = true;
+  front = true;
   for (int attempt = 0; again && attempt < 2; ++attempt)
   {
-    TerrainHit next = terrainTrace(terrainPixelRay(pixel, range.x + begin, range.y));
+    float start = range.x + begin;
+    TerrainRay ray = terrainPixelRay(pixel, start, range.y);
+    TerrainHit next = terrainTrace(ray, start);
     next.crossings += hit.crossings;
-    next.s += begin;
     if (next.found || attempt == 0)
     {
       hit = next;
+      hit.s += begin;
+      front = terrainSeesFront(ray, next);
     }
     again = hit.found && (hit.s - begin) * pace > terrainLongRay;
     begin = hit.s - 4.0 / max(pace, 1e-30);
   }
-  vec2 gradient = terrainPatchGradient(terrainCellCodes(hit.cell), hit.fraction);
-  front = direction.z <= dot(gradient, direction.xy);
   return hit;
 }
 

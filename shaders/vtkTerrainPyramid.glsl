@@ -13,7 +13,9 @@
 //   terrainPyramidTop    LevelCount(), with detail of the sum; 0 where the grid has no cells
 //   terrainPyramidStart  level of the first node, 1..top (0 if there are no cells)
 // Defines:
-//   TERRAIN_COLUMNS   optional: the surface of constant columns instead of bilinear patches
+//   TERRAIN_COLUMNS   optional: the surface of constant columns instead of bilinear patches; needs
+//                     vtkTerrainColumns.glsl
+//   TERRAIN_WITHIN    optional: tolerances count; without, terrainTracePyramidWithin() is exact
 //   TERRAIN_VISIT(node, level)  optional: run for every node visited, which counts from the
 //                     south-west
 //   TERRAIN_DETAIL    see vtkTerrainHeights.glsl; twin of its part: src/core/DetailHeights.h, with
@@ -231,17 +233,14 @@ TerrainStep terrainVisitNode(TerrainPath path, TerrainStep at, TerrainSpan span,
 {
   vec2 bounds = terrainNodeBounds(path, at);
   down = min(at.z, span.z) <= bounds.x && max(at.z, span.z) >= bounds.y;
+#ifdef TERRAIN_WITHIN
   small = down && terrainIsWithin(tolerance, at.s, at.level, bounds);
+#else
+  small = false;
+#endif
   float bound = path.direction.z < 0.0 ? bounds.x : bounds.y;
   float s = clamp(at.s + (bound - at.z) * path.inverse.z, at.s, span.s);
   return terrainNextStep(path, at, span, down, down ? s : span.s);
-}
-
-// Code of the sample whose column has a quarter of a cell: east, north half or not.
-float terrainColumnCode(vec4 codes, bvec2 quarter)
-{
-  vec2 row = quarter.y ? codes.zw : codes.xy;
-  return quarter.x ? row.y : row.x;
 }
 
 // First t in 0..1 with c + b t + a t^2 = 0, where c and e are the values at 0 and 1; -1 if there is
@@ -269,33 +268,6 @@ float terrainIntersectPatch(vec4 codes, vec3 begin, vec3 end)
   float twist = (codes.x - codes.y) - (codes.z - codes.w);
   return terrainFirstRoot(begin.z - terrainPatchCode(codes, begin.xy),
     end.z - terrainPatchCode(codes, end.xy), -twist * move.x * move.y);
-}
-
-// The same for the columns around the samples, each as high as its sample: the cell shows a quarter
-// of four of them. Top faces and side walls are met.
-float terrainIntersectColumns(vec4 codes, vec3 begin, vec3 end)
-{
-  bvec2 from = greaterThanEqual(begin.xy, vec2(0.5));
-  bvec2 to = greaterThanEqual(end.xy, vec2(0.5));
-  // Where the segment goes over into other columns: a wall is crossed if and only if sides differ.
-  vec2 wall = mix(vec2(1.0), clamp((0.5 - begin.xy) / (end.xy - begin.xy), vec2(0.0), vec2(1.0)),
-    notEqual(from, to));
-  bvec2 between = wall.x <= wall.y ? bvec2(to.x, from.y) : bvec2(from.x, to.y);
-  float t1 = min(wall.x, wall.y);
-  float t2 = max(wall.x, wall.y);
-  vec3 columns = vec3(terrainColumnCode(codes, from), terrainColumnCode(codes, between),
-    terrainColumnCode(codes, to));
-  vec2 z = begin.z + (end.z - begin.z) * vec2(t1, t2);
-  float side = begin.z < columns.x ? -1.0 : 1.0;
-  // Height above each column where the segment begins and ends on it, seen from its first side.
-  vec3 above = side * (vec3(begin.z, z) - columns);
-  vec3 after = side * (vec3(z, end.z) - columns);
-  float t = after.z <= 0.0 ? t2 + (1.0 - t2) * above.z / (above.z - after.z) : -1.0;
-  t = above.z <= 0.0 ? t2 : t;
-  t = after.y <= 0.0 ? t1 + (t2 - t1) * above.y / (above.y - after.y) : t;
-  t = above.y <= 0.0 ? t1 : t;
-  t = after.x <= 0.0 ? t1 * above.x / (above.x - after.x) : t;
-  return above.x <= 0.0 ? 0.0 : t;
 }
 
 // Position on a path in a cell, as fractions of the cell in the grid; line: see TerrainStep, and
@@ -341,7 +313,8 @@ TerrainHit terrainMeetBox(TerrainPath path, TerrainStep at)
 // The first point of the surface on a ray. The search may end at a node of the pyramid that, in
 // cells and in height codes, is no larger than tolerance.xy + s * tolerance.zw: the hit is then
 // where the ray enters the node's box, hence off the surface by less than that, and found even if
-// the ray would pass by the surface within the box. 0 is exact; less than 2 cells has no effect.
+// the ray would pass by the surface within the box. 0 is exact; less than 2 cells has no effect. A
+// ray that enters such a box in a cell without surface goes on exactly.
 TerrainHit terrainTracePyramidWithin(TerrainRay ray, vec4 tolerance)
 {
   TerrainPath path = terrainClipPath(terrainMirrorRay(ray));
@@ -378,6 +351,14 @@ TerrainHit terrainTracePyramidWithin(TerrainRay ray, vec4 tolerance)
         at = terrainNextStep(path, at, span, false, span.s);
       }
     } while (!ended && at.level == 0);
+#ifdef TERRAIN_WITHIN
+    if (small && !terrainCellValid(terrainCellCodes(at.cell ^ path.mirror)))
+    {
+      tolerance = vec4(0.0);
+      small = false;
+      ended = crossings >= most;
+    }
+#endif
   } while (!ended);
   if (small)
   {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The point of the surface that a fragment shows: what VTK's lights and colours work on.
-// Needs vtkTerrainHeights.glsl, vtkTerrainView.glsl and, for rays, vtkTerrainCast.glsl.
+// Needs vtkTerrainHeights.glsl, vtkTerrainView.glsl and, for rays, vtkTerrainCast.glsl; for columns,
+// vtkTerrainColumns.glsl.
 // Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_MESH if rays begin at the
-// coarse mesh; TERRAIN_DEPTH_OFFSET if depths are shifted thereafter; TERRAIN_FLAT for the normals of single patches, not of differences across them;
-// TERRAIN_BLOCK if the surface covers a block that clipping planes cut.
+// coarse mesh; TERRAIN_DEPTH_OFFSET if depths are shifted thereafter; TERRAIN_COLUMNS for columns;
+// TERRAIN_FLAT for the normals of single patches, not of differences across them; TERRAIN_BLOCK if
+// the surface covers a block that clipping planes cut.
 
 struct TerrainSurface
 {
@@ -146,6 +148,13 @@ TerrainSurface terrainSeen(vec2 pixel, vec4 proxyVC)
   {
     surface = terrainSurfaceAt(sighting.cell, sighting.fraction,
       terrainPositionVC(pixel, sighting.distanceVC), sighting.front);
+#ifdef TERRAIN_COLUMNS
+    TerrainColumnFace face = terrainFindColumnFace(
+      terrainCellCodes(sighting.cell), sighting.fraction, terrainAtPixelGC(pixel));
+    surface.normalVC =
+      normalize(terrainNormalMatrix * (sighting.front ? face.normal : -face.normal));
+    surface.code = face.code;
+#endif
   }
 #ifdef TERRAIN_BLOCK
   if (sighting.found && sighting.wall >= 0)

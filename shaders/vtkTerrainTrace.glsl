@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The technique in use. Needs vtkTerrainSearch.glsl or vtkTerrainPyramid.glsl.
-// Defines: TERRAIN_LINEAR, TERRAIN_EXPONENTIAL, TERRAIN_EQUIDISTANT or TERRAIN_PYRAMID.
+// Defines: TERRAIN_LINEAR, TERRAIN_EXPONENTIAL, TERRAIN_EQUIDISTANT or TERRAIN_PYRAMID; with the
+// last, TERRAIN_WITHIN for a tolerance.
 
-TerrainHit terrainTrace(TerrainRay ray)
+#ifdef TERRAIN_WITHIN
+uniform vec4 terrainTolerance; // cells, codes; and their change per unit of distance
+#endif
+
+// The first hit of a ray that begins at a distance along the viewing direction.
+TerrainHit terrainTrace(TerrainRay ray, float startDistance)
 {
 #if defined(TERRAIN_LINEAR)
   return terrainSearchLinear(ray);
@@ -12,6 +18,9 @@ TerrainHit terrainTrace(TerrainRay ray)
   return terrainSearchExponential(ray);
 #elif defined(TERRAIN_EQUIDISTANT)
   return terrainSearchEquidistant(ray);
+#elif defined(TERRAIN_WITHIN)
+  return terrainTracePyramidWithin(ray,
+    vec4(terrainTolerance.xy + startDistance * terrainTolerance.zw, terrainTolerance.zw));
 #else
   return terrainTracePyramid(ray);
 #endif

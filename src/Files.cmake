@@ -68,6 +68,7 @@ set(shaders
   vtkTerrainBeamCS
   vtkTerrainCast
   vtkTerrainColor
+  vtkTerrainColumns
   vtkTerrainHeights
   vtkTerrainPyramid
   vtkTerrainRay

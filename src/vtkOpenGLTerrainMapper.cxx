@@ -82,6 +82,8 @@ void vtkOpenGLTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LongSteps: " << this->LongSteps << "\n";
   os << indent << "SecantSteps: " << this->SecantSteps << "\n";
   os << indent << "StepLength: " << this->StepLength << "\n";
+  os << indent << "Surface: " << static_cast<int>(this->Surface) << "\n";
+  os << indent << "PixelTolerance: " << this->PixelTolerance << "\n";
   os << indent << "ComputeMode: " << static_cast<int>(this->ComputeMode) << "\n";
   os << indent << "UseBeams: " << this->UseBeams << "\n";
   os << indent << "DetailCells: " << this->DetailCells << "\n";
@@ -137,6 +139,21 @@ vtkImageData* vtkOpenGLTerrainMapper::GetHeights()
   return this->GetNumberOfInputConnections(1) > 0
     ? vtkImageData::SafeDownCast(this->GetInputDataObject(1, 0))
     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::HeightsModified(
+  int firstColumn, int lastColumn, int firstRow, int lastRow)
+{
+  vtkImageData* image = this->GetHeights();
+  if (image)
+  {
+    const int* extent = image->GetExtent();
+    this->Internals->Heights.SetImagePart(image,
+      { { firstColumn - extent[0], firstRow - extent[2] },
+        { lastColumn - extent[0] + 1, lastRow - extent[2] + 1 } });
+    this->UniformModified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -220,6 +237,9 @@ vtkTerrainSetUniformMacro(SecantSteps, int, 0);
 vtkTerrainSetUniformMacro(StepLength, double, 0.0);
 vtkTerrainSetUniformMacro(DetailScale, double, 0.0);
 vtkTerrainSetUniformMacro(
+  Surface, vtkOpenGLTerrainMapper::Surfaces, vtkOpenGLTerrainMapper::Surfaces::Bilinear);
+vtkTerrainSetUniformMacro(PixelTolerance, double, 0.0);
+vtkTerrainSetUniformMacro(
   ComputeMode, vtkOpenGLTerrainMapper::ComputeModes, ComputeModes::Automatic);
 vtkTerrainSetUniformMacro(UseBeams, bool, false);
 
@@ -241,6 +261,12 @@ vtkMTimeType vtkOpenGLTerrainMapper::GetMTime()
 int vtkOpenGLTerrainMapper::GetNumberOfHeightUploads() const
 {
   return this->Internals->Heights.GetNumberOfUploads();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkOpenGLTerrainMapper::GetNumberOfUploadedTexels() const
+{
+  return this->Internals->Heights.GetNumberOfUploadedTexels();
 }
 
 //------------------------------------------------------------------------------

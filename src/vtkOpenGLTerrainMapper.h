@@ -91,6 +91,14 @@ public:
   vtkImageData* GetHeights();
   ///@}
 
+  /// Says that of the heights' image only the samples of these columns and rows, both ends included
+  /// and numbered as in its extent, have changed since they were last drawn or this was last
+  /// called: just they, and the nodes of the pyramid above them, are brought up to date, on the
+  /// graphics card too. To be called after the image's Modified(). Where the new heights leave the
+  /// range of the old ones, all are taken anew; the range itself, and the bounds, do not shrink
+  /// before that. A coarse mesh on port 0 is not concerned: the technique Pyramid needs none.
+  void HeightsModified(int firstColumn, int lastColumn, int firstRow, int lastRow);
+
   /// Lowest and highest height, up to date, not exaggerated; lowest > highest if there is none.
   void GetHeightRange(double range[2]);
 
@@ -170,6 +178,34 @@ public:
   double GetStepLength() const
   {
     return this->StepLength;
+  }
+  ///@}
+
+  /// The surface between the samples: bilinear patches, or columns of constant height around the
+  /// samples, the nearest sample's height.
+  enum class Surfaces
+  {
+    Bilinear,
+    Columns
+  };
+  ///@{
+  /// The surface that the technique Pyramid draws; the other techniques know only the bilinear one.
+  /// Default Bilinear.
+  void SetSurface(Surfaces surface);
+  Surfaces GetSurface() const
+  {
+    return this->Surface;
+  }
+  ///@}
+
+  ///@{
+  /// The technique Pyramid may end its search at a square of at least 2 x 2 cells that, in its side
+  /// and in its relief, projects to less than this number of pixels, >= 0: the surface is then
+  /// drawn where the ray enters the box around that square. Default 0: exact.
+  void SetPixelTolerance(double pixels);
+  double GetPixelTolerance() const
+  {
+    return this->PixelTolerance;
   }
   ///@}
 
@@ -312,8 +348,11 @@ public:
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* selector, std::vector<unsigned int>& offsets, vtkProp* prop) override;
 
-  /// Number of times the heights went to the graphics card.
+  /// Number of times all heights went to the graphics card.
   int GetNumberOfHeightUploads() const;
+
+  /// Number of texels that went to the graphics card, those of the pyramid included.
+  vtkIdType GetNumberOfUploadedTexels() const;
 
   ///@{
   /// Number of times that shaders and vertex buffers were built.
@@ -411,6 +450,8 @@ private:
   double StepLength = 0.0;
   int DetailCells = 16;
   double DetailScale = 1.0;
+  Surfaces Surface = Surfaces::Bilinear;
+  double PixelTolerance = 0.0;
   ComputeModes ComputeMode = ComputeModes::Automatic;
   bool UseBeams = true;
   vtkTimeStamp UniformTime;

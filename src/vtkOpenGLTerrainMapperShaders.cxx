@@ -11,6 +11,7 @@
 
 #include "vtkTerrainCast.h"
 #include "vtkTerrainColor.h"
+#include "vtkTerrainColumns.h"
 #include "vtkTerrainHeights.h"
 #include "vtkTerrainPyramid.h"
 #include "vtkTerrainRay.h"
@@ -77,6 +78,11 @@ std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act)
   {
     defines += "#define TERRAIN_DETAIL\n";
   }
+  if (this->CastsRays(act) && this->Technique == Techniques::Pyramid)
+  {
+    defines += this->Surface == Surfaces::Columns ? "#define TERRAIN_COLUMNS\n" : "";
+    defines += this->PixelTolerance > 0.0 ? "#define TERRAIN_WITHIN\n" : "";
+  }
   if (this->CastsRays(act) && !this->Internals->EyeInBox)
   {
     defines += "#define TERRAIN_BELOW_MESH\n";
@@ -133,10 +139,10 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
     vtkShader* fragment = shaders[vtkShader::Fragment];
     vtkTerrainSubstitute(this, fragment, "//VTK::System::Dec",
       "//VTK::System::Dec\n"
-      "#extension GL_ARB_gpu_shader_fp64 : enable\n"
       "#extension GL_ARB_conservative_depth : enable\n" +
-        defines);
-    std::string functions = std::string(vtkTerrainHeights) + vtkTerrainRay + vtkTerrainView;
+        std::string(vtkInternals::Extensions) + defines);
+    std::string functions =
+      std::string(vtkTerrainHeights) + vtkTerrainColumns + vtkTerrainRay + vtkTerrainView;
     if (this->CastsRays(act))
     {
       functions +=

@@ -14,6 +14,7 @@
 
 #include "vtkTerrainBeam.h"
 #include "vtkTerrainBeamCS.h"
+#include "vtkTerrainColumns.h"
 #include "vtkTerrainHeights.h"
 #include "vtkTerrainPyramid.h"
 #include "vtkTerrainRay.h"
@@ -104,8 +105,8 @@ bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
 bool vtkOpenGLTerrainMapper::UsesBeams(vtkActor* act) const
 {
   return this->UseBeams && this->CastsRays(act) && this->Technique == Techniques::Pyramid &&
-    vtkTerrainComputeProgram::IsSupported() && !this->UsesCompute(act) &&
-    !this->Internals->Cutting.Block; // walls may lie before the start
+    this->Surface == Surfaces::Bilinear && vtkTerrainComputeProgram::IsSupported() &&
+    !this->UsesCompute(act) && !this->Internals->Cutting.Block; // walls may lie before the start
 }
 
 //------------------------------------------------------------------------------
@@ -113,8 +114,8 @@ void vtkOpenGLTerrainMapper::Compute(vtkRenderer* ren, vtkActor* act,
   vtkTerrainComputeTexture& texture, const std::string& functions, int pixels, int components)
 {
   vtkInternals& internals = *this->Internals;
-  const std::string source = "#extension GL_ARB_gpu_shader_fp64 : enable\n" +
-    this->ShaderDefines(act) + vtkTerrainHeights + vtkTerrainRay + vtkTerrainView + functions;
+  const std::string source = vtkInternals::Extensions + this->ShaderDefines(act) +
+    vtkTerrainHeights + vtkTerrainColumns + vtkTerrainRay + vtkTerrainView + functions;
   const glm::ivec2 viewport(internals.Viewport.z, internals.Viewport.w);
   const std::string words =
     texture.Fill(static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow()), source,
@@ -173,6 +174,12 @@ void vtkOpenGLTerrainMapper::SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vt
   this->SetClipUniforms(uniforms, act);
   internals.Coloring.SetUniforms(uniforms, internals.Heights, this->VerticalExaggeration);
   uniforms.Set("terrainLayer", internals.Layer);
+  if (uniforms.Uses("terrainTolerance"))
+  {
+    uniforms.Set("terrainTolerance",
+      glm::vec4(terrain::PixelExtent(
+        internals.Rays, glm::inverse(internals.ViewToGrid), this->PixelTolerance)));
+  }
   if (uniforms.Uses("terrainBeamStarts"))
   {
     uniforms.Set("terrainBeamStarts", internals.BeamStarts.GetTextureUnit());

@@ -33,6 +33,9 @@ std::string vtkTerrainHeightTexture::SetImage(vtkImageData* image)
   {
     this->Image = image;
     this->ImageTime = image->GetMTime();
+    this->WholeTime = this->ImageTime;
+    this->ScalarType = image->GetScalarType();
+    this->Parts.clear();
     this->Geometry = vtkTerrainHeightfield::Geometry(image);
     this->Size = { image->GetDimensions()[0], image->GetDimensions()[1] };
     vtkTerrainHeightfield::Dispatch(image,
@@ -84,6 +87,32 @@ double vtkTerrainHeightTexture::GetFloorThreshold() const
   const double range = this->Codes.MaximumCode * this->Codes.Scale;
   const double spacing = std::min(this->Geometry.Spacing.x, this->Geometry.Spacing.y);
   return this->Codes.Offset - 0.5 * vtkTerrainCoarseMesh::FloorMargin * std::max(range, spacing);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainHeightTexture::SetImagePart(vtkImageData* image, terrain::GridRectangle samples)
+{
+  if (!image || this->Image != image || this->ImageTime == 0 ||
+    !vtkTerrainHeightfield::WhyNotHeights(image).empty() ||
+    image->GetScalarType() != this->ScalarType ||
+    this->Size != glm::ivec2(image->GetDimensions()[0], image->GetDimensions()[1]))
+  {
+    return;
+  }
+  samples.First = glm::max(samples.First, glm::ivec2(0));
+  samples.End = glm::min(samples.End, this->Size);
+  bool fits = true;
+  if (!samples.IsEmpty())
+  {
+    vtkTerrainHeightfield::Dispatch(image,
+      [&](const auto& view)
+      {
+        fits = terrain::HoldHeights(
+          this->Codes, view, samples.First.x, samples.End.x, samples.First.y, samples.End.y);
+      });
+    this->Parts.push_back(samples);
+  }
+  this->ImageTime = fits ? image->GetMTime() : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -166,6 +195,7 @@ bool vtkTerrainHeightTexture::UploadHeights(Store<Texel>& store)
       terrain::EncodeHeights(view, this->Codes, 0, this->Size.x, 0, this->Size.y,
         store.Texels.data(), vtkTerrainParallelFor);
     });
+  this->NumberOfUploadedTexels += static_cast<vtkIdType>(store.Texels.size());
   return this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Size.x),
     static_cast<unsigned int>(this->Size.y), 1,
     std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT, store.Texels.data());
@@ -182,6 +212,8 @@ bool vtkTerrainHeightTexture::UploadPyramid(Store<Texel>& store)
     return true;
   }
   this->PyramidSize = store.Pyramid.LevelSize(1);
+  this->NumberOfUploadedTexels +=
+    static_cast<vtkIdType>(store.Pyramid.MemorySize() / sizeof(terrain::PyramidNode<Texel>));
   this->PyramidTexture->SetMinificationFilter(vtkTextureObject::NearestMipmapNearest);
   this->PyramidTexture->SetMaxLevel(this->PyramidTop - 1);
   const int vtkType = std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT;
@@ -204,10 +236,63 @@ bool vtkTerrainHeightTexture::UploadPyramid(Store<Texel>& store)
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainHeightTexture::SendTexels(vtkTextureObject* texture, int level,
+  const terrain::GridRectangle& part, int rowLength, const void* texels, int vtkType,
+  int components)
+{
+  const glm::ivec2 size = part.End - part.First;
+  this->NumberOfUploadedTexels += vtkIdType{ size.x } * size.y;
+  texture->Activate();
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, rowLength);
+  glTexSubImage2D(GL_TEXTURE_2D, level, part.First.x, part.First.y, size.x, size.y,
+    texture->GetFormat(vtkType, components, false),
+    static_cast<GLenum>(texture->GetDataType(vtkType)), texels);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  texture->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+void vtkTerrainHeightTexture::UploadPart(Store<Texel>& store, const terrain::GridRectangle& samples)
+{
+  const int vtkType = std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT;
+  const auto at = [](const glm::ivec2& texel, int width)
+  { return texel.x + static_cast<std::int64_t>(width) * texel.y; };
+  vtkTerrainHeightfield::Dispatch(this->Image,
+    [&](const auto& view)
+    {
+      for (int row = samples.First.y; row < samples.End.y; ++row)
+      {
+        terrain::EncodeHeights(view, this->Codes, samples.First.x, samples.End.x, row, row + 1,
+          store.Texels.data() + at({ samples.First.x, row }, this->Size.x), terrain::SerialFor);
+      }
+    });
+  this->SendTexels(this->Texture, 0, samples, this->Size.x,
+    store.Texels.data() + at(samples.First, this->Size.x), vtkType, 1);
+  if (this->PyramidTime != this->WholeTime)
+  {
+    return;
+  }
+  const std::vector<terrain::GridRectangle> nodes =
+    store.Pyramid.Update(this->TexelView(store), samples, vtkTerrainParallelFor);
+  for (int level = 1; level <= static_cast<int>(nodes.size()); ++level)
+  {
+    const terrain::GridRectangle& part = nodes[static_cast<std::size_t>(level) - 1];
+    const int width = store.Pyramid.LevelSize(level).x;
+    if (!part.IsEmpty())
+    {
+      this->SendTexels(this->PyramidTexture, level - 1, part, width,
+        store.Pyramid.LevelNodes(level) + at(part.First, width), vtkType, 2);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string vtkTerrainHeightTexture::Upload(vtkOpenGLRenderWindow* window, bool withPyramid)
 {
   bool done = true;
-  if (this->Texture->GetContext() != window || this->UploadTime != this->ImageTime)
+  if (this->Texture->GetContext() != window || this->UploadTime != this->WholeTime)
   {
     this->UploadTime = 0;
     this->PyramidTime = 0;
@@ -217,13 +302,19 @@ std::string vtkTerrainHeightTexture::Upload(vtkOpenGLRenderWindow* window, bool 
       return why;
     }
     done = std::visit([this](auto& store) { return this->UploadHeights(store); }, this->Data);
-    this->UploadTime = done ? this->ImageTime : 0;
+    this->UploadTime = done ? this->WholeTime : 0;
+    this->Parts.clear();
     ++this->NumberOfUploads;
   }
-  if (done && withPyramid && this->PyramidTime != this->ImageTime)
+  for (const terrain::GridRectangle& part : this->Parts)
+  {
+    std::visit([&](auto& store) { this->UploadPart(store, part); }, this->Data);
+  }
+  this->Parts.clear();
+  if (done && withPyramid && this->PyramidTime != this->WholeTime)
   {
     done = std::visit([this](auto& store) { return this->UploadPyramid(store); }, this->Data);
-    this->PyramidTime = done ? this->ImageTime : 0;
+    this->PyramidTime = done ? this->WholeTime : 0;
   }
   done = done && this->Detail.Upload(window);
   return done ? std::string() : "heights could not be uploaded to the graphics driver";

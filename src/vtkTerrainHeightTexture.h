@@ -51,9 +51,14 @@ public:
   /// A height below all heights without detail, and above the floor of their coarse mesh.
   double GetFloorThreshold() const;
 
-  /// Uploads the heights, and their pyramid if it is wanted, if they have changed since the last
-  /// upload or the window is another one. Returns an empty string, or one sentence that says why
-  /// that failed.
+  /// Takes over a part of the image that was taken over before, and of which nothing else has
+  /// changed since. Where the part's heights do not fit the codes in use, or the image is another
+  /// one, it is left to SetImage() to take it over whole.
+  void SetImagePart(vtkImageData* image, terrain::GridRectangle samples);
+
+  /// Uploads the heights, and their pyramid if it is wanted, or the parts of both that have changed
+  /// since the last upload; all of them if the window is another one. Returns an empty string, or
+  /// one sentence that says why that failed.
   std::string Upload(vtkOpenGLRenderWindow* window, bool withPyramid);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -88,10 +93,20 @@ public:
     return this->PyramidTop;
   }
 
-  /// Number of uploads of the heights so far, for tests that count them.
+  /// Number of uploads of all heights so far, and of the texels sent in all, those of the pyramid
+  /// included, for tests that count them.
   int GetNumberOfUploads() const
   {
     return this->NumberOfUploads;
+  }
+  vtkIdType GetNumberOfUploadedTexels() const
+  {
+    return this->NumberOfUploadedTexels;
+  }
+  /// Time of the image when it was last taken over whole: that of the codes.
+  vtkMTimeType GetWholeTime() const
+  {
+    return this->WholeTime;
   }
   /// Bytes of the textures.
   vtkIdType GetMemorySize() const;
@@ -111,10 +126,18 @@ private:
   bool UploadHeights(Store<Texel>& store);
   template <typename Texel>
   bool UploadPyramid(Store<Texel>& store);
+  template <typename Texel>
+  void UploadPart(Store<Texel>& store, const terrain::GridRectangle& samples);
+  void SendTexels(vtkTextureObject* texture, int level, const terrain::GridRectangle& part,
+    int rowLength, const void* texels, int vtkType, int components);
   std::string Prepare(vtkOpenGLRenderWindow* window);
 
   vtkWeakPointer<vtkImageData> Image;
   vtkMTimeType ImageTime = 0;
+  vtkMTimeType WholeTime = 0;
+  int ScalarType = 0;
+  /// What has changed since the last upload.
+  std::vector<terrain::GridRectangle> Parts;
   vtkMTimeType UploadTime = 0;
   vtkMTimeType PyramidTime = 0;
   terrain::HeightCodes Codes;
@@ -136,6 +159,7 @@ private:
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkTextureObject> PyramidTexture;
   int NumberOfUploads = 0;
+  vtkIdType NumberOfUploadedTexels = 0;
 };
 
 #endif

@@ -28,6 +28,13 @@ class vtkShader;
 class vtkOpenGLTerrainMapper::vtkInternals
 {
 public:
+  /// What all shaders ask of the driver, where it has it.
+  static constexpr const char* Extensions = "#extension GL_ARB_gpu_shader_fp64 : enable\n"
+                                            "#extension GL_ARB_texture_gather : enable\n"
+                                            "#ifdef GL_ARB_texture_gather\n"
+                                            "#define TERRAIN_GATHER\n"
+                                            "#endif\n";
+
   vtkTerrainHeightTexture Heights;
   /// Why the heights cannot be used; empty if they can.
   std::string Why;

@@ -3,7 +3,7 @@
 //
 // The mapper against the definition of the surface: every distance that it draws must lie on the
 // bilinear surface, and no point of the surface may lie before it on the ray.
-#include "vtkTerrainTesting.h"
+#include "vtkTerrainTestDrawing.h"
 
 #include "core/PixelRays.h"
 #include "vtkOpenGLTerrainMapper.h"
@@ -30,11 +30,13 @@
 namespace
 {
 using Techniques = vtkOpenGLTerrainMapper::Techniques;
+using vtkTerrainTesting::CountDifferentDistances;
+using vtkTerrainTesting::Drawing;
 
 constexpr int Columns = 41;
 constexpr int Rows = 33;
-constexpr int PixelsX = 80;
-constexpr int PixelsY = 60;
+constexpr int PixelsX = vtkTerrainTesting::DrawingWidth;
+constexpr int PixelsY = vtkTerrainTesting::DrawingHeight;
 
 vtkSmartPointer<vtkImageData> hills(double originX, double originY, bool withHole)
 {
@@ -58,83 +60,6 @@ vtkSmartPointer<vtkImageData> hills(double originX, double originY, bool withHol
   image->GetPointData()->SetScalars(heights);
   return image;
 }
-
-/// A terrain in a scene, with the distances that are drawn and the rays they belong to.
-class Drawing
-{
-public:
-  explicit Drawing(vtkImageData* heights, Techniques technique = Techniques::Pyramid)
-    : Heights(heights)
-    , Scene(vtkTerrainTesting::MakeScene(PixelsX, PixelsY))
-  {
-    this->Mesh->SetInputData(heights);
-    this->Mesh->SetSamplesPerQuad(8);
-    this->Mapper->SetInputConnection(this->Mesh->GetOutputPort());
-    this->Mapper->SetHeightsData(heights);
-    this->Mapper->SetTechnique(technique);
-    this->Actor->SetMapper(this->Mapper);
-    this->Scene.Renderer->AddActor(this->Actor);
-    this->Camera()->SetViewUp(0.0, 0.0, 1.0);
-  }
-
-  vtkCamera* Camera()
-  {
-    return this->Scene.Renderer->GetActiveCamera();
-  }
-
-  /// Eye and focal point in cells of the grid and heights.
-  void Look(double ei, double ej, double ez, double fi, double fj, double fz)
-  {
-    const double* origin = this->Heights->GetOrigin();
-    this->Camera()->SetPosition(origin[0] + 10.0 * ei, origin[1] + 12.0 * ej, ez);
-    this->Camera()->SetFocalPoint(origin[0] + 10.0 * fi, origin[1] + 12.0 * fj, fz);
-    this->Scene.Renderer->ResetCameraClippingRange();
-  }
-
-  vtkImageData* Distances()
-  {
-    this->Scene.Renderer->SetPass(this->Pass);
-    this->Scene.Window->Render();
-    this->Scene.Renderer->SetPass(nullptr);
-    return this->Pass->GetDistances();
-  }
-
-  /// The rays from grid coordinates with z in heights, as drawn.
-  terrain::PixelRays Rays()
-  {
-    vtkMatrix4x4* toView = this->Camera()->GetModelViewTransformMatrix();
-    vtkMatrix4x4* toDisplay =
-      this->Camera()->GetProjectionTransformMatrix(double(PixelsX) / PixelsY, -1.0, 1.0);
-    vtkMatrix4x4* toWorld = this->Actor->GetMatrix();
-    const terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(this->Heights);
-    glm::dmat4 view;
-    glm::dmat4 display;
-    glm::dmat4 world;
-    for (int row = 0; row < 4; ++row)
-    {
-      for (int column = 0; column < 4; ++column)
-      {
-        view[column][row] = toView->GetElement(row, column);
-        display[column][row] = toDisplay->GetElement(row, column);
-        world[column][row] = toWorld->GetElement(row, column);
-      }
-    }
-    glm::dmat4 grid(1.0);
-    grid[0][0] = geometry.Spacing.x;
-    grid[1][1] = geometry.Spacing.y;
-    grid[2][2] = this->Mapper->GetVerticalExaggeration();
-    grid[3] = glm::dvec4(geometry.Origin, 1.0);
-    return terrain::MakePixelRays(
-      view * world * grid, display, glm::dvec4(0.0, 0.0, PixelsX, PixelsY));
-  }
-
-  vtkSmartPointer<vtkImageData> Heights;
-  vtkTerrainTesting::Scene Scene;
-  vtkNew<vtkTerrainCoarseMesh> Mesh;
-  vtkNew<vtkOpenGLTerrainMapper> Mapper;
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkTerrainDepthPass> Pass;
-};
 
 /// Ray height minus surface height at a grid position; NaN where there is no surface.
 double above(const terrain::HeightfieldView<double>& view, const glm::dvec3& p)
@@ -193,25 +118,6 @@ int countWrong(Drawing& drawing)
     }
   }
   return wrong;
-}
-
-/// Pixels of which only one picture has a distance, or whose distances differ by more than what
-/// float rounds.
-int countDifferentDistances(vtkImageData* a, vtkImageData* b)
-{
-  int different = 0;
-  for (int y = 0; y < PixelsY; ++y)
-  {
-    for (int x = 0; x < PixelsX; ++x)
-    {
-      const double first = a->GetScalarComponentAsDouble(x, y, 0, 0);
-      const double second = b->GetScalarComponentAsDouble(x, y, 0, 0);
-      const bool same =
-        std::isnan(first) ? std::isnan(second) : std::abs(first - second) <= 1e-5 * std::abs(first);
-      different += same ? 0 : 1;
-    }
-  }
-  return different;
 }
 
 /// Sampling at a hundredth of a cell misses the tips of silhouettes: so many of the 4,800 pixels
@@ -278,7 +184,7 @@ TEST(OpenGLTerrainMapper, DrawsTheSameWithAndWithoutBeams)
     vtkNew<vtkImageData> with;
     with->DeepCopy(drawing.Distances());
     drawing.Mapper->SetUseBeams(false);
-    EXPECT_EQ(countDifferentDistances(with, drawing.Distances()), 0);
+    EXPECT_EQ(CountDifferentDistances(with, drawing.Distances()), 0);
   };
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
   compare("outside");

@@ -42,11 +42,11 @@ std::string declarations(bool integer, bool columns)
 {
   return std::string(integer ? "#define TERRAIN_HEIGHTS_INTEGER\n" : "") +
     std::string(columns ? "#define TERRAIN_COLUMNS\n" : "") +
-    "uint terrainVisits = 0u;\n"
+    "#define TERRAIN_WITHIN\nuint terrainVisits = 0u;\n"
     "#define TERRAIN_VISIT(node, level) terrainVisits = terrainVisits * 31u + "
     "uint((node).x * 7 + (node).y * 13 + level);\n" +
-    shader("vtkTerrainHeights") + shader("vtkTerrainRay") + shader("vtkTerrainPyramid") +
-    shader("vtkTerrainBeam") +
+    shader("vtkTerrainHeights") + shader("vtkTerrainColumns") + shader("vtkTerrainRay") +
+    shader("vtkTerrainPyramid") + shader("vtkTerrainBeam") +
     "TerrainRay inputRay(vec4 a, vec4 b, vec4 c)\n"
     "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w, b.w); }\n";
 }

@@ -112,6 +112,27 @@ HeightCodes ChooseHeightCodes(const HeightRange<T>& range)
   return codes;
 }
 
+/// True if codes chosen for other heights hold those of rows [begin, end) of columns [first, last),
+/// too: each is within their range, or none where they know of none.
+template <typename T>
+bool HoldHeights(const HeightCodes& codes, const HeightfieldView<T>& view, std::int64_t first,
+  std::int64_t last, std::int64_t begin, std::int64_t end)
+{
+  for (std::int64_t row = begin; row < end; ++row)
+  {
+    for (std::int64_t index = view.Index(first, row); index < view.Index(last, row); ++index)
+    {
+      const double code =
+        view.IsValid(index) ? codes.ToCode(static_cast<double>(view.Samples[index])) : 0.0;
+      if (!(code >= 0.0 && code <= codes.MaximumCode) || !(view.IsValid(index) || codes.HasNoData))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// Writes the texels of rows [begin, end) of columns [first, last) to texels, row by row without
 /// gaps. Texel is std::uint16_t or float, as codes.Format says.
 template <typename T, typename Texel>

@@ -85,6 +85,15 @@ TerrainRay MakePixelRay(const PixelRays& rays, const glm::dvec2& pixel, double s
   return ray;
 }
 
+glm::dvec4 PixelExtent(const PixelRays& rays, const glm::dmat4& gridToView, double pixels)
+{
+  const auto length = [&gridToView](int axis) { return glm::length(glm::dvec3(gridToView[axis])); };
+  const auto shorter = [](const PixelVector& vector)
+  { return std::min(glm::length(vector[1]), glm::length(vector[2])); };
+  const glm::dvec2 perUnit = pixels / glm::dvec2(std::max(length(0), length(1)), length(2));
+  return { shorter(rays.OriginVC) * perUnit, shorter(rays.DirectionVC) * perUnit };
+}
+
 std::array<glm::dvec3, 2> NearBoundsGC(const PixelRays& rays, const glm::dvec4& viewport)
 {
   const double infinity = std::numeric_limits<double>::infinity();

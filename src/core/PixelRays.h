@@ -58,6 +58,13 @@ PixelRays MakePixelRays(
 /// stored relative to the cell where it starts.
 TerrainRay MakePixelRay(const PixelRays& rays, const glm::dvec2& pixel, double start, double end);
 
+/**
+ * Size of what projects to a number of pixels: cells and height codes at distance 0, and their
+ * change per unit of distance along the viewing direction. Of a square of cells the longer side
+ * counts. Exact for perspective and for parallel projections; for oblique ones not less than that.
+ */
+glm::dvec4 PixelExtent(const PixelRays& rays, const glm::dmat4& gridToView, double pixels);
+
 /// Box around the eye and the corners of the near plane, in grid coordinates: minimum, maximum.
 std::array<glm::dvec3, 2> NearBoundsGC(const PixelRays& rays, const glm::dvec4& viewport);
 }

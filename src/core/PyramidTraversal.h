@@ -35,6 +35,7 @@
 #ifndef terrain_PyramidTraversal_h
 #define terrain_PyramidTraversal_h
 
+#include "core/Columns.h"
 #include "core/MinMaxPyramid.h"
 #include "core/Ray.h"
 
@@ -79,43 +80,6 @@ inline float IntersectPatch(const glm::vec4& codes, const glm::vec3& begin, cons
   const float twist = (codes.x - codes.y) - (codes.z - codes.w);
   return FirstRoot(begin.z - PatchCode(codes, glm::vec2(begin)),
     end.z - PatchCode(codes, glm::vec2(end)), -twist * move.x * move.y);
-}
-
-/// Code of the sample whose column has a quarter of a cell: east, north half or not.
-inline float ColumnCode(const glm::vec4& codes, const glm::bvec2& quarter)
-{
-  const glm::vec2 row = quarter.y ? glm::vec2(codes.z, codes.w) : glm::vec2(codes.x, codes.y);
-  return quarter.x ? row.y : row.x;
-}
-
-/// As IntersectPatch(), for the columns around the samples, each as high as its sample (the paper's
-/// surface of section 4): the cell shows a quarter of four of them. Top faces and walls are met.
-inline float IntersectColumns(const glm::vec4& codes, const glm::vec3& begin, const glm::vec3& end)
-{
-  const glm::vec2 begin2(begin);
-  const glm::vec2 end2(end);
-  const glm::bvec2 from = glm::greaterThanEqual(begin2, glm::vec2(0.5f));
-  const glm::bvec2 to = glm::greaterThanEqual(end2, glm::vec2(0.5f));
-  // Where the segment goes over into other columns: a wall is crossed if and only if sides differ.
-  const glm::vec2 wall = glm::mix(glm::vec2(1.0f),
-    glm::clamp((0.5f - begin2) / (end2 - begin2), glm::vec2(0.0f), glm::vec2(1.0f)),
-    glm::notEqual(from, to));
-  const glm::bvec2 between = wall.x <= wall.y ? glm::bvec2(to.x, from.y) : glm::bvec2(from.x, to.y);
-  const float t1 = std::min(wall.x, wall.y);
-  const float t2 = std::max(wall.x, wall.y);
-  const glm::vec3 columns(
-    ColumnCode(codes, from), ColumnCode(codes, between), ColumnCode(codes, to));
-  const glm::vec2 z = begin.z + (end.z - begin.z) * glm::vec2(t1, t2);
-  const float side = begin.z < columns.x ? -1.0f : 1.0f;
-  // Height above each column where the segment begins and ends on it, seen from its first side.
-  const glm::vec3 above = side * (glm::vec3(begin.z, z) - columns);
-  const glm::vec3 after = side * (glm::vec3(z, end.z) - columns);
-  float t = after.z <= 0.0f ? t2 + (1.0f - t2) * above.z / (above.z - after.z) : -1.0f;
-  t = above.z <= 0.0f ? t2 : t;
-  t = after.y <= 0.0f ? t1 + (t2 - t1) * above.y / (above.y - after.y) : t;
-  t = above.y <= 0.0f ? t1 : t;
-  t = after.x <= 0.0f ? t1 * above.x / (above.x - after.x) : t;
-  return above.x <= 0.0f ? 0.0f : t;
 }
 
 /// The heights and the pyramid that rays are traced through, by their texels.
@@ -181,6 +145,11 @@ struct CodedPyramid
       static_cast<float>(this->heights.bias);
   }
 
+  bool IsCellValid(glm::ivec2 cell) const
+  {
+    return glm::all(glm::greaterThanEqual(this->heights.CellCodes(cell), glm::vec4(0.0f)));
+  }
+
   Path MirrorRay(const TerrainRay& ray) const;
   /// Clips to the grid's rectangle and to the codes; empty if sBegin > sEnd.
   Path ClipPath(Path path) const;
@@ -202,11 +171,10 @@ struct CodedPyramid
   /// cells and in height codes, is no larger than tolerance.xy + s * tolerance.zw: the hit is then
   /// where the ray enters the node's box, hence off the surface by less than that, and found even
   /// if the ray would pass by the surface within the box. 0 is exact; less than 2 cells has no
-  /// effect. Visit(node, level) is called for every node visited, in order, node counted from the
-  /// south-west.
+  /// effect. A ray that enters such a box in a cell without surface goes on exactly. Visit(node,
+  /// level) is called for every node visited, in order, node counted from the south-west.
   template <typename Visit>
-  TerrainHit TracePyramidWithin(
-    const TerrainRay& ray, const glm::vec4& tolerance, Visit&& visit) const;
+  TerrainHit TracePyramidWithin(const TerrainRay& ray, glm::vec4 tolerance, Visit&& visit) const;
   /// The first point of the surface on a ray.
   template <typename Visit>
   TerrainHit TracePyramid(const TerrainRay& ray, Visit&& visit) const
@@ -363,9 +331,8 @@ TerrainHit CodedPyramid<Texel>::MeetCell(const Path& path, const Step& at, const
 {
   TerrainHit hit;
   hit.cell = at.cell ^ path.mirror;
-  glm::vec4 codes = this->heights.CellCodes(hit.cell);
-  const bool valid = glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0f)));
-  codes -= path.anchorCode;
+  const bool valid = this->IsCellValid(hit.cell);
+  const glm::vec4 codes = this->heights.CellCodes(hit.cell) - path.anchorCode;
   const glm::vec2 begin = this->CellFraction(path, at.cell, at.s, at.line, 0.0f);
   const glm::vec2 end =
     this->CellFraction(path, at.cell, span.s, span.ends ? 0 : (span.crossEast ? 1 : 2), 1.0f);
@@ -382,7 +349,7 @@ TerrainHit CodedPyramid<Texel>::MeetCell(const Path& path, const Step& at, const
 template <typename Texel>
 template <typename Visit>
 TerrainHit CodedPyramid<Texel>::TracePyramidWithin(
-  const TerrainRay& ray, const glm::vec4& tolerance, Visit&& visit) const
+  const TerrainRay& ray, glm::vec4 tolerance, Visit&& visit) const
 {
   const Path path = this->ClipPath(this->MirrorRay(ray));
   TerrainHit hit;
@@ -404,6 +371,11 @@ TerrainHit CodedPyramid<Texel>::TracePyramidWithin(
       bool down = false;
       bool small = false;
       at = this->VisitNode(path, at, span, tolerance, down, small);
+      if (small && !this->IsCellValid(at.cell ^ path.mirror))
+      {
+        tolerance = glm::vec4(0.0f);
+        small = false;
+      }
       ended = (span.ends && !down) || small;
       if (small)
       {
