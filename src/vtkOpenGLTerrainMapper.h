@@ -41,6 +41,7 @@
 #define vtkOpenGLTerrainMapper_h
 
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkSmartPointer.h"  // For vtkSmartPointer
 #include "vtkTerrainModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
@@ -347,6 +348,11 @@ public:
   /// Mesh has the cells and points of port 0.
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* selector, std::vector<unsigned int>& offsets, vtkProp* prop) override;
+
+  /// Nodes of the pyramid and cells that the ray of each pixel visited in the last drawing: W x H
+  /// points of int, row 0 at the bottom, where the view is W x H pixels. Null unless the compute
+  /// shader has cast the rays (SetComputeMode()).
+  vtkSmartPointer<vtkImageData> ReadCrossings();
 
   /// Number of times all heights went to the graphics card.
   int GetNumberOfHeightUploads() const;

@@ -144,6 +144,7 @@ void vtkOpenGLTerrainMapper::ComputeSightings(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& internals = *this->Internals;
   internals.Sightings.Finish();
+  internals.Sightings.Forget();
   if (this->UsesCompute(act))
   {
     this->Compute(
@@ -190,6 +191,27 @@ void vtkOpenGLTerrainMapper::SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vt
     uniforms.Set("terrainSightings", internals.Sightings.GetTextureUnit());
     uniforms.Set("terrainCells", internals.Heights.GetSize() - 1);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkOpenGLTerrainMapper::ReadCrossings()
+{
+  vtkTerrainComputeTexture& sightings = this->Internals->Sightings;
+  const glm::ivec2 size = sightings.GetSize();
+  const std::vector<glm::vec4> texels = sightings.Read();
+  if (texels.empty())
+  {
+    return nullptr;
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size.x, size.y, 1);
+  image->AllocateScalars(VTK_INT, 1);
+  auto* crossings = static_cast<int*>(image->GetScalarPointer());
+  for (const glm::vec4& texel : texels)
+  {
+    *crossings++ = static_cast<int>(std::abs(texel.w)) - 1;
+  }
+  return image;
 }
 
 //------------------------------------------------------------------------------

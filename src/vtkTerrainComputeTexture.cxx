@@ -23,6 +23,7 @@ std::string vtkTerrainComputeTexture::Fill(vtkOpenGLRenderWindow* window, const 
   glm::ivec2 size, int components, const std::function<void(vtkTerrainUniforms&)>& setUniforms)
 {
   this->Filled = false;
+  this->Size = { 0, 0 };
   if (this->BuiltWith != source)
   {
     this->BuiltWith = source;
@@ -46,6 +47,7 @@ std::string vtkTerrainComputeTexture::Fill(vtkOpenGLRenderWindow* window, const 
   glDispatchCompute(groups(size.x), groups(size.y), 1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   glUseProgram(0);
+  this->Size = size;
   this->Filled = true;
   return {};
 }
@@ -70,6 +72,19 @@ void vtkTerrainComputeTexture::Allocate(
 }
 
 //------------------------------------------------------------------------------
+std::vector<glm::vec4> vtkTerrainComputeTexture::Read()
+{
+  std::vector<glm::vec4> texels(static_cast<std::size_t>(this->Size.x) * this->Size.y);
+  if (!texels.empty())
+  {
+    this->Texture->Activate();
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, texels.data());
+    this->Texture->Deactivate();
+  }
+  return texels;
+}
+
+//------------------------------------------------------------------------------
 void vtkTerrainComputeTexture::Finish()
 {
   if (this->Filled)
@@ -83,6 +98,7 @@ void vtkTerrainComputeTexture::Finish()
 void vtkTerrainComputeTexture::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Filled = false;
+  this->Size = { 0, 0 };
   this->BuiltWith.clear();
   this->Texture->ReleaseGraphicsResources(window);
   if (this->Program.IsBuilt())

@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkWindow;
@@ -40,9 +41,17 @@ public:
   {
     return this->Texture->GetTextureUnit();
   }
-  vtkTextureObject* GetTexture()
+  /// The texels of the last Fill(), 4 floats each, row by row from the lowest; empty if there are
+  /// none. Their context must be current.
+  std::vector<glm::vec4> Read();
+  glm::ivec2 GetSize() const
   {
-    return this->Texture;
+    return this->Size;
+  }
+  /// Leaves nothing to Read().
+  void Forget()
+  {
+    this->Size = { 0, 0 };
   }
   /// Ends the use of the texture in a drawing.
   void Finish();
@@ -55,6 +64,7 @@ private:
   vtkTerrainComputeProgram Program;
   std::string BuiltWith;
   vtkNew<vtkTextureObject> Texture;
+  glm::ivec2 Size{ 0, 0 };
   bool Filled = false;
 };
 

@@ -103,11 +103,6 @@ public:
   {
     return this->NumberOfUploadedTexels;
   }
-  /// Time of the image when it was last taken over whole: that of the codes.
-  vtkMTimeType GetWholeTime() const
-  {
-    return this->WholeTime;
-  }
   /// Bytes of the textures.
   vtkIdType GetMemorySize() const;
 

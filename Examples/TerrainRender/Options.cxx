@@ -94,6 +94,7 @@ struct Texts
   std::string Exaggeration;
   std::string Frames;
   PlaceArguments Place;
+  std::string PixelTolerance;
 };
 
 void Declare(CLI::App& app, Options& options, Texts& texts)
@@ -115,6 +116,10 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
     "view, from the south");
   add("--view-angle", texts.ViewAngle, "DEGREES", "vertical field of view; default 30");
   add("--exaggeration", texts.Exaggeration, "FACTOR", "drawn height over true height; default 1");
+  add("--pixel-tolerance", texts.PixelTolerance, "PIXELS",
+    "by how much the technique pyramid may be off; default 0, exact");
+  app.add_flag("--crossings", options.Crossings,
+    "draw how many nodes or samples each ray takes, blue for none to red for 64 and more");
   add("--depth", options.Depth, "FILE",
     "GeoTIFF of float32: distance along the viewing direction, NaN where there is no surface");
   add("--window", options.Target, "NAME", "auto (default), egl, osmesa, x")
@@ -155,6 +160,24 @@ void Interpret(const Texts& texts, Options& options)
   if (options.View && !options.Place.LookFrom.empty())
   {
     Refuse("--look-from", "--camera says where the eye is already");
+  }
+  if (!texts.PixelTolerance.empty())
+  {
+    options.PixelTolerance = ParseNumber("--pixel-tolerance", texts.PixelTolerance, 0.0, 1e3);
+  }
+}
+
+/// Options that some techniques know nothing of.
+void CheckTechnique(const Options& options)
+{
+  const bool rays = options.Search != Technique::Mesh && options.Search != Technique::Strips;
+  if (options.Crossings && !rays)
+  {
+    Refuse("--crossings", std::string(NameOf(options.Search)) + " casts no rays");
+  }
+  if (options.PixelTolerance > 0.0 && options.Search != Technique::Pyramid)
+  {
+    Refuse("--pixel-tolerance", "is for the technique pyramid only");
   }
 }
 
@@ -214,6 +237,7 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
     app.parse(argc, argv);
     Interpret(texts, options);
     CheckFiles(options);
+    CheckTechnique(options);
   }
   catch (const CLI::ParseError& error)
   {

@@ -57,6 +57,10 @@ struct Options
   double ViewAngle = 30.0;
   /// Drawn height over true height.
   double Exaggeration = 1.0;
+  /// Pixels by which the technique pyramid may be off; 0: exact.
+  double PixelTolerance = 0.0;
+  /// True to draw the work of each ray in false colours.
+  bool Crossings = false;
   /// File of depths; empty for none.
   std::string Depth;
   Window Target = Window::Automatic;

@@ -60,6 +60,12 @@ void Statistics::SetCount(const std::string& name, std::int64_t count)
 }
 
 //------------------------------------------------------------------------------
+void Statistics::SetList(const std::string& name, const std::vector<std::int64_t>& counts)
+{
+  this->Lists[name] = counts;
+}
+
+//------------------------------------------------------------------------------
 void Statistics::AddTime(const std::string& stage, double milliseconds)
 {
   this->Times[stage].push_back(milliseconds);
@@ -76,6 +82,14 @@ std::string Statistics::ToJson() const
   for (const auto& [name, count] : this->Counts)
   {
     root[name] = static_cast<Json::Int64>(count);
+  }
+  for (const auto& [name, counts] : this->Lists)
+  {
+    Json::Value& list = root[name] = Json::Value(Json::arrayValue);
+    for (const std::int64_t count : counts)
+    {
+      list.append(static_cast<Json::Int64>(count));
+    }
   }
   for (const auto& [stage, times] : this->Times)
   {

@@ -13,15 +13,17 @@
 #include <vector>
 
 /**
- * Collects numbers and times, and gives them as a JSON object: texts and counts under their names,
- * every stage that was timed under its name as {"min", "median", "max"} in milliseconds, and the
- * peak of the memory held by the process so far as "peak_memory_bytes".
+ * Collects numbers and times, and gives them as a JSON object: texts, counts and lists of counts
+ * under their names, every stage that was timed under its name as {"min", "median", "max"} in
+ * milliseconds, and the peak of the memory held by the process so far as "peak_memory_bytes".
  */
 class Statistics
 {
 public:
   void SetText(const std::string& name, const std::string& text);
   void SetCount(const std::string& name, std::int64_t count);
+  /// Counts under one name, such as those of a histogram: entry k tells how many had k.
+  void SetList(const std::string& name, const std::vector<std::int64_t>& counts);
   /// One more duration of a stage, in milliseconds.
   void AddTime(const std::string& stage, double milliseconds);
 
@@ -30,6 +32,7 @@ public:
 private:
   std::map<std::string, std::string> Texts;
   std::map<std::string, std::int64_t> Counts;
+  std::map<std::string, std::vector<std::int64_t>> Lists;
   std::map<std::string, std::vector<double>> Times;
 };
 

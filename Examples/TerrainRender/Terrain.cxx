@@ -17,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTerrainActor.h"
 #include "vtkTerrainCoarseMesh.h"
@@ -24,7 +25,9 @@
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainSource.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace
 {
@@ -82,6 +85,8 @@ Terrain PrepareRays(
   actor->SetInputData(heights);
   actor->SetTechnique(MapperTechnique(options.Search));
   actor->SetVerticalExaggeration(options.Exaggeration);
+  actor->GetTerrainMapper()->SetPixelTolerance(options.PixelTolerance);
+  actor->GetTerrainMapper()->SetShowCrossings(options.Crossings);
   actor->GetCoarseMesh()->SetSamplesPerQuad(options.MeshCells);
   Terrain terrain;
   terrain.Actor = actor;
@@ -195,6 +200,7 @@ Terrain PrepareTerrain(
   property->SetAmbient(0.0);
   property->SetDiffuse(1.0);
   property->SetSpecular(0.0);
+  property->SetLighting(!options.Crossings);
   statistics.AddTime("prepare", watch.GetMilliseconds());
   statistics.SetText("technique", NameOf(options.Search));
   return terrain;
@@ -225,4 +231,30 @@ void DescribeTerrain(const Terrain& terrain, Statistics& statistics)
   {
     statistics.SetCount("texture_bytes", mapper->GetTextureMemorySize());
   }
+}
+
+//------------------------------------------------------------------------------
+void CountCrossings(const Terrain& terrain, vtkRenderWindow* window, Statistics& statistics)
+{
+  auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(terrain.Actor->GetMapper());
+  if (!mapper || mapper->GetTechnique() != Techniques::Pyramid)
+  {
+    return;
+  }
+  mapper->SetComputeMode(vtkOpenGLTerrainMapper::ComputeModes::On);
+  window->Render();
+  const vtkSmartPointer<vtkImageData> crossings = mapper->ReadCrossings();
+  if (!crossings)
+  {
+    return;
+  }
+  std::vector<std::int64_t> histogram;
+  const auto* values = static_cast<int*>(crossings->GetScalarPointer());
+  for (vtkIdType i = 0; i < crossings->GetNumberOfPoints(); ++i)
+  {
+    const auto value = static_cast<std::size_t>(values[i]);
+    histogram.resize(std::max(histogram.size(), value + 1));
+    ++histogram[value];
+  }
+  statistics.SetList("crossings", histogram);
 }

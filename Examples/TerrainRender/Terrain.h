@@ -15,6 +15,7 @@
 class ProgressBar;
 class Statistics;
 class vtkImageData;
+class vtkRenderWindow;
 class vtkRenderer;
 struct Options;
 
@@ -47,5 +48,10 @@ void RefineTerrain(
 
 /// Adds what the terrain takes on the graphics card, after it was drawn.
 void DescribeTerrain(const Terrain& terrain, Statistics& statistics);
+
+/// Adds the histogram of the node crossings of all pixels' rays: draws once more, with a compute
+/// shader that casts each ray from the near plane and the box of the terrain on. Adds nothing for
+/// techniques other than pyramid, and where the graphics driver has no compute shaders.
+void CountCrossings(const Terrain& terrain, vtkRenderWindow* window, Statistics& statistics);
 
 #endif

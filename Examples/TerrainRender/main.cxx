@@ -62,6 +62,7 @@ void Render(const Options& options)
   }
   if (stats.IsWanted())
   {
+    CountCrossings(terrain, window, statistics);
     WriteText(statistics.ToJson(), stats);
   }
   ThrowOnError(options.Output);

@@ -51,6 +51,13 @@ public:
     this->Camera()->SetViewUp(0.0, 0.0, 1.0);
   }
 
+  void SetHeights(vtkImageData* heights)
+  {
+    this->Heights = heights;
+    this->Mesh->SetInputData(heights);
+    this->Mapper->SetHeightsData(heights);
+  }
+
   vtkCamera* Camera()
   {
     return this->Scene.Renderer->GetActiveCamera();
@@ -139,9 +146,9 @@ struct Comparison
   int Disagreements = 0;
   /// Hits that differ by more than the tolerance.
   int Off = 0;
-  /// Those of either kind whose ray passes no silhouette within a thousandth of a cell.
+  /// Disagreements whose ray passes no silhouette within a thousandth of a cell.
   int Unexplained = 0;
-  /// Largest relative difference of the hits that agree.
+  /// Largest relative difference of hits.
   double Largest = 0.0;
 };
 
@@ -153,16 +160,12 @@ enum class Culling
   Back
 };
 
-/// Compares what is drawn with rays cast in double precision at the double heights of the drawing.
-inline Comparison CompareWithReference(
-  Drawing& drawing, Culling culling = Culling::None, double tolerance = 1e-4)
+/// Compares distances with rays in grid coordinates, z in heights.
+template <typename T>
+Comparison CompareRays(const terrain::HeightfieldView<T>& view, const terrain::PixelRays& rays,
+  vtkImageData* distances, Culling culling, double tolerance)
 {
-  vtkImageData* distances = drawing.Distances();
-  const terrain::PixelRays rays = drawing.Rays();
-  // In grid coordinates, as the rays are.
-  const terrain::ReferenceRayCaster<double> caster(
-    vtkTerrainHeightfield::View<double>(drawing.Heights), terrain::GridGeometry(),
-    vtkTerrainParallelFor);
+  const terrain::ReferenceRayCaster<T> caster(view, terrain::GridGeometry(), vtkTerrainParallelFor);
   Comparison result;
   for (int y = 0; y < DrawingHeight; ++y)
   {
@@ -183,15 +186,26 @@ inline Comparison CompareWithReference(
       const bool both = hit.Found && !std::isnan(drawn);
       const double difference = both ? std::abs(drawn - hit.Distance) / hit.Distance : 0.0;
       const bool disagrees = hit.Found == std::isnan(drawn);
-      const bool off = difference > tolerance;
       ++result.Pixels;
       result.Hits += both ? 1 : 0;
       result.Disagreements += disagrees ? 1 : 0;
-      result.Off += off ? 1 : 0;
-      result.Unexplained += (disagrees || off) && !caster.IsNearSilhouette(ray, 1e-3) ? 1 : 0;
-      result.Largest = off ? result.Largest : std::max(result.Largest, difference);
+      result.Off += difference > tolerance ? 1 : 0;
+      result.Unexplained += disagrees && !caster.IsNearSilhouette(ray, 1e-3) ? 1 : 0;
+      result.Largest = std::max(result.Largest, difference);
     }
   }
+  return result;
+}
+
+/// Compares what is drawn with rays cast in double precision at the heights of the drawing.
+inline Comparison CompareWithReference(
+  Drawing& drawing, Culling culling = Culling::None, double tolerance = 1e-4)
+{
+  vtkImageData* distances = drawing.Distances();
+  const terrain::PixelRays rays = drawing.Rays();
+  Comparison result;
+  vtkTerrainHeightfield::Dispatch(drawing.Heights,
+    [&](const auto& view) { result = CompareRays(view, rays, distances, culling, tolerance); });
   return result;
 }
 }

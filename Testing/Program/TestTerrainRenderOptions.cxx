@@ -42,6 +42,9 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--camera", "0,0,9,0,0,0,0,0,0" }, "up vector" }, { { "--output", "" }, "--output" },
   { { "--output", "a.png", "--depth", "a.png" }, "a.png" },
   { { "a.tif", "--output", "a.tif" }, "a.tif" }, { { "a.tif", "b.tif" }, "b.tif" },
+  { { "--pixel-tolerance", "-1" }, "--pixel-tolerance" },
+  { { "--pixel-tolerance", "1", "--technique", "linear" }, "pyramid" },
+  { { "--crossings", "--technique", "strips" }, "strips casts no rays" },
   { { "--fast" }, "--fast" }, { { "--crs", "EPSG:99999999" }, "--crs" },
   { { "--crs", "ENGCRS[]" }, "--crs" }, { { "--frame", "mercator" }, "mercator" },
   { { "--origin", "8" }, "LON,LAT" }, { { "--origin", "8,91" }, "LON,LAT" },
@@ -83,7 +86,8 @@ TEST_F(TerrainRenderOptions, HelpAndVersionAreNoErrors)
          "--camera", "--view-angle", "--exaggeration", "--depth", "--window", "--frames", "--stats",
          "--crs", "--frame", "--curvature", "--origin", "--utm-zone", "--cell", "--cubic",
          "--vertical", "--geoid", "--track", "--track-mode", "--look-from", "--look-at", "--sun",
-         "--graticule", "--scale-bar", "--north-arrow" })
+         "--graticule", "--scale-bar", "--north-arrow",
+         "--pixel-tolerance", "--crossings" })
   {
     EXPECT_NE(help.Output.find(option), std::string::npos) << option;
   }

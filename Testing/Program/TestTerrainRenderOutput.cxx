@@ -166,6 +166,32 @@ TEST_F(TerrainRenderOutput, StatisticsHaveCountsAndTimes)
   }
 }
 
+TEST_F(TerrainRenderOutput, CrossingsAreCountedAndDrawn)
+{
+  const std::string hill = this->WriteHill();
+  this->ExpectDrawn(this->Draw(hill, { "--stats", "exact.json" }));
+  const std::string picture = this->ReadText("picture.png");
+  this->ExpectDrawn(
+    this->Draw(hill, { "--pixel-tolerance", "30", "--stats", "off.json", "--crossings" }));
+  EXPECT_NE(this->ReadText("picture.png"), picture);
+  std::int64_t work[2] = { 0, 0 };
+  for (int k = 0; k < 2; ++k)
+  {
+    Json::Value stats;
+    std::istringstream text(this->ReadText(k == 0 ? "exact.json" : "off.json"));
+    ASSERT_TRUE(Json::parseFromStream(Json::CharReaderBuilder(), text, &stats, nullptr));
+    std::int64_t rays = 0;
+    for (Json::ArrayIndex n = 0; n < stats["crossings"].size(); ++n)
+    {
+      rays += stats["crossings"][n].asInt64();
+      work[k] += n * stats["crossings"][n].asInt64();
+    }
+    EXPECT_EQ(rays, 160 * 120);
+  }
+  EXPECT_GT(work[0], 160 * 120);
+  EXPECT_LT(work[1], work[0]); // large nodes end the search
+}
+
 TEST_F(TerrainRenderOutput, ProgressIsShownToTerminalsOnly)
 {
   const std::string hill = this->WriteHill();
