@@ -86,8 +86,7 @@ TEST_F(TerrainRenderOptions, HelpAndVersionAreNoErrors)
          "--camera", "--view-angle", "--exaggeration", "--depth", "--window", "--frames", "--stats",
          "--crs", "--frame", "--curvature", "--origin", "--utm-zone", "--cell", "--cubic",
          "--vertical", "--geoid", "--track", "--track-mode", "--look-from", "--look-at", "--sun",
-         "--graticule", "--scale-bar", "--north-arrow",
-         "--pixel-tolerance", "--crossings" })
+         "--graticule", "--scale-bar", "--north-arrow", "--pixel-tolerance", "--crossings" })
   {
     EXPECT_NE(help.Output.find(option), std::string::npos) << option;
   }
