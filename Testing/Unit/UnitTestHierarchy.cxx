@@ -50,6 +50,7 @@ TEST(Hierarchy, EveryVertexHasItsOwnRecord)
         EXPECT_LT(index, layout.FirstRecord(pair + 1));
         EXPECT_TRUE(seen.insert(index).second);
         EXPECT_EQ(layout.PairOf(x * layout.Step(pair), y * layout.Step(pair)), pair);
+        EXPECT_EQ(layout.DepthOf(index), 2 * pair + ((x & y & 1) != 0 ? 0 : 1));
       });
   }
 }

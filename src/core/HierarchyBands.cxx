@@ -248,7 +248,7 @@ void HierarchyBands::WriteLeaf(HierarchyRecord& record, const Tile& tile, int x,
   static constexpr int cells[4][2] = { { -1, -1 }, { 0, -1 }, { 0, 0 }, { -1, 0 } };
   std::uint32_t drawn = 0;
   std::uint32_t outside = 0;
-  double radius = 0.0;
+  double radius2 = 0.0;
   float peak = 0.0f;
   for (int bit = 0; bit < 4; ++bit)
   {
@@ -273,7 +273,8 @@ void HierarchyBands::WriteLeaf(HierarchyRecord& record, const Tile& tile, int x,
     const double east = static_cast<double>(heights.HeightAt(2 * cx + 1 - x, y)) - record.Height;
     const double north = static_cast<double>(heights.HeightAt(x, 2 * cy + 1 - y)) - record.Height;
     const glm::dvec2 spacing = this->Target.Geometry.Spacing;
-    radius = std::max({ radius, std::hypot(spacing.x, east), std::hypot(spacing.y, north) });
+    radius2 = std::max(
+      { radius2, spacing.x * spacing.x + east * east, spacing.y * spacing.y + north * north });
   }
   const int direction = (x & 1) != 0 ? 2 : 0;
   const DiamondState state(direction, false, drawn, outside);
@@ -304,7 +305,7 @@ void HierarchyBands::WriteLeaf(HierarchyRecord& record, const Tile& tile, int x,
           : change);
   }
   record.SetError(error);
-  record.SetRadius(static_cast<float>((radius + peak) * (1.0 + kRadiusSlack)));
+  record.SetRadius(static_cast<float>((std::sqrt(radius2) + peak) * (1.0 + kRadiusSlack)));
   record.SetDrawn(drawn);
   record.SetRough(state.IsMixed ||
     (state.HasSurface &&

@@ -89,6 +89,14 @@ int HierarchyLayout::PairOf(std::int64_t x, std::int64_t y) const
   return this->PairCount - 1 - shift;
 }
 
+int HierarchyLayout::DepthOf(std::int64_t index) const
+{
+  const auto next = std::upper_bound(this->PairBegin.begin(), this->PairBegin.end(), index);
+  const auto pair = static_cast<int>(next - this->PairBegin.begin()) - 1;
+  const bool isCentre = (index - this->PairBegin[pair]) % GroupRecords == 2;
+  return 2 * pair + (isCentre ? 0 : 1);
+}
+
 int HierarchyLayout::DiamondDirection(int pair, std::int64_t x, std::int64_t y)
 {
   if ((x & y & 1) == 0)

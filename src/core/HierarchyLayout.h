@@ -115,6 +115,8 @@ public:
   {
     return static_cast<std::uint32_t>(this->Terms[0][pair][x] + this->Terms[1][pair][y]);
   }
+  /// Depth of the vertex of a record.
+  int DepthOf(std::int64_t index) const;
   /// Pair of depths of the vertex at (x, y) cells, -1 for a corner of the square.
   int PairOf(std::int64_t x, std::int64_t y) const;
 
@@ -128,8 +130,8 @@ public:
   bool IsAcrossBorder(int pair, std::int64_t x, std::int64_t y) const
   {
     const std::int64_t step = this->Step(pair);
-    const bool evenX = ((x / step) & 1) == 0;
-    const bool evenY = ((y / step) & 1) == 0;
+    const bool evenX = (x & step) == 0;
+    const bool evenY = (y & step) == 0;
     const auto cuts = [step](std::int64_t last, std::int64_t middle, bool apart)
     { return middle - step < last && last < middle + step && !(apart && last == middle); };
     return cuts(this->Size[0] - 1, x, evenX) || cuts(this->Size[1] - 1, y, evenY);

@@ -53,6 +53,7 @@ public:
     , ChildDepth(depth + 1)
     , ChildPair((depth + 1) / 2)
     , ChildStep(this->Layout.Step(this->ChildPair))
+    , ChildShift(this->Layout.Shift(this->ChildPair))
   {
   }
 
@@ -126,8 +127,8 @@ private:
     const int direction = 2 * bit + ((this->ChildDepth & 1) ^ 1);
     const std::int64_t cx = x - this->ChildStep * HierarchyLayout::Directions[direction][0];
     const std::int64_t cy = y - this->ChildStep * HierarchyLayout::Directions[direction][1];
-    const std::int64_t column = cx / this->ChildStep;
-    const std::int64_t row = cy / this->ChildStep;
+    const std::int64_t column = cx >> this->ChildShift;
+    const std::int64_t row = cy >> this->ChildShift;
     if (cx < 0 || cy < 0 || column >= this->Layout.Count(this->ChildPair, 0) ||
       row >= this->Layout.Count(this->ChildPair, 1))
     {
@@ -275,6 +276,7 @@ private:
   int ChildDepth;
   int ChildPair;
   std::int64_t ChildStep;
+  int ChildShift;
 };
 }
 
