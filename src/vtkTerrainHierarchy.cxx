@@ -6,8 +6,10 @@
 #include "vtkTerrainHierarchyData.h"
 #include "vtkTerrainParallelFor.h"
 
+#include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
 
 #include <limits>
 
@@ -32,6 +34,13 @@ terrain::HeightRows RowsOf(vtkImageData* image)
       });
     return std::string();
   };
+}
+
+/// The text of the field data array CRS, as vtkTerrainRasterReader gives it.
+std::string CoordinateSystemOf(vtkImageData* image)
+{
+  auto* crs = vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("CRS"));
+  return crs && crs->GetNumberOfValues() > 0 ? std::string(crs->GetValue(0)) : std::string();
 }
 }
 
@@ -70,6 +79,7 @@ bool vtkTerrainHierarchy::SetHeights(vtkImageData* heights, const ProgressFuncti
   if (error.empty())
   {
     auto data = std::make_shared<vtkTerrainHierarchyData>();
+    data->CoordinateSystem = CoordinateSystemOf(heights);
     error = terrain::BuildHierarchy(data->Memory, dims[0], dims[1],
       vtkTerrainHeightfield::Geometry(heights), RowsOf(heights), vtkTerrainParallelFor, progress);
     if (error.empty())
@@ -89,6 +99,7 @@ bool vtkTerrainHierarchy::OpenFile(const std::string& path, bool verify)
   const std::string error = data->File.Open(path, verify);
   if (error.empty())
   {
+    data->CoordinateSystem = data->File.CoordinateSystem();
     this->Data = data;
   }
   return this->Finish(error.empty() ? error : path + ": " + error);
@@ -154,7 +165,7 @@ void vtkTerrainHierarchy::GetBounds(double bounds[6]) const
 
 std::string vtkTerrainHierarchy::GetCoordinateSystem() const
 {
-  return this->Data && this->Data->IsFile ? this->Data->File.CoordinateSystem() : std::string();
+  return this->Data ? this->Data->CoordinateSystem : std::string();
 }
 
 void vtkTerrainHierarchy::ReleasePages()

@@ -90,7 +90,8 @@ public:
   void GetDimensions(int dimensions[2]) const;
   /// Bounds of the surface; uninitialised (1, -1, ...) if nothing is drawn.
   void GetBounds(double bounds[6]) const;
-  /// The coordinate reference system as text, as it was given.
+  /// The coordinate reference system as text: the file's, or the field data array CRS of the image
+  /// (see vtkTerrainRasterReader); empty if there is none.
   std::string GetCoordinateSystem() const;
   /// Gives memory of an open file back to the system; it is read again when it is needed.
   void ReleasePages();

@@ -17,6 +17,8 @@ struct vtkTerrainHierarchyData
   terrain::MemoryHierarchy Memory;
   terrain::HierarchyFile File;
   bool IsFile = false;
+  /// The coordinate reference system as text, empty if it is not known.
+  std::string CoordinateSystem;
 
   terrain::HierarchyView View() const
   {

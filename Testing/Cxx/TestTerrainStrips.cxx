@@ -11,11 +11,13 @@
 #include <vtkCellArray.h>
 #include <vtkExecutive.h>
 #include <vtkFeatureEdges.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkTriangleFilter.h>
 
@@ -189,11 +191,17 @@ TEST(TerrainStrips, ReadsFilesLikeMemory)
 {
   const std::string path = TemporaryPath("strips");
   Pipeline pipeline;
+  vtkNew<vtkStringArray> crs;
+  crs->SetName("CRS");
+  crs->InsertNextValue("EPSG:32611");
+  pipeline.Heights->GetFieldData()->AddArray(crs);
   vtkNew<vtkTerrainHierarchy> memory;
   ASSERT_TRUE(memory->SetHeights(pipeline.Heights)) << memory->GetErrorMessage();
+  EXPECT_EQ(memory->GetCoordinateSystem(), "EPSG:32611");
   ASSERT_TRUE(memory->WriteFile(path)) << memory->GetErrorMessage();
   vtkNew<vtkTerrainHierarchy> file;
   ASSERT_TRUE(file->OpenFile(path, true)) << file->GetErrorMessage();
+  EXPECT_EQ(file->GetCoordinateSystem(), "EPSG:32611");
   double bounds[6];
   double imageBounds[6];
   file->GetBounds(bounds);
