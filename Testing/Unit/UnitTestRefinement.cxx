@@ -227,6 +227,67 @@ TEST(Refinement, PlainAndImprovedMakeTheSameTriangles)
   }
 }
 
+namespace
+{
+/// Index of the edge (from, to) of a triangle, -1 if it has none.
+int EdgeOf(const Triangle& triangle, const Sample& from, const Sample& to)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (triangle[i] == from && triangle[(i + 1) % 3] == to)
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+/// The edge by which a triangle, counter-clockwise, touches another one, -1 if it does not.
+int SharedEdge(const Triangle& triangle, const Triangle& other)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (EdgeOf(other, triangle[(i + 1) % 3], triangle[i]) >= 0)
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+}
+
+TEST(Refinement, TheStripIsAsShortAsItsPathAllows)
+{
+  // A strip goes from each triangle to a neighbour, turning left or right. Each triangle costs an
+  // index, and one more when the strip turns to the same side as before.
+  const Raster raster = MakeHills(129, 129);
+  const MemoryHierarchy hierarchy = Build(raster);
+  for (const double tolerance : { 0.01, 1.0, 5.0, 30.0 })
+  {
+    const StripMesh mesh =
+      Refine(hierarchy, MakeView(raster, 0.3, 0.2, 20.0), WithTolerance(tolerance));
+    const std::vector<Triangle> path = Triangles(mesh);
+    std::size_t least = path.size() + 2;
+    int before = 0;
+    for (std::size_t i = 1; i + 1 < path.size(); ++i)
+    {
+      const int in = SharedEdge(path[i], path[i - 1]);
+      const int out = SharedEdge(path[i], path[i + 1]);
+      ASSERT_TRUE(in >= 0 && out >= 0 && in != out);
+      const int turn = (out - in + 3) % 3;
+      least += turn == before ? 1 : 0;
+      before = turn;
+    }
+    // Begin and end of the strip turn like its middle, as if it were closed.
+    EXPECT_LE(mesh.Strip.size(), least + 3);
+    if (tolerance == 0.01)
+    {
+      // Triangles of one size: two turns in three repeat the one before.
+      EXPECT_NEAR(static_cast<double>(least) / static_cast<double>(path.size()), 5.0 / 3.0, 0.01);
+    }
+  }
+}
+
 TEST(Refinement, FlatGroundTakesFourTriangles)
 {
   Raster raster = MakeHills(129, 129);
@@ -357,9 +418,30 @@ std::vector<double> DrawnSurface(const Raster& raster, const StripMesh& mesh)
   return surface;
 }
 
-/// Largest change of the surface in 300 steps of the eye. Of a point at distance d it is in pixels,
+/// Number of depths that have a vertex out of its place.
+int MorphingDepths(const MemoryHierarchy& hierarchy, const StripMesh& mesh)
+{
+  std::set<int> depths;
+  for (const terrain::StripVertex& vertex : mesh.Vertices)
+  {
+    if (vertex.Displacement != 0.0f)
+    {
+      depths.insert(hierarchy.Layout.DepthOf(vertex.Record));
+    }
+  }
+  return static_cast<int>(depths.size());
+}
+
+/// Most change of the surface in 300 steps of the eye. Of a point at distance d it is in pixels,
 /// dz lambda / d, over the step in the same distances, |step| / d, in units of the tolerance.
-double LargestChange(bool morphing)
+struct Movement
+{
+  double Change = 0.0;
+  /// Most depths that morphed in one mesh.
+  int Depths = 0;
+};
+
+Movement LargestChange(bool morphing)
 {
   const Raster raster = MakeHills(129, 129);
   const MemoryHierarchy hierarchy = Build(raster);
@@ -369,7 +451,7 @@ double LargestChange(bool morphing)
   StripMesh mesh;
   std::vector<double> before;
   glm::dvec3 eye(0.0);
-  double largest = 0.0;
+  Movement largest;
   for (int step = 0; step < 300; ++step)
   {
     const RefinementView view = MakeView(raster, 0.1 + 0.4 * step / 300.0, -0.6, 60.0);
@@ -377,26 +459,27 @@ double LargestChange(bool morphing)
     std::vector<double> surface = DrawnSurface(raster, mesh);
     for (std::size_t i = 0; i < before.size(); ++i)
     {
-      largest = std::max(largest,
+      largest.Change = std::max(largest.Change,
         std::abs(surface[i] - before[i]) * view.PixelsPerUnit /
           (options.Tolerance * glm::distance(eye, view.Eye)));
     }
     before.swap(surface);
     eye = view.Eye;
+    largest.Depths = std::max(largest.Depths, MorphingDepths(hierarchy, mesh));
   }
   return largest;
 }
 
-/// Bound of LargestChange with morphing. One vertex changes by (1.25^2 / 0.5) = 3.1 at most; its
-/// ancestors that morph at the same time add to it.
-constexpr double kMorphChange = 8.0;
 }
 
 TEST(Refinement, MorphedSurfaceMovesWithTheEyeAndDoesNotJump)
 {
-  const double morphed = LargestChange(true);
-  EXPECT_LT(morphed, kMorphChange);
-  EXPECT_GT(LargestChange(false), 10.0 * kMorphChange);
+  const Movement morphed = LargestChange(true);
+  const double bound = terrain::kMorphRate * morphed.Depths;
+  RecordProperty("change", std::to_string(morphed.Change));
+  RecordProperty("bound", std::to_string(bound));
+  EXPECT_LE(morphed.Change, bound);
+  EXPECT_GT(LargestChange(false).Change, 2.0 * bound);
 }
 
 TEST(Refinement, RefusesBadViewsAndOptions)

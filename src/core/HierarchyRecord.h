@@ -54,6 +54,11 @@ struct HierarchyRecord
   {
     return BitsFloat((this->Packed >> 1) & 0x7ffe0000u);
   }
+  /// True if the error is not 0.
+  bool HasError() const
+  {
+    return this->Packed >= (1u << 18);
+  }
   /// Radius in model units without exaggeration, >= 0.
   float Radius() const
   {

@@ -47,6 +47,7 @@ struct Refiner::Work
   explicit Work(const HierarchyView& hierarchy)
     : Hierarchy(hierarchy)
   {
+    this->Tabulate();
   }
 
   HierarchyView Hierarchy;
@@ -54,11 +55,14 @@ struct Refiner::Work
   std::array<std::vector<AxisEntry>, 2> Axes;
   /// First and last column, first and last row of the square.
   std::array<std::array<AxisEntry, 2>, 2> Ends{};
-  double Scale = 0.0;
+  /// Scaled space is model space relative to the grid's origin, times this.
+  double Scale = 1.0;
+  int DepthCount = 0;
   MeshSink Mesh;
   SampleSink Samples;
 
-  void Tabulate(double scale);
+  void Tabulate();
+  void SetDepths(int count);
   void SetView(const RefinementView& view);
   void SetTolerance(const RefinementView& view, double tolerance);
   void SetPlanes(const RefinementView& view, CullingMethod culling);
@@ -79,28 +83,16 @@ struct Refiner::Work
   double ToleranceFor(const RefinementView& view, const RefinementOptions& options);
 };
 
-/// Positions and terms of all columns and rows, and the offsets between depths. Scaled space is
-/// model space relative to the grid's origin, times `scale`.
-void Refiner::Work::Tabulate(double scale)
+/// Terms and samples of all columns and rows.
+void Refiner::Work::Tabulate()
 {
-  if (this->Scale == scale)
-  {
-    return;
-  }
-  this->Scale = scale;
   const HierarchyLayout& layout = *this->Hierarchy.Layout;
   const std::array<std::int64_t, 2> last{ { layout.Width() - 1, layout.Height() - 1 } };
   for (int axis = 0; axis < 2; ++axis)
   {
-    const double spacing =
-      scale * (axis == 0 ? this->Hierarchy.Geometry.Spacing.x : this->Hierarchy.Geometry.Spacing.y);
-    const auto entry = [&](std::int64_t cell, std::uint32_t term)
-    {
-      const std::int64_t sample = std::min(cell, last[axis]);
-      return AxisEntry{ static_cast<double>(sample) * spacing, term,
-        static_cast<std::uint32_t>(sample) };
+    const auto entry = [&](std::int64_t cell, std::uint32_t term) {
+      return AxisEntry{ 0.0, term, static_cast<std::uint32_t>(std::min(cell, last[axis])) };
     };
-    this->Axes[axis].clear();
     for (int pair = 0; pair < layout.Pairs(); ++pair)
     {
       for (std::int64_t step = 0; step < layout.Count(pair, axis); ++step)
@@ -109,8 +101,7 @@ void Refiner::Work::Tabulate(double scale)
           entry(step << layout.Shift(pair), layout.Term(pair, axis, step)));
       }
     }
-    this->Ends[axis][0] = entry(0, 0);
-    this->Ends[axis][1] = entry(layout.Cells(), 0);
+    this->Ends[axis] = { { entry(0, 0), entry(layout.Cells(), 0) } };
   }
   std::array<std::size_t, 2> begin{ { 0, 0 } };
   for (int depth = 0; depth < layout.Depths(); ++depth)
@@ -120,33 +111,42 @@ void Refiner::Work::Tabulate(double scale)
     table.Shift = layout.Shift(pair);
     table.Columns = &this->Axes[0][begin[0]];
     table.Rows = &this->Axes[1][begin[1]];
-    for (int direction = 0; direction < 8; ++direction)
-    {
-      const std::array<int, 2>& unit = HierarchyLayout::Directions[direction];
-      table.Offsets[direction] = static_cast<std::uint64_t>(
-        -(unit[0] + (std::int64_t(unit[1]) * (std::int64_t(1) << 32))) * layout.Step(pair));
-    }
-    if ((depth & 1) != 0)
+    table.IsOdd = (depth & 1) != 0;
+    if (table.IsOdd)
     {
       begin[0] += static_cast<std::size_t>(layout.Count(pair, 0));
       begin[1] += static_cast<std::size_t>(layout.Count(pair, 1));
     }
   }
+  this->Frame.Records = this->Hierarchy.Records;
+  this->Frame.LastColumn = static_cast<std::uint32_t>(last[0]);
+  this->Frame.LastRow = static_cast<std::uint32_t>(last[1]);
 }
 
 void Refiner::Work::SetView(const RefinementView& view)
 {
-  const double scale = 1.0 / std::max(1.0, view.Exaggeration);
-  this->Tabulate(scale);
-  this->Frame.DepthCount = this->Hierarchy.Layout->Depths();
-  this->Frame.Records = this->Hierarchy.Records;
-  this->Frame.HeightScale = view.Exaggeration * scale;
-  this->Frame.Eye = (view.Eye - this->Hierarchy.Geometry.Origin) * scale;
-  this->Frame.LastColumn = static_cast<std::uint32_t>(this->Hierarchy.Layout->Width() - 1);
-  this->Frame.LastRow = static_cast<std::uint32_t>(this->Hierarchy.Layout->Height() - 1);
+  this->Scale = 1.0 / std::max(1.0, view.Exaggeration);
+  const glm::dvec3 eye = (view.Eye - this->Hierarchy.Geometry.Origin) * this->Scale;
+  this->Frame.Step = this->Scale * glm::dvec3(this->Hierarchy.Geometry.Spacing, view.Exaggeration);
+  this->Frame.DistanceScale = view.Parallel ? 0.0 : this->Frame.Step.z;
+  this->Frame.EyeHeight = view.Parallel ? 0.0 : eye.z;
   this->Frame.RadiusScale = view.Parallel ? 0.0 : 1.0;
-  this->Frame.DistanceScale = view.Parallel ? 0.0 : 1.0;
-  this->Frame.DistanceOffset = view.Parallel ? 1.0 : 0.0;
+  this->SetDepths(this->Hierarchy.Layout->Depths());
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    for (AxisEntry& entry : this->Axes[axis])
+    {
+      const double distance = entry.Sample * this->Frame.Step[axis] - eye[axis];
+      entry.Distance2 = view.Parallel ? 0.5 : distance * distance;
+    }
+  }
+}
+
+/// Vertices of the first `count` depths are looked at.
+void Refiner::Work::SetDepths(int count)
+{
+  this->DepthCount = count;
+  this->Frame.Deepest = &this->Frame.Depths[count - 1];
 }
 
 void Refiner::Work::SetTolerance(const RefinementView& view, double tolerance)
@@ -161,9 +161,11 @@ void Refiner::Work::SetTolerance(const RefinementView& view, double tolerance)
 void Refiner::Work::SetPlanes(const RefinementView& view, CullingMethod culling)
 {
   this->Frame.PlaneCount = 0;
-  this->Frame.LazyDepth = culling == CullingMethod::Lazy
-    ? std::max(0, this->Hierarchy.Layout->Depths() - kLazyDepths)
-    : 32;
+  const int lazyDepths = culling == CullingMethod::Lazy ? kLazyDepths : 0;
+  for (int depth = 0; depth < this->DepthCount; ++depth)
+  {
+    this->Frame.Depths[depth].PlaneMask = depth < this->DepthCount - lazyDepths ? ~0u : 0u;
+  }
   if (culling == CullingMethod::None)
   {
     return;
@@ -183,12 +185,13 @@ void Refiner::Work::SetPlanes(const RefinementView& view, CullingMethod culling)
 
 VertexSite Refiner::Work::CentreSite() const
 {
-  const DepthTable& depth = this->Frame.Depths[0];
   VertexSite site{};
-  site.Column = &depth.Columns[1];
-  site.Row = &depth.Rows[1];
-  site.Record = site.Column->Term + site.Row->Term;
+  site.Depth = &this->Frame.Depths[0];
+  site.Column = &site.Depth->Columns[1];
+  site.Row = &site.Depth->Rows[1];
   site.Position = this->Centre();
+  site.Index = site.Column->Term + site.Row->Term;
+  site.Record = this->Frame.Records[site.Index];
   return site;
 }
 
@@ -197,16 +200,15 @@ std::int64_t Refiner::Work::RunKernel(Sink& sink, RefinementMethod method, std::
   const std::array<std::uint32_t, 4>& corners)
 {
   RefinementKernel<Switch, Sink> kernel(this->Frame, sink);
-  const std::uint32_t drawn = this->Frame.Records[this->CentreSite().Record].Drawn();
-  const std::uint32_t mask = (1u << this->Frame.PlaneCount) - 1u;
+  const std::uint32_t drawn = this->CentreSite().Record.Drawn();
   sink.Reserve();
   if (method == RefinementMethod::Plain)
   {
-    kernel.Plain(this->Centre(), centre, drawn, corners, mask);
+    kernel.Plain(this->Centre(), centre, drawn, corners);
   }
   else
   {
-    kernel.Improved(this->Centre(), centre, drawn, corners, mask);
+    kernel.Improved(this->Centre(), centre, drawn, corners);
   }
   return kernel.Triangles();
 }
@@ -265,7 +267,7 @@ double Refiner::Work::ToleranceFor(const RefinementView& view, const RefinementO
   for (CountSink sink = count(tolerance); sink.Stopped() || sink.Triangles() > budget;
        sink = count(tolerance))
   {
-    --this->Frame.DepthCount;
+    this->SetDepths(this->DepthCount - 1);
   }
   return tolerance;
 }
@@ -314,14 +316,14 @@ std::string Refiner::WhyNotRefine(const RefinementView& view, const RefinementOp
 void Refiner::Refine(const RefinementView& view, const RefinementOptions& options, StripMesh& mesh)
 {
   Work& work = *this->Private;
-  mesh.Clear();
   mesh.Tolerance = options.Tolerance;
   const HierarchyLayout& layout = *work.Hierarchy.Layout;
   if (layout.Width() < 2 || layout.Height() < 2)
   {
+    mesh.Clear();
     return;
   }
-  if (!work.Mesh.Allocate(layout.RecordCount()))
+  if (!work.Mesh.Inside.Allocate(layout.RecordCount()))
   {
     throw std::bad_alloc();
   }
@@ -333,22 +335,18 @@ void Refiner::Refine(const RefinementView& view, const RefinementOptions& option
   }
   work.SetTolerance(view, (options.Morphing ? kMorphBegin : 1.0) * mesh.Tolerance);
   MeshSink& sink = work.Mesh;
-  sink.Vertices.swap(mesh.Vertices);
-  sink.Clear();
-  sink.Morphing = options.Morphing;
+  sink.Begin(mesh);
+  sink.Morphing = false;
   std::array<std::uint32_t, 4> corners{};
   for (int corner = 0; corner < 4; ++corner)
   {
     corners[corner] = sink.Corner(work.Ends[0][corner & 1], work.Ends[1][corner >> 1], corner,
       work.Hierarchy.Summary.Corners[corner]);
   }
-  sink.Morphing = false;
   const std::uint32_t centre = sink.Vertex(work.Frame, work.CentreSite(), 0, 0);
   sink.Morphing = options.Morphing;
   mesh.Triangles = work.Run<false>(sink, options.Method, centre, corners);
-  sink.Forget();
-  sink.Vertices.swap(mesh.Vertices);
-  sink.Strip.Take(mesh.Strip);
+  sink.Finish(mesh);
 }
 
 std::int64_t Refiner::RefineByDistance(const RefinementView& view, double range,
@@ -365,11 +363,11 @@ std::int64_t Refiner::RefineByDistance(const RefinementView& view, double range,
   {
     // A little more for the coarser ones, so that rounding keeps them nested.
     const double nested = reach * (1.0 + 1.0e-9 * (layout.Depths() - depth));
-    work.Frame.Depths[depth].Range2 = nested * nested;
+    work.Frame.Depths[depth].Range2 = nested * nested - work.Frame.EyeHeight * work.Frame.EyeHeight;
     reach *= std::sqrt(0.5);
   }
   SampleSink& sink = work.Samples;
-  sink.Strip.Clear();
+  sink.Strip.Begin(strip);
   std::array<std::uint32_t, 4> corners{};
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -377,7 +375,7 @@ std::int64_t Refiner::RefineByDistance(const RefinementView& view, double range,
   }
   const std::uint32_t centre = sink.Vertex(work.Frame, work.CentreSite(), 0, 0);
   const std::int64_t triangles = work.Run<true>(sink, method, centre, corners);
-  sink.Strip.Take(strip);
+  sink.Strip.Finish(strip);
   return triangles;
 }
 }

@@ -47,6 +47,13 @@ namespace terrain
 constexpr double kMorphBegin = 0.75;
 constexpr double kMorphEnd = 1.25;
 
+/// Most that a morphing vertex moves on the screen, lambda / d times its vertical movement, while
+/// the eye moves by d / lambda, a pixel in its distance, in tolerances; ancestors that morph with
+/// it add as much each. For d' = d - Radius, rho = Error lambda / (d' tolerance) and m = (kMorphEnd
+/// - rho) / (kMorphEnd - kMorphBegin) the vertex is m c from its place, c <= Error: Error |dm /
+/// dd'| = Error rho / d' / (kMorphEnd - kMorphBegin), and Error / d' = rho tolerance / lambda.
+constexpr double kMorphRate = kMorphEnd * kMorphEnd / (kMorphEnd - kMorphBegin);
+
 /// Deepest depths, counted from the finest, that lazy culling does not test.
 constexpr int kLazyDepths = 6;
 
@@ -54,8 +61,9 @@ constexpr int kLazyDepths = 6;
 struct RefinementView
 {
   glm::dvec3 Eye{ 0.0, 0.0, 0.0 };
-  /// lambda: pixels of a unit length at unit distance, viewport height / (2 tan(angle / 2)); for
-  /// parallel projection pixels of a unit length.
+  /// lambda: most pixels of a unit length at unit distance. In the middle of the picture that is
+  /// viewport height / (2 tan(angle / 2)), and 1 / cos^2 as much in its corners, of their angle to
+  /// the middle. For parallel projection pixels of a unit length.
   double PixelsPerUnit = 1.0;
   bool Parallel = false;
   /// Vertical exaggeration, > 0, about height 0 of the grid; see GridGeometry.
@@ -92,15 +100,13 @@ struct RefinementOptions
 /// One vertex of a refined mesh: a sample of the raster.
 struct StripVertex
 {
-  std::uint32_t Column = 0;
-  std::uint32_t Row = 0;
+  std::uint16_t Column = 0;
+  std::uint16_t Row = 0;
   /// Height of the sample, and what the morph adds to it, both without exaggeration.
   float Height = 0.0f;
   float Displacement = 0.0f;
   /// Record of the vertex, or NoRecord + corner for the corners of the square.
   std::uint32_t Record = 0;
-  /// Depth in the hierarchy, 0 for the coarsest.
-  std::int32_t Depth = 0;
 
   static constexpr std::uint32_t NoRecord = 0xfffffff0u;
 };

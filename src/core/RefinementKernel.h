@@ -12,13 +12,20 @@
 #include <array>
 #include <cmath>
 
+/// The compiler's own choice leaves the small functions of the inner loop as calls, and takes rare
+/// work into it.
+#define TERRAIN_INLINE [[gnu::always_inline]] inline
+#define TERRAIN_NO_INLINE [[gnu::noinline]]
+
 namespace terrain
 {
-/// A column or row of vertices: where it is drawn, its term of the record index, its sample.
+/// A column or row of vertices of a pair of depths.
 struct AxisEntry
 {
-  double Position;
+  /// Its part of the squared distance to the eye, in scaled space; its term of the record index.
+  double Distance2;
   std::uint32_t Term;
+  /// Column or row of the sample that it is drawn at.
   std::uint32_t Sample;
 };
 
@@ -28,61 +35,67 @@ struct DepthTable
   const AxisEntry* Columns = nullptr;
   const AxisEntry* Rows = nullptr;
   int Shift = 0;
-  /// From the vertex of a triangle to that of its half of this depth in each direction.
-  std::array<std::uint64_t, 8> Offsets{};
-  /// Distance below which a vertex is active, squared (RefineByDistance).
+  /// Planes that vertices of this depth are tested against: all, or none (lazy culling).
+  std::uint32_t PlaneMask = 0;
+  /// Hypotenuses of this depth's triangles lie along the axes.
+  bool IsOdd = false;
+  /// Squared distance below which a vertex is active (RefineByDistance).
   double Range2 = 0.0;
 };
 
-/// One refinement: the view in the scaled space where positions are tabulated. Scaling by
-/// 1 / max(1, exaggeration) lets the radii hold whatever the exaggeration.
+/// One refinement: the view in scaled space, which is model space relative to the grid's origin,
+/// times 1 / max(1, exaggeration): the radii hold in it whatever the exaggeration.
 struct RefinementFrame
 {
   std::array<DepthTable, 32> Depths;
-  int DepthCount = 0;
+  /// The deepest one that vertices are looked at.
+  const DepthTable* Deepest = nullptr;
   const HierarchyRecord* Records = nullptr;
-  glm::dvec3 Eye{ 0.0 };
-  /// Height unit in scaled space.
-  double HeightScale = 1.0;
-  /// Active: (Error ErrorScale + Radius RadiusScale)^2 > d^2 DistanceScale + DistanceOffset. In
-  /// perspective that is Error lambda / tolerance > d - Radius, in parallel projection Error lambda
-  /// / tolerance > 1.
+  /// Height of the eye and height unit, for distances; both 0 in parallel projection.
+  double EyeHeight = 0.0;
+  double DistanceScale = 1.0;
+  /// Active: Error ErrorScale + Radius RadiusScale > d. In perspective that is
+  /// Error lambda / tolerance > d - Radius, in parallel projection, where d is 1 and RadiusScale 0,
+  /// Error lambda / tolerance > 1.
   double ErrorScale = 0.0;
   double RadiusScale = 1.0;
-  double DistanceScale = 1.0;
-  double DistanceOffset = 0.0;
+  /// Planes, and the size of a cell and of the height unit in their space.
   std::array<glm::dvec4, 8> Planes{};
   int PlaneCount = 0;
-  /// Vertices of this depth and deeper are not culled.
-  int LazyDepth = 32;
+  glm::dvec3 Step{ 1.0 };
   std::uint32_t LastColumn = 0;
   std::uint32_t LastRow = 0;
 };
 
-/// A vertex that is looked at.
+/// A vertex that is looked at. Reach and Distance2 are compared to decide.
 struct VertexSite
 {
   const AxisEntry* Column;
   const AxisEntry* Row;
-  std::uint32_t Record;
-  double Distance2;
+  const DepthTable* Depth;
   std::uint64_t Position;
-  int Depth;
+  double Reach;
+  double Distance2;
+  HierarchyRecord Record;
+  std::uint32_t Index;
 };
 
-/// A triangle of the hierarchy: the ends of its hypotenuse and its apex as indices of the sink, and
-/// the vertex that halves it.
+/// A triangle of the hierarchy: the ends of its hypotenuse and its apex as indices of the sink, the
+/// vertex that halves it, and from there the ways to the apex and to the left end.
 struct TriangleSite
 {
   std::uint64_t Position;
+  std::int64_t ToApex;
+  std::int64_t ToLeft;
+  const DepthTable* Depth;
   std::uint32_t Left;
   std::uint32_t Apex;
   std::uint32_t Right;
   std::uint32_t Middle;
   std::uint32_t PlaneMask;
+  /// Only with holes: the triangle's direction, and the drawn bits of the vertex.
+  std::uint32_t Direction;
   std::uint32_t Drawn;
-  int Depth;
-  int Direction;
 };
 
 /// Where the strip crosses a triangle's outline.
@@ -124,7 +137,7 @@ public:
   /// The whole square: four triangles round its centre, south, east, north, west. `corners` are the
   /// sink's indices of the south-west, south-east, north-west and north-east corner.
   void Improved(std::uint64_t centre, std::uint32_t centreIndex, std::uint32_t drawn,
-    const std::array<std::uint32_t, 4>& corners, std::uint32_t mask)
+    const std::array<std::uint32_t, 4>& corners)
   {
     this->Broken = Traits::Holes;
     if (!Traits::Holes)
@@ -137,7 +150,7 @@ public:
     for (int side = 0; side < 4; ++side)
     {
       TriangleSite triangle = this->BaseTriangle(centre, centreIndex, corners, side);
-      if (this->Frame.DepthCount > 1 && this->Visit(triangle, mask))
+      if (triangle.Depth <= this->Frame.Deepest && this->Visit(triangle))
       {
         this->template General<StripEdge::Side, StripEdge::Side, true>(triangle);
       }
@@ -155,7 +168,7 @@ public:
 
   /// The same by the plain procedure.
   void Plain(std::uint64_t centre, std::uint32_t centreIndex, std::uint32_t drawn,
-    const std::array<std::uint32_t, 4>& corners, std::uint32_t mask)
+    const std::array<std::uint32_t, 4>& corners)
   {
     this->Broken = true;
     if (!Traits::Holes)
@@ -168,7 +181,7 @@ public:
     for (int side = 0; side < 4; ++side)
     {
       TriangleSite triangle = this->BaseTriangle(centre, centreIndex, corners, side);
-      this->PlainTriangle(triangle, mask, HalfDrawn(drawn, triangle.Direction));
+      this->PlainTriangle(triangle, HalfDrawn(drawn, triangle.Direction));
       if (!Traits::Holes)
       {
         this->PlainAppend(triangle.Right, 1);
@@ -177,7 +190,7 @@ public:
   }
 
 private:
-  static bool HalfDrawn(std::uint32_t drawn, int direction)
+  static bool HalfDrawn(std::uint32_t drawn, std::uint32_t direction)
   {
     return !Traits::Holes || ((drawn >> (direction >> 1)) & 1u) != 0;
   }
@@ -186,82 +199,121 @@ private:
     const std::array<std::uint32_t, 4>& corners, int side) const
   {
     static constexpr std::array<int, 5> round{ { 0, 1, 3, 2, 0 } };
+    const int direction = (2 + 2 * side) & 7;
+    const std::int64_t half = std::int64_t(1) << this->Frame.Depths[0].Shift;
     TriangleSite triangle{};
-    triangle.Depth = 1;
-    triangle.Direction = (2 + 2 * side) & 7;
-    triangle.Position = centre + this->Frame.Depths[1].Offsets[triangle.Direction];
+    triangle.Depth = &this->Frame.Depths[1];
+    triangle.PlaneMask = (1u << this->Frame.PlaneCount) - 1u;
+    triangle.Direction = static_cast<std::uint32_t>(direction);
+    triangle.ToApex = half * Unit(direction);
+    triangle.ToLeft = half * Unit((direction + 2) & 7);
+    triangle.Position = centre - static_cast<std::uint64_t>(triangle.ToApex);
     triangle.Left = corners[round[side]];
     triangle.Right = corners[round[side + 1]];
     triangle.Apex = centreIndex;
     return triangle;
   }
 
-  /// Half of a triangle that is split: side 0 left, 1 right.
-  TriangleSite Half(const TriangleSite& triangle, int side) const
+  /// A step in a direction, as positions are written.
+  static std::int64_t Unit(int direction)
   {
-    TriangleSite half{};
+    const std::array<int, 2>& unit = HierarchyLayout::Directions[direction];
+    return unit[0] + unit[1] * (std::int64_t(1) << 32);
+  }
+
+  /// Half of a triangle that is split: side 0 left, 1 right. It has the triangle's vertex as apex
+  /// and a leg as hypotenuse. Sums and differences of the two ways are even until the deepest
+  /// depth, so halving them halves both of their coordinates.
+  TERRAIN_INLINE TriangleSite Half(const TriangleSite& triangle, int side) const
+  {
+    const std::int64_t sum = (triangle.ToLeft + triangle.ToApex) >> 1;
+    const std::int64_t difference = (triangle.ToLeft - triangle.ToApex) >> 1;
+    TriangleSite half;
     half.Depth = triangle.Depth + 1;
-    half.Direction = HierarchyLayout::ChildDirection(triangle.Depth, triangle.Direction, side);
-    half.Position = triangle.Position + this->Frame.Depths[half.Depth].Offsets[half.Direction];
+    half.ToApex = side == 0 ? -sum : difference;
+    half.ToLeft = side == 0 ? difference : sum;
+    half.Position = triangle.Position - static_cast<std::uint64_t>(half.ToApex);
+    half.PlaneMask = triangle.PlaneMask;
     half.Left = side == 0 ? triangle.Left : triangle.Apex;
     half.Right = side == 0 ? triangle.Apex : triangle.Right;
     half.Apex = triangle.Middle;
+    if constexpr (Traits::Holes)
+    {
+      half.Direction = static_cast<std::uint32_t>(HierarchyLayout::ChildDirection(
+        triangle.Depth->IsOdd ? 1 : 0, static_cast<int>(triangle.Direction), side));
+    }
     return half;
   }
 
-  /// True if the vertex that halves the triangle is active; completes the triangle then.
-  bool Visit(TriangleSite& triangle, std::uint32_t mask)
+  /// The vertex that halves the triangle.
+  TERRAIN_INLINE VertexSite Site(const TriangleSite& triangle) const
   {
-    const DepthTable& depth = this->Frame.Depths[triangle.Depth];
+    const DepthTable& depth = *triangle.Depth;
     VertexSite site;
+    site.Depth = &depth;
+    site.Position = triangle.Position;
     site.Column = &depth.Columns[static_cast<std::uint32_t>(triangle.Position) >> depth.Shift];
     site.Row = &depth.Rows[static_cast<std::uint32_t>(triangle.Position >> 32) >> depth.Shift];
-    site.Position = triangle.Position;
-    site.Depth = triangle.Depth;
-    const double dx = site.Column->Position - this->Frame.Eye.x;
-    const double dy = site.Row->Position - this->Frame.Eye.y;
+    site.Index = site.Column->Term + site.Row->Term;
+    return site;
+  }
+
+  /// True if the vertex takes part, culling aside: its error is too large to leave it out.
+  TERRAIN_INLINE bool IsNeeded(VertexSite& site) const
+  {
+    site.Distance2 = site.Column->Distance2 + site.Row->Distance2;
     if constexpr (Traits::Distance)
     {
-      const double dz = this->Frame.Eye.z;
-      if (!(dx * dx + dy * dy + dz * dz < depth.Range2))
-      {
-        return false;
-      }
+      return site.Distance2 < site.Depth->Range2;
     }
     else
     {
-      site.Record = site.Column->Term + site.Row->Term;
-      const HierarchyRecord& record = this->Frame.Records[site.Record];
-      const double error = record.Error();
-      const double radius = record.Radius();
-      const double z = record.Height * this->Frame.HeightScale;
-      const double dz = z - this->Frame.Eye.z;
-      const double reach = error * this->Frame.ErrorScale + radius * this->Frame.RadiusScale;
-      site.Distance2 =
-        (dx * dx + dy * dy + dz * dz) * this->Frame.DistanceScale + this->Frame.DistanceOffset;
-      if (!(reach * reach > site.Distance2) || error == 0.0)
+      site.Record = this->Frame.Records[site.Index];
+      const double dz = site.Record.Height * this->Frame.DistanceScale - this->Frame.EyeHeight;
+      site.Reach = site.Record.Error() * this->Frame.ErrorScale +
+        site.Record.Radius() * this->Frame.RadiusScale;
+      site.Distance2 += dz * dz;
+      // Both tests at once: the second alone decides too seldom for a branch of its own.
+      return (int(site.Reach * site.Reach > site.Distance2) & int(site.Record.HasError())) != 0;
+    }
+  }
+
+  /// Completes a triangle whose vertex is needed; false if the vertex is culled.
+  TERRAIN_INLINE bool Split(TriangleSite& triangle, const VertexSite& site)
+  {
+    if constexpr (Traits::Culling)
+    {
+      if ((triangle.PlaneMask & site.Depth->PlaneMask) != 0 &&
+        this->IsCulled(site, triangle.PlaneMask))
       {
         return false;
       }
-      if (Traits::Culling && mask != 0 && triangle.Depth < this->Frame.LazyDepth &&
-        this->IsCulled(glm::dvec3(site.Column->Position, site.Row->Position, z), radius, mask))
-      {
-        return false;
-      }
-      triangle.Drawn = record.Drawn();
     }
     if (this->Out.Stopped())
     {
       return false;
     }
-    triangle.PlaneMask = mask;
+    if constexpr (Traits::Holes)
+    {
+      triangle.Drawn = site.Record.Drawn();
+    }
     triangle.Middle = this->Out.Vertex(this->Frame, site, triangle.Left, triangle.Right);
     return true;
   }
 
-  /// True if the sphere is outside some plane of the mask; planes that it is inside of leave it.
-  bool IsCulled(const glm::dvec3& centre, double radius, std::uint32_t& mask) const
+  /// True if the vertex that halves the triangle is active; completes the triangle then.
+  TERRAIN_INLINE bool Visit(TriangleSite& triangle)
   {
+    VertexSite site = this->Site(triangle);
+    return this->IsNeeded(site) && this->Split(triangle, site);
+  }
+
+  /// True if the sphere is outside some plane of the mask; planes that it is inside of leave it.
+  TERRAIN_NO_INLINE bool IsCulled(const VertexSite& site, std::uint32_t& mask) const
+  {
+    const glm::dvec3 centre =
+      this->Frame.Step * glm::dvec3(site.Column->Sample, site.Row->Sample, site.Record.Height);
+    const double radius = site.Record.Radius();
     for (int i = 0; i < this->Frame.PlaneCount; ++i)
     {
       if ((mask & (1u << i)) != 0)
@@ -300,8 +352,7 @@ private:
       {
         this->Start(leavesBottom ? triangle.Apex : triangle.Left,
           sides ? triangle.Apex : (leavesBottom ? triangle.Left : triangle.Right),
-          In == StripEdge::Bottom ? triangle.Apex : triangle.Right,
-          ((triangle.Depth & 1) != 0) != sides);
+          In == StripEdge::Bottom ? triangle.Apex : triangle.Right, triangle.Depth->IsOdd != sides);
         ++this->TriangleCount;
         return;
       }
@@ -357,7 +408,7 @@ private:
 
   bool IsFinest(const TriangleSite& triangle) const
   {
-    return triangle.Depth + 1 >= this->Frame.DepthCount;
+    return triangle.Depth >= this->Frame.Deepest;
   }
 
   /// A triangle that is split, and whose halves may both be.
@@ -372,8 +423,8 @@ private:
     }
     TriangleSite left = this->Half(triangle, 0);
     TriangleSite right = this->Half(triangle, 1);
-    const bool isLeftActive = this->Visit(left, triangle.PlaneMask);
-    const bool isRightActive = this->Visit(right, triangle.PlaneMask);
+    const bool isLeftActive = this->Visit(left);
+    const bool isRightActive = this->Visit(right);
     if (isLeftActive && isRightActive)
     {
       this->template General<Flip(In), StripEdge::Side, Last>(left);
@@ -409,7 +460,7 @@ private:
       return;
     }
     TriangleSite left = this->Half(triangle, 0);
-    if (this->Visit(left, triangle.PlaneMask))
+    if (this->Visit(left))
     {
       this->template LeftOnly<Flip(In), StripEdge::Side, Last>(left);
       this->template RightLeaf<Exit, true>(triangle, this->Half(triangle, 1));
@@ -431,7 +482,7 @@ private:
     }
     this->template LeftLeaf<In, Last>(triangle, this->Half(triangle, 0));
     TriangleSite right = this->Half(triangle, 1);
-    if (this->Visit(right, triangle.PlaneMask))
+    if (this->Visit(right))
     {
       this->template RightOnly<StripEdge::Side, Flip(Exit), In == StripEdge::Bottom>(right);
       return;
@@ -439,14 +490,14 @@ private:
     this->template RightLeaf<Exit, In == StripEdge::Bottom>(triangle, right);
   }
 
-  void PlainTriangle(TriangleSite& triangle, std::uint32_t mask, bool drawn)
+  void PlainTriangle(TriangleSite& triangle, bool drawn)
   {
     this->Out.Reserve();
-    const bool isActive = triangle.Depth < this->Frame.DepthCount && this->Visit(triangle, mask);
+    const bool isActive = triangle.Depth <= this->Frame.Deepest && this->Visit(triangle);
     if (isActive)
     {
       TriangleSite left = this->Half(triangle, 0);
-      this->PlainTriangle(left, triangle.PlaneMask, HalfDrawn(triangle.Drawn, left.Direction));
+      this->PlainTriangle(left, HalfDrawn(triangle.Drawn, left.Direction));
     }
     else if (drawn)
     {
@@ -454,17 +505,17 @@ private:
       if (Traits::Holes)
       {
         // Strips with gaps are not part of the plain procedure: each triangle starts anew.
-        this->Start(triangle.Left, triangle.Right, triangle.Apex, (triangle.Depth & 1) != 0);
+        this->Start(triangle.Left, triangle.Right, triangle.Apex, triangle.Depth->IsOdd);
       }
     }
     if (!Traits::Holes)
     {
-      this->PlainAppend(triangle.Apex, (triangle.Depth & 1) ^ 1);
+      this->PlainAppend(triangle.Apex, triangle.Depth->IsOdd ? 0 : 1);
     }
     if (isActive)
     {
       TriangleSite right = this->Half(triangle, 1);
-      this->PlainTriangle(right, triangle.PlaneMask, HalfDrawn(triangle.Drawn, right.Direction));
+      this->PlainTriangle(right, HalfDrawn(triangle.Drawn, right.Direction));
     }
   }
 

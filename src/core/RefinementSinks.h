@@ -11,70 +11,82 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <memory>
+#include <unordered_map>
 
 namespace terrain
 {
-/// A growing array of indices that appends without a test; Reserve() makes room for one triangle
-/// of each depth and its joins.
-class StripBuffer
+/// Appends to the memory of a vector without asking whether there is room; Reserve() makes it.
+template <typename T>
+class AppendBuffer
 {
 public:
-  void Clear()
+  /// Takes the vector's memory and begins at its start.
+  void Begin(std::vector<T>& memory)
   {
+    this->Memory.swap(memory);
     this->Used = 0;
+    this->SetMemory();
   }
-  void Append(std::uint32_t index)
+  /// Gives the memory back, as a vector of what was appended.
+  void Finish(std::vector<T>& memory)
   {
-    this->Indices[this->Used++] = index;
+    this->Memory.resize(this->Used);
+    this->Memory.swap(memory);
+    this->Memory.clear();
   }
-  std::uint32_t Count() const
+  TERRAIN_INLINE void Append(const T& element)
   {
-    return static_cast<std::uint32_t>(this->Used);
+    this->Data[this->Used++] = element;
   }
-  std::uint32_t Last() const
+  TERRAIN_INLINE std::uint32_t Count() const
   {
-    return this->Indices[this->Used - 1];
+    return this->Used;
   }
-  /// Makes the first index the same as the third.
-  void RepeatThird()
+  /// Makes room for what two triangles of each depth take, and their joins.
+  TERRAIN_INLINE void Reserve()
   {
-    this->Indices[0] = this->Indices[2];
-  }
-  void Reserve()
-  {
-    if (this->Used + Slack > this->Indices.size())
+    if (this->Used >= this->Limit)
     {
-      this->Indices.resize(2 * this->Indices.size() + 2 * Slack);
+      this->Grow();
     }
   }
-  /// Swaps the strip with `strip`, cut to its length.
-  void Take(std::vector<std::uint32_t>& strip)
+  TERRAIN_INLINE T& operator[](std::uint32_t index)
   {
-    this->Indices.resize(this->Used);
-    this->Indices.swap(strip);
-    this->Used = 0;
+    return this->Data[index];
+  }
+  TERRAIN_INLINE const T& operator[](std::uint32_t index) const
+  {
+    return this->Data[index];
   }
 
 private:
-  static constexpr std::size_t Slack = 1024;
-  std::vector<std::uint32_t> Indices;
-  std::size_t Used = 0;
+  static constexpr std::size_t Slack = 512;
+
+  TERRAIN_NO_INLINE void Grow()
+  {
+    this->Memory.resize(this->Memory.size() + this->Memory.size() / 4 + 2 * Slack);
+    this->SetMemory();
+  }
+  void SetMemory()
+  {
+    this->Data = this->Memory.data();
+    this->Limit = static_cast<std::uint32_t>(std::max(this->Memory.size(), Slack) - Slack);
+  }
+
+  std::vector<T> Memory;
+  T* Data = nullptr;
+  std::uint32_t Used = 0;
+  std::uint32_t Limit = 0;
 };
 
-/// Indices are samples: column + 65536 row.
-class SampleSink
+/// A strip of indices; what a sink that keeps the strip is derived from.
+class StripSink
 {
 public:
-  StripBuffer Strip;
+  AppendBuffer<std::uint32_t> Strip;
 
-  std::uint32_t Vertex(
-    const RefinementFrame&, const VertexSite& site, std::uint32_t, std::uint32_t) const
-  {
-    return site.Column->Sample | (site.Row->Sample << 16);
-  }
   void Append(std::uint32_t index)
   {
     this->Strip.Append(index);
@@ -83,17 +95,18 @@ public:
   {
     this->Strip.Reserve();
   }
-  void RepeatThird()
-  {
-    this->Strip.RepeatThird();
-  }
   std::uint32_t Count() const
   {
     return this->Strip.Count();
   }
   std::uint32_t Last() const
   {
-    return this->Strip.Last();
+    return this->Strip[this->Strip.Count() - 1];
+  }
+  /// Makes the first index the same as the third.
+  void RepeatThird()
+  {
+    this->Strip[0] = this->Strip[2];
   }
   static constexpr bool Stopped()
   {
@@ -101,7 +114,19 @@ public:
   }
 };
 
-/// Counts triangles by the tolerance, relative to the frame's, at which they would appear.
+/// Only the strip; indices are samples: column + 65536 row.
+class SampleSink : public StripSink
+{
+public:
+  std::uint32_t Vertex(
+    const RefinementFrame&, const VertexSite& site, std::uint32_t, std::uint32_t) const
+  {
+    return site.Column->Sample | (site.Row->Sample << 16);
+  }
+};
+
+/// No strip: counts triangles by the tolerance, relative to the frame's, at which they would
+/// appear.
 class CountSink
 {
 public:
@@ -117,9 +142,8 @@ public:
   std::uint32_t Vertex(
     const RefinementFrame& frame, const VertexSite& site, std::uint32_t, std::uint32_t)
   {
-    const HierarchyRecord& record = frame.Records[site.Record];
-    const double gap = std::sqrt(site.Distance2) - record.Radius() * frame.RadiusScale;
-    const double ratio = record.Error() * frame.ErrorScale / std::max(gap, 1.0e-300);
+    const double gap = std::sqrt(site.Distance2) - site.Record.Radius() * frame.RadiusScale;
+    const double ratio = site.Record.Error() * frame.ErrorScale / std::max(gap, 1.0e-300);
     ++this->Buckets[BucketOf(ratio)];
     ++this->Total;
     return 0;
@@ -188,208 +212,46 @@ private:
   std::vector<std::int64_t> Buckets;
 };
 
-/// Makes a mesh in which every sample is one vertex.
-class MeshSink
+/// Index of the vertex of each record, of this mesh alone: entries of meshes before are known by
+/// their number and need not be cleared.
+class VertexIndex
 {
 public:
-  StripBuffer Strip;
-  std::vector<StripVertex> Vertices;
-  bool Morphing = false;
-  /// Index of vertices that no drawn triangle uses.
-  static constexpr std::uint32_t Beyond = 0xffffffffu;
-
-  void Clear()
-  {
-    this->Strip.Clear();
-    this->Vertices.clear();
-    if (this->Table.empty())
-    {
-      this->Table.resize(std::size_t(1) << 10);
-    }
-    this->TableUsed = 0;
-    std::memset(this->Table.data(), 0xff, this->Table.size() * sizeof(Slot));
-  }
-
-  /// Adds a corner of the square.
-  std::uint32_t Corner(const AxisEntry& column, const AxisEntry& row, int corner, float height)
-  {
-    Slot& slot = this->Find(column.Sample | (row.Sample << 16));
-    if (slot.Index == Free)
-    {
-      slot = { column.Sample | (row.Sample << 16), this->NextIndex() };
-      ++this->TableUsed;
-      this->Vertices.push_back({ column.Sample, row.Sample, height, 0.0f,
-        StripVertex::NoRecord + static_cast<std::uint32_t>(corner), 0 });
-    }
-    return slot.Index;
-  }
-
-  /// Vertices inside the raster are found by their record, those on its last row and column, where
-  /// several vertices of the hierarchy share a sample, by the sample.
-  std::uint32_t Vertex(
-    const RefinementFrame& frame, const VertexSite& site, std::uint32_t left, std::uint32_t right)
-  {
-    if (site.Column->Sample != frame.LastColumn && site.Row->Sample != frame.LastRow)
-    {
-      std::uint32_t& known = this->Known.get()[site.Record];
-      if (known == 0)
-      {
-        known = this->Add(frame, site, left, right) + 1;
-      }
-      return known - 1;
-    }
-    if (IsBeyond(frame, site))
-    {
-      return Beyond;
-    }
-    const std::uint32_t key = site.Column->Sample | (site.Row->Sample << 16);
-    Slot& slot = this->Find(key);
-    if (slot.Index != Free)
-    {
-      return slot.Index;
-    }
-    const std::uint32_t index = this->Add(frame, site, left, right);
-    slot = { key, index };
-    if (2 * ++this->TableUsed > this->Table.size())
-    {
-      this->Grow();
-    }
-    return index;
-  }
-
-  /// Makes room for the vertices of a hierarchy; false if there is no memory. Memory that is never
+  /// Makes room for a hierarchy's records; false if there is no memory. Memory that is never
   /// touched is not taken.
   bool Allocate(std::int64_t recordCount)
   {
-    if (!this->Known)
+    if (!this->Entries)
     {
-      this->Known.reset(static_cast<std::uint32_t*>(
-        std::calloc(static_cast<std::size_t>(recordCount), sizeof(std::uint32_t))));
+      this->RecordCount = static_cast<std::size_t>(recordCount);
+      this->Entries.reset(
+        static_cast<std::uint32_t*>(std::calloc(this->RecordCount, sizeof(std::uint32_t))));
+      this->First = 1;
     }
-    return this->Known != nullptr;
+    return this->Entries != nullptr;
   }
-
-  /// Forgets where the vertices are.
-  void Forget()
+  /// Forgets the vertices of a mesh; `count` were numbered.
+  void Forget(std::uint32_t count)
   {
-    for (const StripVertex& vertex : this->Vertices)
+    this->First += count;
+    // As many again must fit: a mesh has fewer than 2^31 vertices.
+    if (this->First > (1u << 31))
     {
-      if (vertex.Record < StripVertex::NoRecord)
-      {
-        this->Known.get()[vertex.Record] = 0;
-      }
+      std::fill_n(this->Entries.get(), this->RecordCount, 0u);
+      this->First = 1;
     }
   }
-
-  void Append(std::uint32_t index)
+  /// Index of the record's vertex, or a number that is no index below `count`.
+  std::uint32_t Find(std::uint32_t record) const
   {
-    this->Strip.Append(index);
+    return this->Entries.get()[record] - this->First;
   }
-  void Reserve()
+  void Set(std::uint32_t record, std::uint32_t index)
   {
-    this->Strip.Reserve();
-  }
-  void RepeatThird()
-  {
-    this->Strip.RepeatThird();
-  }
-  std::uint32_t Count() const
-  {
-    return this->Strip.Count();
-  }
-  std::uint32_t Last() const
-  {
-    return this->Strip.Last();
-  }
-  static constexpr bool Stopped()
-  {
-    return false;
+    this->Entries.get()[record] = this->First + index;
   }
 
 private:
-  static constexpr std::uint32_t Free = 0xffffffffu;
-  struct Slot
-  {
-    std::uint32_t Key;
-    std::uint32_t Index;
-  };
-
-  std::uint32_t NextIndex() const
-  {
-    return static_cast<std::uint32_t>(this->Vertices.size());
-  }
-
-  std::uint32_t Add(
-    const RefinementFrame& frame, const VertexSite& site, std::uint32_t left, std::uint32_t right)
-  {
-    const HierarchyRecord& record = frame.Records[site.Record];
-    const float displacement = this->Morphing && !record.IsRough()
-      ? this->Displacement(frame, site, record, left, right)
-      : 0.0f;
-    const std::uint32_t index = this->NextIndex();
-    this->Vertices.push_back({ site.Column->Sample, site.Row->Sample, record.Height, displacement,
-      site.Record, site.Depth });
-    return index;
-  }
-
-  /// True if the diamond of a vertex beyond the raster does not touch it.
-  static bool IsBeyond(const RefinementFrame& frame, const VertexSite& site)
-  {
-    const auto x = static_cast<std::uint32_t>(site.Position);
-    const auto y = static_cast<std::uint32_t>(site.Position >> 32);
-    const std::uint32_t step = 1u << frame.Depths[site.Depth].Shift;
-    return x >= frame.LastColumn + step || y >= frame.LastRow + step;
-  }
-
-  /// What the morph adds to the height, in height units; see Refinement.h. A vertex that does not
-  /// morph has no ancestor that does.
-  float Displacement(const RefinementFrame& frame, const VertexSite& site,
-    const HierarchyRecord& record, std::uint32_t left, std::uint32_t right) const
-  {
-    constexpr double end = kMorphEnd / kMorphBegin;
-    const double radius = record.Radius() * frame.RadiusScale;
-    const double reach = record.Error() * frame.ErrorScale;
-    const double still = reach / end + radius;
-    if (still * still > site.Distance2)
-    {
-      return 0.0f;
-    }
-    const double ratio = reach / (std::sqrt(site.Distance2) - radius);
-    const auto morph = static_cast<float>(std::clamp((end - ratio) / (end - 1.0), 0.0, 1.0));
-    const StripVertex& a = this->Vertices[left];
-    const StripVertex& b = this->Vertices[right];
-    return 0.5f * (a.Displacement + b.Displacement) -
-      morph * (record.Height - 0.5f * (a.Height + b.Height));
-  }
-
-  /// The slot of a key, or the free one where it belongs.
-  Slot& Find(std::uint32_t key)
-  {
-    const std::size_t mask = this->Table.size() - 1;
-    std::size_t position = (key * 0x9e3779b1u) >> 7;
-    for (;; ++position)
-    {
-      Slot& slot = this->Table[position & mask];
-      if (slot.Index == Free || slot.Key == key)
-      {
-        return slot;
-      }
-    }
-  }
-
-  void Grow()
-  {
-    std::vector<Slot> old(2 * this->Table.size(), Slot{ Free, Free });
-    old.swap(this->Table);
-    for (const Slot& slot : old)
-    {
-      if (slot.Index != Free)
-      {
-        this->Find(slot.Key) = slot;
-      }
-    }
-  }
-
   struct FreeMemory
   {
     void operator()(std::uint32_t* memory) const
@@ -397,11 +259,136 @@ private:
       std::free(memory);
     }
   };
-  /// Index + 1 of the vertex of each record, 0 if there is none.
-  std::unique_ptr<std::uint32_t, FreeMemory> Known;
-  /// Vertices on the last row and column and the corners.
-  std::vector<Slot> Table;
-  std::size_t TableUsed = 0;
+  std::unique_ptr<std::uint32_t, FreeMemory> Entries;
+  std::size_t RecordCount = 0;
+  std::uint32_t First = 1;
+};
+
+/// Makes a mesh in which every sample is one vertex.
+class MeshSink : public StripSink
+{
+public:
+  AppendBuffer<StripVertex> Vertices;
+  /// Vertices inside the raster, by record.
+  VertexIndex Inside;
+  bool Morphing = false;
+
+  /// Begins a mesh in the memory of `mesh`.
+  void Begin(StripMesh& mesh)
+  {
+    this->Inside.Forget(this->Vertices.Count());
+    this->Vertices.Begin(mesh.Vertices);
+    this->Strip.Begin(mesh.Strip);
+    this->Border.clear();
+    this->Reserve();
+  }
+  void Finish(StripMesh& mesh)
+  {
+    this->Inside.Forget(this->Vertices.Count());
+    this->Vertices.Finish(mesh.Vertices);
+    this->Strip.Finish(mesh.Strip);
+  }
+  TERRAIN_INLINE void Reserve()
+  {
+    StripSink::Reserve();
+    this->Vertices.Reserve();
+  }
+
+  /// Adds a corner of the square.
+  std::uint32_t Corner(const AxisEntry& column, const AxisEntry& row, int corner, float height)
+  {
+    return this->OnBorder(column.Sample, row.Sample,
+      { static_cast<std::uint16_t>(column.Sample), static_cast<std::uint16_t>(row.Sample), height,
+        0.0f, StripVertex::NoRecord + static_cast<std::uint32_t>(corner) });
+  }
+
+  TERRAIN_INLINE std::uint32_t Vertex(
+    const RefinementFrame& frame, const VertexSite& site, std::uint32_t left, std::uint32_t right)
+  {
+    if (site.Column->Sample == frame.LastColumn || site.Row->Sample == frame.LastRow)
+    {
+      return this->BorderVertex(frame, site, left, right);
+    }
+    const std::uint32_t next = this->Vertices.Count();
+    const std::uint32_t known = this->Inside.Find(site.Index);
+    if (known < next)
+    {
+      return known;
+    }
+    this->Inside.Set(site.Index, next);
+    this->Add(frame, site, left, right);
+    return next;
+  }
+
+private:
+  /// Index of vertices that no drawn triangle uses: below all counts, never looked at.
+  static constexpr std::uint32_t Beyond = 0;
+
+  TERRAIN_NO_INLINE void Add(
+    const RefinementFrame& frame, const VertexSite& site, std::uint32_t left, std::uint32_t right)
+  {
+    this->Vertices.Append(this->Make(frame, site, left, right));
+  }
+
+  /// On the last row and column several vertices of the hierarchy share a sample, and are one.
+  TERRAIN_NO_INLINE std::uint32_t BorderVertex(
+    const RefinementFrame& frame, const VertexSite& site, std::uint32_t left, std::uint32_t right)
+  {
+    return IsBeyond(frame, site)
+      ? Beyond
+      : this->OnBorder(site.Column->Sample, site.Row->Sample, this->Make(frame, site, left, right));
+  }
+
+  std::uint32_t OnBorder(std::uint32_t column, std::uint32_t row, const StripVertex& vertex)
+  {
+    const auto [entry, isNew] =
+      this->Border.try_emplace(column | (row << 16), this->Vertices.Count());
+    if (isNew)
+    {
+      this->Vertices.Append(vertex);
+    }
+    return entry->second;
+  }
+
+  TERRAIN_INLINE StripVertex Make(const RefinementFrame& frame, const VertexSite& site,
+    std::uint32_t left, std::uint32_t right) const
+  {
+    StripVertex vertex;
+    vertex.Column = static_cast<std::uint16_t>(site.Column->Sample);
+    vertex.Row = static_cast<std::uint16_t>(site.Row->Sample);
+    vertex.Height = site.Record.Height;
+    vertex.Record = site.Index;
+    if (this->Morphing && !site.Record.IsRough())
+    {
+      const StripVertex& a = this->Vertices[left];
+      const StripVertex& b = this->Vertices[right];
+      vertex.Displacement = 0.5f * (a.Displacement + b.Displacement) -
+        Morph(frame, site) * (vertex.Height - 0.5f * (a.Height + b.Height));
+    }
+    return vertex;
+  }
+
+  /// How far a vertex is from its own height: 1 to 0. See Refinement.h.
+  static float Morph(const RefinementFrame& frame, const VertexSite& site)
+  {
+    constexpr double end = kMorphEnd / kMorphBegin;
+    const double gap = std::sqrt(site.Distance2) - site.Record.Radius() * frame.RadiusScale;
+    const double ratio = site.Record.Error() * frame.ErrorScale / std::max(gap, 1.0e-300);
+    // Not std::clamp, whose branches would wait for the division.
+    return static_cast<float>(std::min(std::max((end - ratio) * (1.0 / (end - 1.0)), 0.0), 1.0));
+  }
+
+  /// True if the diamond of a vertex beyond the raster does not touch it.
+  static bool IsBeyond(const RefinementFrame& frame, const VertexSite& site)
+  {
+    const auto x = static_cast<std::uint32_t>(site.Position);
+    const auto y = static_cast<std::uint32_t>(site.Position >> 32);
+    const std::uint32_t step = 1u << site.Depth->Shift;
+    return x >= frame.LastColumn + step || y >= frame.LastRow + step;
+  }
+
+  /// Index of the vertex of each sample, column + 65536 row, on the last row and column.
+  std::unordered_map<std::uint32_t, std::uint32_t> Border;
 };
 }
 
