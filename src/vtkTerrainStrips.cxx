@@ -88,9 +88,13 @@ terrain::RefinementView ViewOf(vtkCamera* camera, const int size[2], double exag
   }
   else
   {
-    const double angle = vtkMath::RadiansFromDegrees(camera->GetViewAngle());
-    const int pixels = camera->GetUseHorizontalViewAngle() != 0 ? size[0] : size[1];
-    view.PixelsPerUnit = pixels / (2.0 * std::tan(0.5 * angle));
+    const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+    const double tangentY = camera->GetUseHorizontalViewAngle() != 0 ? half / aspect : half;
+    const double tangentX = aspect * tangentY;
+    // A length at an angle from the middle of the picture, and as far from the eye, is drawn up to
+    // 1 / cos^2 = 1 + tan^2 of it longer; most so in the corners.
+    const double stretch = 1.0 + tangentX * tangentX + tangentY * tangentY;
+    view.PixelsPerUnit = stretch * size[1] / (2.0 * tangentY);
   }
   // Left, right, bottom and top; near and far planes depend on what is drawn.
   double planes[24];
@@ -437,7 +441,8 @@ void AddTextureCoordinates(
   output->GetPointData()->SetTCoords(coordinates);
 }
 
-void AddDepthColors(const terrain::StripMesh& mesh, vtkPolyData* output)
+void AddDepthColors(
+  const terrain::StripMesh& mesh, const terrain::HierarchyLayout& layout, vtkPolyData* output)
 {
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("Depth");
@@ -446,7 +451,8 @@ void AddDepthColors(const terrain::StripMesh& mesh, vtkPolyData* output)
   unsigned char* out = colors->GetPointer(0);
   for (const terrain::StripVertex& vertex : mesh.Vertices)
   {
-    DepthColor(vertex.Depth, out);
+    const bool isCorner = vertex.Record >= terrain::StripVertex::NoRecord;
+    DepthColor(isCorner ? 0 : layout.DepthOf(vertex.Record), out);
     out += 3;
   }
   output->GetPointData()->SetScalars(colors);
@@ -469,7 +475,7 @@ void FillOutput(const terrain::StripMesh& mesh, const terrain::HierarchyView& hi
   }
   if (options.LevelColors)
   {
-    AddDepthColors(mesh, output);
+    AddDepthColors(mesh, *hierarchy.Layout, output);
   }
 }
 }

@@ -6,7 +6,9 @@
  *
  * Input: a vtkTerrainHierarchy (SetHierarchy), or an image of heights on port 0, which is prepared
  * in memory once. The hierarchy wins. Further a camera and a viewport, from which comes lambda =
- * viewport height / (2 tan(view angle / 2)), and the tolerance in pixels.
+ * viewport height / (2 tan(view angle / 2) cos^2(angle from the middle of the picture to a
+ * corner)), the most pixels that a unit of length takes at unit distance, and the tolerance in
+ * pixels.
  *
  * Output: vtkPolyData with one generalized triangle strip (or triangles, with TriangleOutput), each
  * point once, counter-clockwise from above, without cracks or T-junctions. Any mapper draws it, any
@@ -19,10 +21,10 @@
  *
  * Every triangle larger than half a cell is within the tolerance: rho = error * lambda / d <=
  * Tolerance, d from the eye to the nearest point of a sphere round the triangles, error the largest
- * vertical distance to the bilinear surface of the heights. Half cells cannot be split. The formula
- * is for the middle of the picture; in its corners distances are drawn up to 1 / cos^2 longer. If
- * part of a triangle has no data it is not drawn, so holes and their surroundings may be up to the
- * tolerance larger.
+ * vertical distance to the bilinear surface of the heights. So no point of the surface is drawn
+ * further than the tolerance from its place, anywhere in the picture. Half cells cannot be split.
+ * If part of a triangle has no data it is not drawn, so holes and their surroundings may be up to
+ * the tolerance larger.
  *
  * A mapper that draws the output must not move it: the camera is in the same coordinates. The
  * filter executes again when the camera moves. The camera's clipping range plays no role; what is

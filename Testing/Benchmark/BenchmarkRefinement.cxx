@@ -1,20 +1,30 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures view-dependent refinement: BenchmarkRefinement [SIZE | FILE]...
+// Measures view-dependent refinement: BenchmarkRefinement [SIZE | FOLDER | FILE]...
 //
-// SIZE is the side of a procedural landscape, which is prepared in memory; FILE a prepared file,
-// over which 200 frames are flown and the resident memory is watched. Without arguments: 1025,
-// 4097. Times are processor time of one thread, median (least to most) of kRepeats runs.
+// SIZE is the side of a procedural landscape, which is prepared in memory; of a FOLDER every raster
+// that vtkTerrainRasterReader reads is; FILE is a prepared file, over which 200 frames are flown
+// and the resident memory is watched. Without arguments: 1025, 4097. Prints rows of a table. Rates
+// are millions of triangles in a second of processor time of one thread, median and best of
+// kRepeats; both procedures take turns, and their ratio is the median of those of each turn.
 #include "core/HierarchyFile.h"
 #include "core/ProceduralTerrain.h"
 #include "core/Refinement.h"
+#include "vtkTerrainHierarchy.h"
+#include "vtkTerrainHierarchyData.h"
 #include "vtkTerrainParallelFor.h"
+#include "vtkTerrainRasterReader.h"
+
+#include <vtkNew.h>
+#include <vtkObject.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -25,7 +35,9 @@
 
 namespace
 {
-constexpr int kRepeats = 9;
+using terrain::RefinementMethod;
+
+constexpr int kRepeats = 15;
 constexpr int kFrames = 200;
 constexpr double kPixelsPerUnit = 720.0 / (2.0 * 0.2679491924311227);
 
@@ -46,23 +58,62 @@ double ResidentMemory()
   return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
 }
 
-/// Runs `refine`, which returns its triangles and indices, and prints the rates.
-void Measure(const char* name, const std::function<std::pair<std::int64_t, std::size_t>()>& refine)
+double Median(std::vector<double> values)
 {
-  std::vector<double> rates;
-  std::pair<std::int64_t, std::size_t> counts = refine();
-  for (int i = 0; i < kRepeats; ++i)
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+struct Counts
+{
+  std::int64_t Triangles = 0;
+  std::size_t Indices = 0;
+
+  double IndicesEach() const
   {
-    const double begin = ThreadSeconds();
-    counts = refine();
-    rates.push_back(1.0e-6 * static_cast<double>(counts.first) / (ThreadSeconds() - begin));
+    return static_cast<double>(this->Indices) /
+      static_cast<double>(std::max<std::int64_t>(1, this->Triangles));
   }
-  std::sort(rates.begin(), rates.end());
-  std::printf("  %-34s %9lld triangles  %.3f indices each  %6.1f Mtri/s (%.1f to %.1f)\n", name,
-    static_cast<long long>(counts.first),
-    static_cast<double>(counts.second) /
-      static_cast<double>(std::max<std::int64_t>(1, counts.first)),
-    rates[rates.size() / 2], rates.front(), rates.back());
+};
+
+using RefineFunction = std::function<Counts(RefinementMethod)>;
+
+/// Prints one row: how fast `refine` is by both procedures.
+void Measure(const std::string& terrain, const char* setting, const RefineFunction& refine)
+{
+  constexpr std::array<RefinementMethod, 2> methods{ { RefinementMethod::Improved,
+    RefinementMethod::Plain } };
+  std::array<std::vector<double>, 2> rates;
+  std::array<Counts, 2> counts;
+  std::vector<double> ratios;
+  for (int turn = -1; turn < kRepeats; ++turn)
+  {
+    std::array<double, 2> rate{};
+    for (std::size_t i = 0; i < methods.size(); ++i)
+    {
+      const double begin = ThreadSeconds();
+      counts[i] = refine(methods[i]);
+      rate[i] = 1.0e-6 * static_cast<double>(counts[i].Triangles) / (ThreadSeconds() - begin);
+    }
+    // The first turn makes memory.
+    if (turn >= 0)
+    {
+      rates[0].push_back(rate[0]);
+      rates[1].push_back(rate[1]);
+      ratios.push_back(rate[0] / rate[1]);
+    }
+  }
+  const auto best = [&](int i) { return *std::max_element(rates[i].begin(), rates[i].end()); };
+  std::printf("| %s | %s | %lld | %.3f | %.3f | %.1f (%.1f) | %.1f (%.1f) | %.2f |\n",
+    terrain.c_str(), setting, static_cast<long long>(counts[0].Triangles), counts[0].IndicesEach(),
+    counts[1].IndicesEach(), Median(rates[0]), best(0), Median(rates[1]), best(1), Median(ratios));
+  std::fflush(stdout);
+}
+
+void PrintHeader()
+{
+  std::printf("| terrain | setting | triangles | indices each | plain | Mtri/s (best) "
+              "| plain | improved / plain |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n");
 }
 
 /// A view over the terrain's south-western quarter to the north-east; 60 degrees wide.
@@ -86,38 +137,35 @@ terrain::RefinementView MakeView(const terrain::HierarchyView& hierarchy, double
   return view;
 }
 
-void MeasureRefinement(const terrain::HierarchyView& hierarchy)
+void MeasureRefinement(const std::string& name, const terrain::HierarchyView& hierarchy)
 {
   terrain::Refiner refiner(hierarchy);
   const terrain::RefinementView view = MakeView(hierarchy, 0.0);
-  for (const bool plain : { false, true })
-  {
-    terrain::RefinementOptions options;
-    options.Method = plain ? terrain::RefinementMethod::Plain : terrain::RefinementMethod::Improved;
-    std::vector<std::uint32_t> strip;
-    Measure(plain ? "plain, distance" : "improved, distance",
-      [&]
-      {
-        const std::int64_t triangles = refiner.RefineByDistance(view, 40.0, options.Method, strip);
-        return std::make_pair(triangles, strip.size());
-      });
-    terrain::StripMesh mesh;
-    const auto refine = [&]
+  std::vector<std::uint32_t> strip;
+  Measure(name, "distance",
+    [&](RefinementMethod method)
     {
-      refiner.Refine(view, options, mesh);
-      return std::make_pair(mesh.Triangles, mesh.Strip.size());
-    };
-    options.Culling = terrain::CullingMethod::None;
-    Measure(plain ? "plain, error" : "improved, error", refine);
-    options.Culling = terrain::CullingMethod::Nested;
-    options.Morphing = true;
-    Measure(plain ? "plain, error, culling, morph" : "improved, error, culling, morph", refine);
-    options.Culling = terrain::CullingMethod::Lazy;
-    Measure(plain ? "plain, error, lazy, morph" : "improved, error, lazy, morph", refine);
-  }
+      const std::int64_t triangles = refiner.RefineByDistance(view, 40.0, method, strip);
+      return Counts{ triangles, strip.size() };
+    });
+  terrain::RefinementOptions options;
+  terrain::StripMesh mesh;
+  const auto refine = [&](RefinementMethod method)
+  {
+    options.Method = method;
+    refiner.Refine(view, options, mesh);
+    return Counts{ mesh.Triangles, mesh.Strip.size() };
+  };
+  options.Culling = terrain::CullingMethod::None;
+  Measure(name, "error", refine);
+  options.Culling = terrain::CullingMethod::Nested;
+  options.Morphing = true;
+  Measure(name, "error, nested culling, morph", refine);
+  options.Culling = terrain::CullingMethod::Lazy;
+  Measure(name, "error, lazy culling, morph", refine);
 }
 
-void MeasureProcedural(std::int64_t size)
+int MeasureProcedural(std::int64_t size)
 {
   terrain::ProceduralTerrainParameters parameters;
   parameters.Width = size;
@@ -131,24 +179,53 @@ void MeasureProcedural(std::int64_t size)
     landscape.Sample(0, first, size, count, heights, vtkTerrainParallelFor);
     return std::string();
   };
-  const auto begin = std::chrono::steady_clock::now();
   const std::string error =
     terrain::BuildHierarchy(hierarchy, size, size, geometry, rows, vtkTerrainParallelFor, {});
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  std::printf("procedural %lld x %lld, made and prepared in %.2f s, %.0f MiB %s\n",
-    static_cast<long long>(size), static_cast<long long>(size), seconds.count(),
-    static_cast<double>(hierarchy.Layout.RecordCount()) * 12.0 / 1048576.0, error.c_str());
-  MeasureRefinement(hierarchy.View());
+  if (!error.empty())
+  {
+    std::fprintf(stderr, "%lld: %s\n", static_cast<long long>(size), error.c_str());
+    return 1;
+  }
+  MeasureRefinement("procedural " + std::to_string(size), hierarchy.View());
+  return 0;
 }
 
-int MeasureFile(const char* path)
+/// Every raster in a folder; what cannot be read is left out.
+int MeasureFolder(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  for (const std::filesystem::path& path : paths)
+  {
+    vtkNew<vtkTerrainRasterReader> reader;
+    reader->SetFileName(path.string());
+    if (reader->CanReadFile(path.c_str()) == 0)
+    {
+      continue;
+    }
+    reader->Update();
+    vtkNew<vtkTerrainHierarchy> hierarchy;
+    if (reader->GetErrorMessage()[0] == '\0' && hierarchy->SetHeights(reader->GetOutput()))
+    {
+      MeasureRefinement(path.filename().string(), hierarchy->GetData()->View());
+    }
+  }
+  return 0;
+}
+
+/// Flies over a prepared file, then measures it.
+int MeasureFile(const std::string& path)
 {
   terrain::HierarchyFile file;
   const double before = ResidentMemory();
   const std::string error = file.Open(path, false);
   if (!error.empty())
   {
-    std::fprintf(stderr, "%s: %s\n", path, error.c_str());
+    std::fprintf(stderr, "%s: %s\n", path.c_str(), error.c_str());
     return 1;
   }
   terrain::Refiner refiner(file.View());
@@ -158,37 +235,40 @@ int MeasureFile(const char* path)
   terrain::StripMesh mesh;
   double largest = before;
   std::int64_t triangles = 0;
+  const auto begin = std::chrono::steady_clock::now();
   for (int frame = 0; frame < kFrames; ++frame)
   {
     refiner.Refine(MakeView(file.View(), frame / static_cast<double>(kFrames)), options, mesh);
     largest = std::max(largest, ResidentMemory());
     triangles += mesh.Triangles;
   }
-  std::printf("%s: %.0f MiB, resident %.0f MiB more in %d frames (%.1f %%), %.0f triangles each\n",
-    path, static_cast<double>(file.Size()) / 1048576.0, largest - before, kFrames,
-    100.0 * 1048576.0 * (largest - before) / static_cast<double>(file.Size()),
-    static_cast<double>(triangles) / kFrames);
-  MeasureRefinement(file.View());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  std::printf("\n%s: %.0f MiB; %d frames of %.0f triangles in %.1f s, resident %.0f MiB more "
+              "(%.1f %%)\n\n",
+    path.c_str(), static_cast<double>(file.Size()) / 1048576.0, kFrames,
+    static_cast<double>(triangles) / kFrames, seconds.count(), largest - before,
+    100.0 * 1048576.0 * (largest - before) / static_cast<double>(file.Size()));
+  PrintHeader();
+  MeasureRefinement(std::filesystem::path(path).filename().string(), file.View());
   return file.IsDamaged() ? 1 : 0;
 }
 }
 
 int main(int argc, char** argv)
 {
+  vtkObject::GlobalWarningDisplayOff();
   const std::vector<std::string> standard{ "1025", "4097" };
   const std::vector<std::string> arguments =
     argc > 1 ? std::vector<std::string>(argv + 1, argv + argc) : standard;
   int status = 0;
+  PrintHeader();
   for (const std::string& argument : arguments)
   {
-    if (argument.find_first_not_of("0123456789") == std::string::npos)
-    {
-      MeasureProcedural(std::atoll(argument.c_str()));
-    }
-    else
-    {
-      status = std::max(status, MeasureFile(argument.c_str()));
-    }
+    const bool isSize = argument.find_first_not_of("0123456789") == std::string::npos;
+    status = std::max(status,
+      isSize                                      ? MeasureProcedural(std::atoll(argument.c_str()))
+        : std::filesystem::is_directory(argument) ? MeasureFolder(argument)
+                                                  : MeasureFile(argument));
   }
   return status;
 }
