@@ -10,8 +10,8 @@
 #include "VectorFile.h"
 
 #include "vtkActor.h"
-#include "vtkBillboardTextActor3D.h"
 #include "vtkCamera.h"
+#include "vtkCoordinate.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -24,10 +24,13 @@
 #include "vtkTerrainDrape.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainGraticule.h"
+#include "vtkTerrainViewpoint.h"
+#include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace
 {
@@ -84,10 +87,10 @@ void AddActor(
   renderer->AddActor(actor);
 }
 
-void AddTrack(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options,
-  Statistics& statistics)
+/// Adds the points and lines of a file; returns their number of points as drawn.
+vtkIdType AddTrack(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options,
+  const std::string& path)
 {
-  const std::string& path = options.Place.Track;
   const vtkNew<vtkTerrainDrape> drape;
   drape->SetInputData(ReadVectors(path, heights.Georeference));
   drape->SetHeightsData(heights.Image);
@@ -100,26 +103,39 @@ void AddTrack(vtkRenderer* renderer, const PlacedHeights& heights, const Options
   {
     throw Failure(path, "it does not meet the terrain");
   }
-  statistics.SetCount("track_points", lines->GetNumberOfPoints());
   AddActor(renderer, lines, kTrackColor, Pixels(kTrackWidth, options), Pixels(kPointSize, options));
+  return lines->GetNumberOfPoints();
 }
 
-void AddLabels(vtkRenderer* renderer, vtkPolyData* labels, const Options& options)
+/// Texts at points of the terrain that the eye sees.
+void AddLabels(
+  vtkRenderer* renderer, vtkPolyData* labels, const PlacedHeights& heights, const Options& options)
 {
   auto* texts = vtkStringArray::SafeDownCast(labels->GetPointData()->GetAbstractArray("Label"));
-  BringNearer(labels->GetPoints(), renderer->GetActiveCamera());
+  vtkCamera* camera = renderer->GetActiveCamera();
+  BringNearer(labels->GetPoints(), camera);
+  const vtkNew<vtkTerrainViewpoint> viewpoint;
+  viewpoint->SetHeights(heights.Image);
+  viewpoint->SetExaggeration(options.Exaggeration);
+  viewpoint->SetRefraction(1.0); // straight lines, as the picture has them
   for (vtkIdType i = 0; texts && i < labels->GetNumberOfPoints(); ++i)
   {
-    const vtkNew<vtkBillboardTextActor3D> label;
+    if (!viewpoint->IsVisible(camera->GetPosition(), labels->GetPoint(i)))
+    {
+      continue;
+    }
+    const vtkNew<vtkTextActor> label;
     label->SetInput(texts->GetValue(i).c_str());
-    label->SetPosition(labels->GetPoint(i));
+    label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    label->GetPositionCoordinate()->SetValue(labels->GetPoint(i));
     vtkTextProperty* property = label->GetTextProperty();
     property->SetFontSize(static_cast<int>(Pixels(kLabelSize, options)));
     property->SetColor(kGraticuleColor[0], kGraticuleColor[1], kGraticuleColor[2]);
     property->SetBackgroundColor(1.0, 1.0, 1.0);
-    property->SetBackgroundOpacity(1.0);
+    property->SetBackgroundOpacity(0.75);
     property->SetJustificationToCentered();
-    renderer->AddActor(label);
+    property->SetVerticalJustificationToCentered();
+    renderer->AddActor2D(label);
   }
 }
 
@@ -136,7 +152,7 @@ void AddGraticule(vtkRenderer* renderer, const PlacedHeights& heights, const Opt
   {
     AddActor(
       renderer, graticule->GetOutput(), kGraticuleColor, Pixels(kGraticuleWidth, options), 1.0);
-    AddLabels(renderer, graticule->GetOutput(1), options);
+    AddLabels(renderer, graticule->GetOutput(1), heights, options);
   }
 }
 }
@@ -149,8 +165,13 @@ void AddLines(vtkRenderer* renderer, const PlacedHeights& heights, const Options
   {
     AddGraticule(renderer, heights, options);
   }
-  if (!options.Place.Track.empty())
+  vtkIdType points = 0;
+  for (const std::string& path : options.Place.Tracks)
   {
-    AddTrack(renderer, heights, options, statistics);
+    points += AddTrack(renderer, heights, options, path);
+  }
+  if (points > 0)
+  {
+    statistics.SetCount("track_points", points);
   }
 }

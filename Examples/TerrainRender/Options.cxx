@@ -179,26 +179,33 @@ void CheckTechnique(const Options& options)
   {
     Refuse("--pixel-tolerance", "is for the technique pyramid only");
   }
+  if (options.Search == Technique::Strips && !options.Place.Drape.empty())
+  {
+    Refuse("--drape", "does not go with --technique strips");
+  }
 }
 
-/// No file may be named twice, or the input would be written over, or one output by the other.
+/// No output may have the name of an input, which would be written over, or of another output.
 void CheckFiles(const Options& options)
 {
-  const std::array<std::pair<const char*, const std::string*>, 5> files = {
-    { { "HEIGHTS", &options.Heights }, { "--track", &options.Place.Track },
-      { "--output", &options.Output }, { "--depth", &options.Depth },
-      { "--stats", &options.Stats } }
-  };
-  constexpr std::size_t kInputs = 2;
-  for (std::size_t i = kInputs; i < files.size(); ++i)
+  std::vector<std::pair<const char*, std::string>> files = { { "HEIGHTS", options.Heights },
+    { "--drape", options.Place.Drape } };
+  for (const std::string& track : options.Place.Tracks)
   {
-    for (std::size_t j = 0; j < i; ++j)
+    files.emplace_back("--track", track);
+  }
+  for (const auto& [option, output] :
+    { std::pair<const char*, std::string>{ "--output", options.Output },
+      { "--depth", options.Depth }, { "--stats", options.Stats } })
+  {
+    for (const auto& [other, name] : files)
     {
-      if (!files[i].second->empty() && *files[i].second == *files[j].second)
+      if (!output.empty() && output == name)
       {
-        Refuse(files[i].first, "'" + *files[i].second + "' is " + files[j].first + " already");
+        Refuse(option, "'" + output + "' is " + other + " already");
       }
     }
+    files.emplace_back(option, output);
   }
   if (options.Output.empty())
   {

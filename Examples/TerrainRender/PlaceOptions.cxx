@@ -123,9 +123,10 @@ void CheckView(const PlaceOptions& options)
 //------------------------------------------------------------------------------
 const char* PlaceOptions::FirstThatNeedsPlaces() const
 {
-  const std::array<std::pair<const char*, bool>, 4> needs = {
+  const std::array<std::pair<const char*, bool>, 5> needs = {
     { { "--look-from", !this->LookFrom.empty() }, { "--sun", !this->Sun.empty() },
-      { "--track", !this->Track.empty() }, { "--graticule", this->Graticule.has_value() } }
+      { "--drape", !this->Drape.empty() }, { "--track", !this->Tracks.empty() },
+      { "--graticule", this->Graticule.has_value() } }
   };
   for (const auto& [option, isGiven] : needs)
   {
@@ -167,7 +168,12 @@ void PlaceArguments::Declare(CLI::App& app, PlaceOptions& options)
     "heights count from: as-is (default), ellipsoid, geoid (sea level)")
     ->transform(OneOf(kVerticals));
   add("--geoid", options.Geoid, "NAME", "geoid data of GeographicLib; default egm96-5");
-  add("--track", options.Track, "FILE", "points and lines: GPX, or any vector file GDAL opens");
+  add("--drape", options.Drape, "FILE",
+    "picture of any CRS to lay onto the terrain; not with --technique strips");
+  add("--track", options.Tracks, "FILE",
+    "points and lines: GPX, or any vector file GDAL opens; may be given more than once")
+    ->allow_extra_args(false)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add("--track-mode", options.TrackMode, "NAME",
     "the track lies on the ground: clamped (default), at its heights above it: agl, or at its "
     "own heights: absolute")

@@ -14,6 +14,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI
 {
@@ -40,8 +41,10 @@ struct PlaceOptions
   /// Name of geoid data; empty for the default.
   std::string Geoid;
 
-  /// File of points and lines; empty for none.
-  std::string Track;
+  /// File of a picture; empty for none.
+  std::string Drape;
+  /// Files of points and lines.
+  std::vector<std::string> Tracks;
   vtkTerrainDrape::ModeType TrackMode = vtkTerrainDrape::ModeType::Clamped;
 
   /// Places of the eye and of what it looks at, both or none.

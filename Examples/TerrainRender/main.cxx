@@ -6,6 +6,7 @@
  * is 0, 2 for a wrong command line, 1 otherwise, with one line on stderr and no output left behind.
  */
 #include "Annotations.h"
+#include "Draping.h"
 #include "Failure.h"
 #include "Frames.h"
 #include "Messages.h"
@@ -43,6 +44,7 @@ void Render(const Options& options)
   const PlacedHeights heights =
     PlaceHeights(ReadHeights(options, *progress, statistics), options, *progress, statistics);
   const Terrain terrain = PrepareTerrain(heights.Image, options, *progress, statistics);
+  DrapePicture(terrain, heights, options, statistics);
   progress.reset();
 
   const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(options);

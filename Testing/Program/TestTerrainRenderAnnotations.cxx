@@ -216,3 +216,70 @@ TEST_F(TerrainRenderAnnotations, SunRisesInTheEast)
   this->ExpectDrawn(night, 3000);
   EXPECT_NE(night.Errors.find("night"), std::string::npos) << night.Errors;
 }
+
+TEST_F(TerrainRenderAnnotations, PictureOfAnotherSystem)
+{
+  // in UTM, over the western part of the ridge only: red, green in its northern half, and a corner
+  // without data
+  RasterDescription photo;
+  photo.Width = 100;
+  photo.Height = 240;
+  photo.Bands = 3;
+  photo.IsBytes = true;
+  photo.CoordinateSystem = "EPSG:32645";
+  photo.GeoTransform = { 490642.6, 10.0, 0.0, 3098405.3, 0.0, -10.0 };
+  photo.HasNoData = true;
+  photo.NoData = 0.0;
+  photo.Sample = [](int, int j) { return j < 120 ? 60.0 : 200.0; };
+  const std::string path = this->WriteRaster("photo.tif", photo);
+  const Picture bare = this->DrawPicture(kAbove);
+  const Picture picture = this->DrawPicture(Above({ "--drape", path }));
+  const auto differs = [&](int column, int row)
+  { return std::abs(picture.At(column, row, 2) - bare.At(column, row, 2)) > 15; };
+  // the border of the picture is the middle of the ridge, where the view's middle is
+  for (const int row : { 45, 55, 65, 75 })
+  {
+    EXPECT_TRUE(differs(77, row)) << row;
+    EXPECT_FALSE(differs(83, row)) << row;
+  }
+  // grey, dark in its northern half
+  EXPECT_LT(picture.At(75, 57, 0) + 30, picture.At(75, 63, 0));
+  EXPECT_NEAR(picture.At(75, 63, 0), picture.At(75, 63, 1), 25);
+}
+
+TEST_F(TerrainRenderAnnotations, PicturesThatCannotBeDraped)
+{
+  const auto refuse = [this](const std::string& path, const std::string& mention)
+  {
+    const std::vector<std::string> before = this->ListFiles();
+    ExpectRefused(this->Draw(this->Heights, { "--drape", path }), 1, mention);
+    EXPECT_EQ(this->ListFiles(), before);
+  };
+  RasterDescription photo;
+  photo.Width = 10;
+  photo.Height = 10;
+  photo.Bands = 3;
+  photo.IsBytes = true;
+  photo.Sample = [](int, int) { return 100.0; };
+  refuse(this->Path("nowhere.tif"), "nowhere.tif");
+  refuse(this->WriteText("text.tif", "This is no picture.\n"), "text.tif");
+  refuse(this->WriteRaster("bare.tif", photo), "no coordinate system");
+  photo.CoordinateSystem = "EPSG:32633";
+  photo.GeoTransform = { 491642.6, 10.0, 0.0, 3097205.3, 0.0, -10.0 };
+  refuse(this->WriteRaster("far.tif", photo), "does not meet the terrain");
+  photo.CoordinateSystem = "EPSG:4326";
+  refuse(this->WriteRaster("odd.tif", photo), "degrees");
+}
+
+TEST_F(TerrainRenderAnnotations, IslandOfTheExample)
+{
+  const std::string folder = TERRAIN_RENDER_ISLAND_DIR;
+  const RunResult result = this->Draw(folder + "/heights.tif",
+    { "--drape", folder + "/photo.tif", "--track", folder + "/route.gpx", "--track",
+      folder + "/huts.geojson", "--graticule", "degrees", "--look-from", "-18.13,64.94,5200",
+      "--look-at", "-18.009,64.996", "--sun", "2024-06-21T09:00Z", "--scale-bar",
+      "--north-arrow" });
+  this->ExpectDrawn(result, 8000);
+  EXPECT_EQ(result.Errors, "");
+  EXPECT_GT(CountRed(this->ReadPicture()), 40);
+}

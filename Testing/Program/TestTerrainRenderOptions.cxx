@@ -64,6 +64,8 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--sun", "noon" }, "noon" }, { { "--sun", "2024-02-30T12:00" }, "calendar" },
   { { "--sun", "1850-02-28T12:00" }, "1850" }, { { "--graticule", "miles" }, "miles" },
   { { "--track-mode", "flying" }, "flying" },
+  { { "--drape", "a.png", "--output", "a.png" }, "a.png" },
+  { { "--drape", "a.png", "--technique", "strips" }, "strips" },
   { { "--track", "a.json", "--stats", "a.json" }, "a.json" } };
 }
 
@@ -82,11 +84,12 @@ TEST_F(TerrainRenderOptions, HelpAndVersionAreNoErrors)
 {
   const RunResult help = this->Run({ "--help" });
   EXPECT_EQ(help.Status, 0);
-  for (const char* option : { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells",
-         "--camera", "--view-angle", "--exaggeration", "--depth", "--window", "--frames", "--stats",
-         "--crs", "--frame", "--curvature", "--origin", "--utm-zone", "--cell", "--cubic",
-         "--vertical", "--geoid", "--track", "--track-mode", "--look-from", "--look-at", "--sun",
-         "--graticule", "--scale-bar", "--north-arrow", "--pixel-tolerance", "--crossings" })
+  for (const char* option :
+    { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells", "--camera", "--view-angle",
+      "--exaggeration", "--depth", "--window", "--frames", "--stats", "--crs", "--frame",
+      "--curvature", "--origin", "--utm-zone", "--cell", "--cubic", "--vertical", "--geoid",
+      "--drape", "--track", "--track-mode", "--look-from", "--look-at", "--sun", "--graticule",
+      "--scale-bar", "--north-arrow", "--pixel-tolerance", "--crossings" })
   {
     EXPECT_NE(help.Output.find(option), std::string::npos) << option;
   }

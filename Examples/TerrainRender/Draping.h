@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A picture on the terrain.
+ */
+#ifndef terrain_render_Draping_h
+#define terrain_render_Draping_h
+
+class Statistics;
+struct Options;
+struct PlacedHeights;
+struct Terrain;
+
+/// Lays the picture that the options ask for onto the terrain, of which it may cover a part. Throws
+/// a Failure: no picture, no coordinate system, no overlap.
+void DrapePicture(const Terrain& terrain, const PlacedHeights& heights, const Options& options,
+  Statistics& statistics);
+
+#endif
