@@ -4,6 +4,7 @@
 
 #include "core/SurfacePath.h"
 #include "vtkTerrainHeightfield.h"
+#include "vtkTerrainSetting.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -220,11 +221,7 @@ void vtkTerrainDrape::SetHeightsConnection(vtkAlgorithmOutput* heights)
 
 void vtkTerrainDrape::SetMode(ModeType mode)
 {
-  if (this->Mode != mode)
-  {
-    this->Mode = mode;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->Mode, mode);
 }
 
 int vtkTerrainDrape::FillInputPortInformation(int port, vtkInformation* info)

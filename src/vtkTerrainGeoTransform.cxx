@@ -3,6 +3,7 @@
 #include "vtkTerrainGeoTransform.h"
 
 #include "vtkTerrainGeoreference.h"
+#include "vtkTerrainSetting.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -45,11 +46,7 @@ vtkTerrainGeoTransform::~vtkTerrainGeoTransform() = default;
 
 void vtkTerrainGeoTransform::SetGeoreference(vtkTerrainGeoreference* georeference)
 {
-  if (this->Georeference != georeference)
-  {
-    this->Georeference = georeference;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->Georeference, georeference);
 }
 
 vtkTerrainGeoreference* vtkTerrainGeoTransform::GetGeoreference() const
@@ -59,11 +56,7 @@ vtkTerrainGeoreference* vtkTerrainGeoTransform::GetGeoreference() const
 
 void vtkTerrainGeoTransform::SetSource(SourceType source)
 {
-  if (this->Source != source)
-  {
-    this->Source = source;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->Source, source);
 }
 
 vtkMTimeType vtkTerrainGeoTransform::GetMTime()

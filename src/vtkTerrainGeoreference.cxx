@@ -6,6 +6,7 @@
 #include "core/GridReference.h"
 #include "core/HeightUnits.h"
 #include "vtkTerrainGeoreferenceInternals.h"
+#include "vtkTerrainSetting.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
@@ -39,11 +40,7 @@ vtkMTimeType vtkTerrainGeoreference::GetMTime()
 
 void vtkTerrainGeoreference::SetCoordinateSystem(const std::string& definition)
 {
-  if (this->CoordinateSystem != definition)
-  {
-    this->CoordinateSystem = definition;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->CoordinateSystem, definition);
 }
 
 void vtkTerrainGeoreference::SetExtent(double xMin, double xMax, double yMin, double yMax)
@@ -58,11 +55,7 @@ void vtkTerrainGeoreference::SetExtent(double xMin, double xMax, double yMin, do
 
 void vtkTerrainGeoreference::SetFrame(FrameType frame)
 {
-  if (this->Frame != frame)
-  {
-    this->Frame = frame;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->Frame, frame);
 }
 
 void vtkTerrainGeoreference::SetOrigin(double longitude, double latitude, double height)
@@ -108,20 +101,12 @@ void vtkTerrainGeoreference::SetHeightUnit(double metres)
 
 void vtkTerrainGeoreference::SetFileHeights(HeightType heights)
 {
-  if (this->FileHeights != heights)
-  {
-    this->FileHeights = heights;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->FileHeights, heights);
 }
 
 void vtkTerrainGeoreference::SetSceneHeights(HeightType heights)
 {
-  if (this->SceneHeights != heights)
-  {
-    this->SceneHeights = heights;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->SceneHeights, heights);
 }
 
 double vtkTerrainGeoreference::HeightUnitFromName(const std::string& name)

@@ -8,6 +8,7 @@
 #include "vtkTerrainDrape.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainHeightfield.h"
+#include "vtkTerrainSetting.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -94,11 +95,7 @@ vtkTerrainGraticule::~vtkTerrainGraticule() = default;
 
 void vtkTerrainGraticule::SetGeoreference(vtkTerrainGeoreference* georeference)
 {
-  if (this->Georeference != georeference)
-  {
-    this->Georeference = georeference;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->Georeference, georeference);
 }
 
 vtkTerrainGeoreference* vtkTerrainGraticule::GetGeoreference() const
@@ -108,11 +105,7 @@ vtkTerrainGeoreference* vtkTerrainGraticule::GetGeoreference() const
 
 void vtkTerrainGraticule::SetGrid(GridType grid)
 {
-  if (this->Grid != grid)
-  {
-    this->Grid = grid;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->Grid, grid);
 }
 
 vtkMTimeType vtkTerrainGraticule::GetMTime()

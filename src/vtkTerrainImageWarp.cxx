@@ -5,6 +5,7 @@
 #include "core/HeightSampling.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainHeightfield.h"
+#include "vtkTerrainSetting.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
@@ -415,20 +416,12 @@ vtkTerrainImageWarp::~vtkTerrainImageWarp() = default;
 
 void vtkTerrainImageWarp::SetFileName(const std::string& fileName)
 {
-  if (this->FileName != fileName)
-  {
-    this->FileName = fileName;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->FileName, fileName);
 }
 
 void vtkTerrainImageWarp::SetGeoreference(vtkTerrainGeoreference* georeference)
 {
-  if (this->Georeference != georeference)
-  {
-    this->Georeference = georeference;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->Georeference, georeference);
 }
 
 vtkTerrainGeoreference* vtkTerrainImageWarp::GetGeoreference() const
@@ -438,11 +431,7 @@ vtkTerrainGeoreference* vtkTerrainImageWarp::GetGeoreference() const
 
 void vtkTerrainImageWarp::SetCoordinateSystem(const std::string& definition)
 {
-  if (this->CoordinateSystem != definition)
-  {
-    this->CoordinateSystem = definition;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->CoordinateSystem, definition);
 }
 
 vtkMTimeType vtkTerrainImageWarp::GetMTime()

@@ -4,6 +4,7 @@
 
 #include "vtkTerrainRasterFile.h"
 #include "vtkTerrainRasterPiece.h"
+#include "vtkTerrainSetting.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -260,11 +261,7 @@ void vtkTerrainRasterReader::SetFileName(const char* fileName)
 //------------------------------------------------------------------------------
 void vtkTerrainRasterReader::SetFileName(const std::string& fileName)
 {
-  if (this->FileName != fileName)
-  {
-    this->FileName = fileName;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->FileName, fileName);
 }
 
 //------------------------------------------------------------------------------
@@ -276,11 +273,7 @@ const char* vtkTerrainRasterReader::GetFileName() const
 //------------------------------------------------------------------------------
 void vtkTerrainRasterReader::SetCoordinateSystem(const std::string& definition)
 {
-  if (this->CoordinateSystem != definition)
-  {
-    this->CoordinateSystem = definition;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->CoordinateSystem, definition);
 }
 
 //------------------------------------------------------------------------------

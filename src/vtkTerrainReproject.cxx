@@ -6,6 +6,7 @@
 #include "vtkTerrainFieldData.h"
 #include "vtkTerrainHeightfield.h"
 #include "vtkTerrainReprojectInternals.h"
+#include "vtkTerrainSetting.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
@@ -99,20 +100,12 @@ vtkTerrainGeoreference* vtkTerrainReproject::GetGeoreference() const
 
 void vtkTerrainReproject::SetCoordinateSystem(const std::string& definition)
 {
-  if (this->CoordinateSystem != definition)
-  {
-    this->CoordinateSystem = definition;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->CoordinateSystem, definition);
 }
 
 void vtkTerrainReproject::SetInterpolation(InterpolationType interpolation)
 {
-  if (this->Interpolation != interpolation)
-  {
-    this->Interpolation = interpolation;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->Interpolation, interpolation);
 }
 
 vtkMTimeType vtkTerrainReproject::GetMTime()

@@ -8,6 +8,7 @@
 #include "core/SurfacePath.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainHeightfield.h"
+#include "vtkTerrainSetting.h"
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
@@ -122,11 +123,7 @@ vtkTerrainViewpoint::~vtkTerrainViewpoint() = default;
 
 void vtkTerrainViewpoint::SetGeoreference(vtkTerrainGeoreference* georeference)
 {
-  if (this->Georeference != georeference)
-  {
-    this->Georeference = georeference;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->Georeference, georeference);
 }
 
 vtkTerrainGeoreference* vtkTerrainViewpoint::GetGeoreference() const
@@ -136,11 +133,7 @@ vtkTerrainGeoreference* vtkTerrainViewpoint::GetGeoreference() const
 
 void vtkTerrainViewpoint::SetHeights(vtkImageData* heights)
 {
-  if (this->Heights != heights)
-  {
-    this->Heights = heights;
-    this->Modified();
-  }
+  vtkTerrainSetting::Set(this, this->Heights, heights);
 }
 
 vtkImageData* vtkTerrainViewpoint::GetHeights() const
