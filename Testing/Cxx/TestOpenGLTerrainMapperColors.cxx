@@ -10,14 +10,18 @@
 #include "vtkFloatArray.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkTerrainPicker.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -139,9 +143,96 @@ vtkSmartPointer<vtkImageData> makePicture(int components)
   picture->GetPointData()->SetScalars(texels);
   return picture;
 }
+
+/// What a picture with alpha within bounds makes of a colour, over all of the hills.
+vtkSmartPointer<vtkImageData> composite(
+  vtkImageData* picture, const double bounds[4], const double color[3])
+{
+  constexpr int side = 1024;
+  const int* size = picture->GetDimensions();
+  vtkNew<vtkUnsignedCharArray> texels;
+  texels->SetNumberOfComponents(3);
+  texels->SetNumberOfTuples(vtkIdType{ side } * side);
+  for (vtkIdType index = 0; index < texels->GetNumberOfTuples(); ++index)
+  {
+    const double x = 400.0 * (index % side) / (side - 1);
+    const double y = 384.0 * static_cast<double>(index / side) / (side - 1);
+    const auto i = static_cast<int>(size[0] * (x - bounds[0]) / (bounds[1] - bounds[0]));
+    const auto j = static_cast<int>(size[1] * (y - bounds[2]) / (bounds[3] - bounds[2]));
+    const bool within = x > bounds[0] && x < bounds[1] && y > bounds[2] && y < bounds[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      const double alpha = within ? picture->GetScalarComponentAsDouble(i, j, 0, 3) / 255.0 : 0.0;
+      const double above = within ? picture->GetScalarComponentAsDouble(i, j, 0, c) : 0.0;
+      texels->SetComponent(index, c, alpha * above + (1.0 - alpha) * 255.0 * color[c]);
+    }
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(side, side, 1);
+  image->GetPointData()->SetScalars(texels);
+  return image;
+}
+
+constexpr double Azimuth = 60.0;
+constexpr double Altitude = 35.0;
+
+/// Colours the cells of a mesh by their slope and aspect as a sun would.
+void shadeCells(vtkPolyData* mesh, vtkMapper* mapper, vtkActor* actor)
+{
+  vtkDataArray* slopes = mesh->GetCellData()->GetArray("Slope");
+  vtkDataArray* aspects = mesh->GetCellData()->GetArray("Aspect");
+  const double altitude = vtkMath::RadiansFromDegrees(Altitude);
+  const double* color = actor->GetProperty()->GetColor();
+  vtkNew<vtkUnsignedCharArray> shades;
+  shades->SetName("Shade");
+  shades->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < slopes->GetNumberOfTuples(); ++i)
+  {
+    const double slope = vtkMath::RadiansFromDegrees(slopes->GetTuple1(i));
+    const double turn = vtkMath::RadiansFromDegrees(Azimuth - aspects->GetTuple1(i));
+    const double cosine =
+      std::sin(altitude) * std::cos(slope) + std::cos(altitude) * std::sin(slope) * std::cos(turn);
+    const double shade = 255.0 * std::max(0.0, cosine);
+    shades->InsertNextTuple3(shade * color[0], shade * color[1], shade * color[2]);
+  }
+  mesh->GetCellData()->AddArray(shades);
+  colorBy(mapper, "Shade", true, 0.0, 1.0);
+}
 }
 
 //------------------------------------------------------------------------------
+TEST(OpenGLTerrainMapperColors, TranslucentTable)
+{
+  auto color = [](vtkMapper* mapper, vtkActor*)
+  {
+    colorBy(mapper, "heights", false, 60.0, 140.0);
+    const auto table = makeTable();
+    table->SetAlphaRange(0.1, 0.9);
+    table->ForceBuild();
+    mapper->SetLookupTable(table);
+  };
+  auto layered = [&](vtkMapper* mapper, vtkActor* actor)
+  {
+    color(mapper, actor);
+    static_cast<vtkOpenGLTerrainMapper*>(mapper)->SetMaximumLayers(8);
+  };
+  EXPECT_TRUE(DrawsAsThePlainMesh(layered, color));
+}
+
+TEST(OpenGLTerrainMapperColors, TheTableHasTheMappersRange)
+{
+  vtkNew<vtkLookupTable> table;
+  auto color = [&](TerrainScene&, const TerrainProp& terrain)
+  {
+    terrain.Mapper->ScalarVisibilityOn();
+    terrain.Mapper->SetLookupTable(table);
+    terrain.Mapper->SetScalarRange(75.0, 125.0);
+  };
+  vtkTerrainTesting::DrawScene(color);
+  EXPECT_EQ(table->GetRange()[0], 75.0); // which a scalar bar shows
+  EXPECT_EQ(table->GetRange()[1], 125.0);
+}
+
 TEST(OpenGLTerrainMapperColors, HeightsThroughATable)
 {
   auto color = [](vtkMapper* mapper, vtkActor*)
@@ -299,4 +390,107 @@ TEST(OpenGLTerrainMapperColors, DrapeOverTheWholeTerrain)
     actor->GetProperty()->SetDiffuse(0.0);
   };
   EXPECT_TRUE(DrawsAsThePlainMesh(white, mesh));
+}
+
+TEST(OpenGLTerrainMapperColors, DrapeWithAlphaOverAPart)
+{
+  constexpr double bounds[4] = { 100.0, 300.0, 96.0, 288.0 };
+  auto dim = [](vtkActor* actor)
+  {
+    actor->GetProperty()->SetAmbient(1.0);
+    actor->GetProperty()->SetDiffuse(0.0);
+  };
+  auto terrain = [&](vtkMapper* mapper, vtkActor* actor)
+  {
+    const auto picture = makePicture(4);
+    picture->SetSpacing(200.0 / 256.0, 192.0 / 256.0, 1.0);
+    picture->SetOrigin(100.0 + 100.0 / 256.0, 96.0 + 96.0 / 256.0, 0.0);
+    static_cast<vtkOpenGLTerrainMapper*>(mapper)->SetDrape(picture); // the bounds above
+    dim(actor);
+  };
+  auto mesh = [&](vtkMapper*, vtkActor* actor)
+  {
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(composite(makePicture(4), bounds, actor->GetProperty()->GetColor()));
+    texture->InterpolateOn();
+    actor->SetTexture(texture);
+    actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+    dim(actor);
+  };
+  Demands demands;
+  demands.Share = 0.98; // edges of squares are blurred by different texels
+  EXPECT_TRUE(DrawsAsThePlainMesh(terrain, mesh, demands));
+}
+
+TEST(OpenGLTerrainMapperColors, Hillshade)
+{
+  auto terrain = [](vtkMapper* mapper, vtkActor*)
+  {
+    auto* rays = static_cast<vtkOpenGLTerrainMapper*>(mapper);
+    rays->SetHillshade(true);
+    rays->SetHillshadeAzimuth(Azimuth);
+    rays->SetHillshadeAltitude(Altitude);
+  };
+  auto mesh = [](vtkMapper* mapper, vtkActor* actor)
+  { shadeCells(static_cast<vtkPolyDataMapper*>(mapper)->GetInput(), mapper, actor); };
+  Demands demands;
+  demands.Share = 0.99; // the mesh has steps of a fifth of a cell
+  EXPECT_TRUE(DrawsAsThePlainMesh(terrain, mesh, demands));
+}
+
+TEST(OpenGLTerrainMapperColors, ContoursLieAtTheirHeights)
+{
+  constexpr double interval = 12.5;
+  constexpr double width = 2.0;
+  vtkNew<vtkTerrainPicker> picker;
+  int compared = 0;
+  int wrong = 0;
+  TerrainScene scene(Techniques::Pyramid);
+  const TerrainProp terrain = scene.AddTerrain(MakeHills());
+  terrain.Actor->GetProperty()->LightingOff();
+  terrain.Actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  terrain.Mapper->SetContours(true);
+  terrain.Mapper->SetContourInterval(interval);
+  terrain.Mapper->SetContourWidth(width);
+  scene.Look({ 200.0, 500.0, 600.0 }, { 200.0, 190.0, 80.0 });
+  const auto picture = vtkTerrainTesting::Render(scene.Window);
+  auto height = [&](int x, int y)
+  {
+    picker->Pick(x + 0.5, y + 0.5, 0.0, scene.Renderer);
+    return picker->GetHeight(); // NaN beside the terrain
+  };
+  for (int y = 3; y < 147; y += 3)
+  {
+    for (int x = 3; x < 197; x += 3)
+    {
+      const double slope =
+        0.5 * std::hypot(height(x + 1, y) - height(x - 1, y), height(x, y + 1) - height(x, y - 1));
+      const double here = height(x, y);
+      const double off = std::abs(here - interval * std::round(here / interval));
+      if (std::isfinite(slope) && slope > 0.05 && slope < 2.0)
+      {
+        const double coverage = std::clamp(0.5 * width + 0.5 - off / slope, 0.0, 1.0);
+        const double drawn = picture->GetScalarComponentAsDouble(x, y, 0, 0) / 255.0;
+        ++compared;
+        wrong += std::abs(drawn - (1.0 - coverage)) < 0.2 ? 0 : 1;
+      }
+    }
+  }
+  EXPECT_GT(compared, 500);
+  EXPECT_LE(wrong, compared / 20); // where slopes change within a pixel
+}
+
+TEST(OpenGLTerrainMapperColors, AllTogether)
+{
+  auto paint = [](TerrainScene&, const TerrainProp& terrain)
+  {
+    const double bounds[4] = { 100.0, 300.0, 96.0, 288.0 };
+    terrain.Mapper->ScalarVisibilityOn();
+    terrain.Mapper->SetScalarRange(60.0, 140.0);
+    terrain.Mapper->SetDrape(makePicture(4), bounds);
+    terrain.Mapper->SetContours(true);
+    terrain.Mapper->SetContourInterval(10.0);
+    terrain.Mapper->SetHillshade(true);
+  };
+  EXPECT_TRUE(DrawsAsTheMesh(paint));
 }

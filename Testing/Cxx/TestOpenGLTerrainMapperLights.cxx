@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A terrain under VTK's lights and materials.
+#include "vtkTerrainTestingScene.h"
+
+#include "vtkFloatArray.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkTexture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using vtkTerrainTesting::Demands;
+using vtkTerrainTesting::DrawsAsTheMesh;
+using vtkTerrainTesting::TerrainProp;
+using vtkTerrainTesting::TerrainScene;
+
+namespace
+{
+enum class Kinds
+{
+  Head,
+  Camera,
+  Sun,
+  Bulb,
+  Spot,
+  Count
+};
+
+void addLight(TerrainScene& scene, Kinds kind, double east = 700.0)
+{
+  vtkNew<vtkLight> light;
+  if (kind == Kinds::Head)
+  {
+    light->SetLightTypeToHeadlight();
+  }
+  else if (kind == Kinds::Camera)
+  {
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(0.8, 0.6, 0.5);
+  }
+  else
+  {
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(east, 400.0, 300.0);
+    light->SetFocalPoint(200.0, 190.0, 100.0);
+    light->SetPositional(kind != Kinds::Sun);
+    light->SetConeAngle(kind == Kinds::Spot ? 12.0 : 90.0);
+    light->SetExponent(kind == Kinds::Spot ? 3.0 : 1.0);
+    light->SetAttenuationValues(
+      kind == Kinds::Bulb ? 0.3 : 1.0, kind == Kinds::Bulb ? 0.002 : 0.0, 0.0);
+  }
+  light->SetColor(1.0, 0.9, 0.7);
+  scene.Renderer->AddLight(light);
+}
+
+void shine(const TerrainProp& terrain)
+{
+  terrain.Actor->GetProperty()->SetSpecular(0.5);
+  terrain.Actor->GetProperty()->SetSpecularPower(15.0);
+}
+
+/// A sky that is bright in the east and above.
+vtkSmartPointer<vtkTexture> makeSky()
+{
+  constexpr int width = 64;
+  constexpr int height = 32;
+  vtkNew<vtkFloatArray> texels;
+  texels->SetNumberOfComponents(3);
+  texels->SetNumberOfTuples(vtkIdType{ width } * height);
+  for (int i = 0; i < width * height; ++i)
+  {
+    const double around = 0.5 + 0.5 * std::cos(6.28 * (i % width) / width);
+    const double up = static_cast<double>(i / width) / height;
+    texels->SetTuple3(i, around, 0.5 * up + 0.3 * around, up);
+  }
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width, height, 1);
+  image->GetPointData()->SetScalars(texels);
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  return texture;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(OpenGLTerrainMapperLights, EveryKindOfLight)
+{
+  for (int kind = 0; kind < static_cast<int>(Kinds::Count); ++kind)
+  {
+    auto light = [kind](TerrainScene& scene, const TerrainProp& terrain)
+    {
+      addLight(scene, static_cast<Kinds>(kind));
+      shine(terrain);
+    };
+    EXPECT_TRUE(DrawsAsTheMesh(light)) << kind;
+  }
+}
+
+TEST(OpenGLTerrainMapperLights, ManyLights)
+{
+  auto light = [](TerrainScene& scene, const TerrainProp& terrain)
+  {
+    for (int i = 0; i < 7; ++i)
+    {
+      addLight(scene, i % 2 == 0 ? Kinds::Spot : Kinds::Bulb, 200.0 * i - 300.0);
+    }
+    shine(terrain);
+  };
+  EXPECT_TRUE(DrawsAsTheMesh(light));
+}
+
+TEST(OpenGLTerrainMapperLights, FlatPatches)
+{
+  auto flatten = [](TerrainScene&, const TerrainProp& terrain)
+  { terrain.Actor->GetProperty()->SetInterpolationToFlat(); };
+  EXPECT_TRUE(DrawsAsTheMesh(flatten));
+}
+
+TEST(OpenGLTerrainMapperLights, FromBelow)
+{
+  for (bool back : { false, true })
+  {
+    auto lookUp = [back](TerrainScene& scene, const TerrainProp& terrain)
+    {
+      if (back)
+      {
+        vtkNew<vtkProperty> property;
+        property->SetColor(0.2, 0.4, 0.9);
+        terrain.Actor->SetBackfaceProperty(property);
+      }
+      addLight(scene, Kinds::Sun);
+      scene.Look({ 200.0, 500.0, -300.0 }, { 200.0, 190.0, 80.0 });
+    };
+    EXPECT_TRUE(DrawsAsTheMesh(lookUp)) << back;
+  }
+}
+
+TEST(OpenGLTerrainMapperLights, AmbientOnly)
+{
+  for (bool lighting : { false, true })
+  {
+    auto dim = [lighting](TerrainScene&, const TerrainProp& terrain)
+    {
+      terrain.Actor->GetProperty()->SetLighting(lighting);
+      terrain.Actor->GetProperty()->SetDiffuse(0.0);
+      terrain.Actor->GetProperty()->SetAmbient(0.7);
+    };
+    EXPECT_TRUE(DrawsAsTheMesh(dim)) << lighting;
+  }
+}
+
+TEST(OpenGLTerrainMapperLights, PhysicallyBased)
+{
+  for (double coat : { 0.0, 0.7 })
+  {
+    auto render = [coat](TerrainScene& scene, const TerrainProp& terrain)
+    {
+      addLight(scene, Kinds::Sun);
+      terrain.Actor->GetProperty()->SetInterpolationToPBR();
+      terrain.Actor->GetProperty()->SetMetallic(0.4);
+      terrain.Actor->GetProperty()->SetRoughness(0.35);
+      terrain.Actor->GetProperty()->SetCoatStrength(coat);
+      terrain.Actor->GetProperty()->SetCoatRoughness(0.2);
+    };
+    EXPECT_TRUE(DrawsAsTheMesh(render)) << coat;
+  }
+}
+
+TEST(OpenGLTerrainMapperLights, EnvironmentLight)
+{
+  auto render = [](TerrainScene& scene, const TerrainProp& terrain)
+  {
+    terrain.Actor->GetProperty()->SetInterpolationToPBR();
+    terrain.Actor->GetProperty()->SetMetallic(0.5);
+    terrain.Actor->GetProperty()->SetRoughness(0.4);
+    scene.Renderer->UseImageBasedLightingOn();
+    scene.Renderer->SetEnvironmentTexture(makeSky());
+    scene.Renderer->SetEnvironmentUp(0.0, 0.0, 1.0);
+    scene.Renderer->SetEnvironmentRight(1.0, 0.0, 0.0);
+  };
+  EXPECT_TRUE(DrawsAsTheMesh(render));
+}

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// VTK's pickers and selection on a terrain, judged by vtkTerrainPicker.
+#include "vtkTerrainTestingScene.h"
+
+#include "vtkHardwareSelector.h"
+#include "vtkNew.h"
+#include "vtkPropPicker.h"
+#include "vtkTerrainPicker.h"
+#include "vtkWorldPointPicker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using vtkTerrainTesting::MakeHills;
+using vtkTerrainTesting::TerrainProp;
+using vtkTerrainTesting::TerrainScene;
+
+namespace
+{
+using Techniques = vtkOpenGLTerrainMapper::Techniques;
+
+class TerrainToPick
+{
+public:
+  TerrainToPick()
+    : Scene(Techniques::Pyramid)
+    , Terrain(Scene.AddTerrain(MakeHills()))
+  {
+    this->Sphere = this->Scene.AddSphere(120.0, 250.0, 140.0, 30.0);
+    this->Scene.Look({ 200.0, 900.0, 420.0 }, { 200.0, 190.0, 80.0 });
+    this->Scene.Window->Render();
+  }
+
+  /// Calls check(x, y) for pixels that show the terrain, judged by Exact; returns their number.
+  template <typename Check>
+  int ForTerrainPixels(Check&& check)
+  {
+    int pixels = 0;
+    for (int y = 5; y < 150; y += 7)
+    {
+      for (int x = 5; x < 200; x += 7)
+      {
+        if (this->Exact->Pick(x + 0.5, y + 0.5, 0.0, this->Scene.Renderer) &&
+          this->Exact->IsTerrainPicked())
+        {
+          check(x, y);
+          ++pixels;
+        }
+      }
+    }
+    return pixels;
+  }
+
+  TerrainScene Scene;
+  TerrainProp Terrain;
+  vtkSmartPointer<vtkActor> Sphere;
+  vtkNew<vtkTerrainPicker> Exact;
+};
+
+/// How many picks differ from the exact one by more than the z-buffer can tell.
+int countWrongPicks(TerrainToPick& scene, vtkAbstractPicker* picker, int& pixels)
+{
+  int wrong = 0;
+  pixels = scene.ForTerrainPixels(
+    [&](int x, int y)
+    {
+      picker->Pick(x, y, 0.0, scene.Scene.Renderer);
+      const double* a = picker->GetPickPosition();
+      const double* b = scene.Exact->GetPickPosition();
+      const double distance = std::hypot(a[0] - b[0], std::hypot(a[1] - b[1], a[2] - b[2]));
+      wrong += distance < 4.0 ? 0 : 1; // a pixel is 3 wide, the pickers mean its corner
+    });
+  return wrong;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(OpenGLTerrainMapperPicking, SelectionHasCellsAndSamplesOfTheGrid)
+{
+  for (bool cells : { true, false })
+  {
+    TerrainToPick scene;
+    scene.Sphere->SetVisibility(cells); // samples are selected before the points of others
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(scene.Scene.Renderer);
+    selector->SetArea(0, 0, 199, 149);
+    selector->SetFieldAssociation(
+      cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    ASSERT_TRUE(selector->CaptureBuffers());
+    int wrong = 0;
+    const int pixels = scene.ForTerrainPixels(
+      [&](int x, int y)
+      {
+        const unsigned int at[2] = { static_cast<unsigned int>(x), static_cast<unsigned int>(y) };
+        const auto information = selector->GetPixelInformation(at);
+        const double* position = scene.Exact->GetGridPosition();
+        const double offset = cells ? 0.0 : 0.5;
+        const auto i = static_cast<vtkIdType>(std::floor(position[0] + offset));
+        const auto j = static_cast<vtkIdType>(std::floor(position[1] + offset));
+        const vtkIdType expected = i + (cells ? 40 : 41) * j;
+        const bool same = information.Valid && information.Prop == scene.Terrain.Actor &&
+          information.AttributeID == expected;
+        wrong += same ? 0 : 1;
+      });
+    EXPECT_GT(pixels, 100);
+    EXPECT_LE(wrong, 2) << cells; // rounding at borders of cells
+  }
+}
+
+TEST(OpenGLTerrainMapperPicking, WorldPointPicker)
+{
+  TerrainToPick scene;
+  vtkNew<vtkWorldPointPicker> picker;
+  int pixels = 0;
+  EXPECT_LE(countWrongPicks(scene, picker, pixels), pixels / 20); // silhouettes
+  EXPECT_GT(pixels, 100);
+}
+
+TEST(OpenGLTerrainMapperPicking, PropPicker)
+{
+  TerrainToPick scene;
+  vtkNew<vtkPropPicker> picker;
+  int pixels = 0;
+  EXPECT_LE(countWrongPicks(scene, picker, pixels), pixels / 20);
+  EXPECT_TRUE(picker->Pick(100.0, 60.0, 0.0, scene.Scene.Renderer));
+  EXPECT_EQ(picker->GetActor(), scene.Terrain.Actor);
+}
