@@ -200,7 +200,7 @@ testing::AssertionResult Judge(vtkImageData* rays, TerrainScene& scene, const De
 {
   const auto mesh = Render(scene.Window);
   const std::vector<bool> band = SilhouettesOf(scene);
-  const auto bare = DrawScene(nullptr, Techniques::Mesh);
+  static const auto bare = DrawScene(nullptr, Techniques::Mesh);
   const vtkIdType effect = CountDifferentPixels(mesh, bare, 2);
   int compared = 0;
   int different = 0;
