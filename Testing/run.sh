@@ -9,7 +9,7 @@ build_dir=${VTKTERRAIN_BUILD_DIR:-$source_dir/build}
 data_dir=${VTKTERRAIN_DATA_DIR:-}
 [ -z "$data_dir" ] || data_dir=$(cd "$data_dir" && pwd)
 
-sh "$source_dir/Module/packages.sh"
+sh "$source_dir/Module/packages.sh" xvfb # for the tests of terrain-view
 sh "$source_dir/Module/build.sh" all "-DVTKTERRAIN_DATA_DIR=$data_dir" "$@"
 cd "$build_dir"
 exec ctest --parallel "$(nproc)" --output-on-failure

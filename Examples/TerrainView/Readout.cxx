@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Readout.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkTerrainPicker.h"
+
+#include <array>
+#include <cstdio>
+
+namespace
+{
+void ReadPair(vtkImageData* image, const char* name, std::array<double, 2>& pair)
+{
+  vtkDataArray* array = image->GetFieldData()->GetArray(name);
+  if (array && array->GetNumberOfValues() == 2)
+  {
+    pair = { array->GetVariantValue(0).ToDouble(), array->GetVariantValue(1).ToDouble() };
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+Readout::Readout(vtkImageData* heights)
+{
+  ReadPair(heights, "LayoutOrigin", this->LayoutOrigin);
+  ReadPair(heights, "LayoutScale", this->LayoutScale);
+  this->Georeference->SetFromHeights(heights);
+  this->IsOnEarth = this->Georeference->GetWhyNot().empty() && this->Georeference->IsOnEarth();
+}
+
+//------------------------------------------------------------------------------
+std::string Readout::Describe(vtkTerrainPicker* picker) const
+{
+  if (!picker->IsTerrainPicked())
+  {
+    return {};
+  }
+  const double height = picker->GetHeight();
+  std::array<double, 3> point{};
+  picker->GetMapperPosition(point.data());
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    point[axis] = this->ToFile(axis, point[axis]);
+  }
+  point[2] = height;
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "column %.2f  row %.2f  x %.9g  y %.9g  height %.2f",
+    picker->GetGridPosition()[0], picker->GetGridPosition()[1], point[0], point[1], height);
+  std::string lines = text.data();
+  if (this->IsOnEarth && this->Georeference->FileToScene(point.data(), point.data(), 1))
+  {
+    lines += "\n" + this->Georeference->GetReadout(point.data());
+  }
+  return lines;
+}

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer.h"
+
+#include "vtkAxesActor.h"
+#include "vtkCamera.h"
+#include "vtkCaptionActor2D.h"
+#include "vtkCommand.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkOpenGLTerrainMapper.h"
+#include "vtkPNGWriter.h"
+#include "vtkProperty.h"
+#include "vtkTextProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace
+{
+constexpr const char* kPictureFile = "terrain-view.png";
+constexpr double kExaggerationStep = 1.25;
+constexpr int kMargin = 10;
+/// Milliseconds between looks at where the pointer is.
+constexpr unsigned long kPointerInterval = 100;
+
+constexpr std::array<const char*, 5> kTechniqueNames{ "mesh", "linear", "exponential",
+  "equidistant", "pyramid" };
+
+void PlaceText(vtkTextActor* text, double x, double y, bool atTop)
+{
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->SetPosition(x, y);
+  vtkTextProperty* property = text->GetTextProperty();
+  property->SetFontFamilyToCourier();
+  property->SetFontSize(13);
+  property->SetColor(0.05, 0.05, 0.1);
+  property->SetBackgroundColor(1.0, 1.0, 1.0);
+  property->SetBackgroundOpacity(0.65);
+  property->SetLineSpacing(1.2);
+  if (atTop)
+  {
+    property->SetVerticalJustificationToTop();
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+const char* Viewer::GetHelp()
+{
+  return "t T    next, previous technique\n"
+         "+ -    vertical exaggeration\n"
+         "c      colours\n"
+         "w      coarse mesh as wireframe\n"
+         "x      number of nodes or samples a ray takes\n"
+         "o      perspective or parallel projection\n"
+         "r      all in view\n"
+         "p      print the position under the pointer\n"
+         "s      save the picture as terrain-view.png\n"
+         "h      this help\n"
+         "q      quit\n"
+         "left drag turns, middle drag moves, wheel and right drag go nearer";
+}
+
+//------------------------------------------------------------------------------
+Viewer::Viewer(vtkImageData* heights, const std::string& title, int width, int height)
+  : Places(heights)
+{
+  this->Terrain->SetInputData(heights);
+  this->Renderer->AddActor(this->Terrain);
+  this->Renderer->GradientBackgroundOn();
+  this->Renderer->SetBackground(0.90, 0.93, 0.95);
+  this->Renderer->SetBackground2(0.50, 0.66, 0.84);
+  this->Renderer->SetNearClippingPlaneTolerance(1e-5); // the eye may come close to the ground
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(width, height);
+  this->Window->SetWindowName(title.c_str());
+  this->Window->AddRenderer(this->Renderer);
+  this->Interactor->SetRenderWindow(this->Window);
+  this->AddLights();
+  this->AddTexts();
+  this->AddScalarBar();
+  this->AddMarker();
+  this->AddMesh(heights);
+  this->Connect();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AddLights()
+{
+  this->Renderer->AutomaticLightCreationOff();
+  const vtkNew<vtkLight> sun; // in the north-west, as on maps
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(-1.0, 1.0, 1.2);
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Renderer->AddLight(sun);
+  const vtkNew<vtkLight> sky;
+  sky->SetLightTypeToHeadlight();
+  sky->SetIntensity(0.5);
+  this->Renderer->AddLight(sky);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AddTexts()
+{
+  PlaceText(this->Status, 0.01, 0.985, true);
+  PlaceText(this->Position, 0.01, 0.015, false);
+  PlaceText(this->Help, 0.01, 0.92, true);
+  this->Position->SetInput("");
+  this->Position->VisibilityOff();
+  this->Help->SetInput(GetHelp());
+  this->Help->VisibilityOff();
+  for (vtkTextActor* text : { this->Status.Get(), this->Position.Get(), this->Help.Get() })
+  {
+    this->Renderer->AddActor2D(text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AddScalarBar()
+{
+  this->ScalarBar->SetTitle("Height");
+  this->ScalarBar->SetNumberOfLabels(5);
+  this->ScalarBar->SetLabelFormat("%.0f");
+  this->ScalarBar->SetUnconstrainedFontSize(true);
+  this->ScalarBar->SetVerticalTitleSeparation(8);
+  for (vtkTextProperty* property :
+    { this->ScalarBar->GetTitleTextProperty(), this->ScalarBar->GetLabelTextProperty() })
+  {
+    property->SetColor(0.05, 0.05, 0.1);
+    property->SetFontSize(14);
+    property->ShadowOff();
+    property->ItalicOff();
+    property->BoldOff();
+  }
+  this->ScalarBar->SetWidth(0.07);
+  this->ScalarBar->SetHeight(0.45);
+  this->ScalarBar->SetPosition(0.91, 0.45);
+  this->Renderer->AddActor2D(this->ScalarBar);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AddMarker()
+{
+  const vtkNew<vtkAxesActor> axes;
+  axes->SetXAxisLabelText("E");
+  axes->SetYAxisLabelText("N");
+  axes->SetZAxisLabelText("Up");
+  for (vtkCaptionActor2D* caption : { axes->GetXAxisCaptionActor2D(),
+         axes->GetYAxisCaptionActor2D(), axes->GetZAxisCaptionActor2D() })
+  {
+    caption->GetCaptionTextProperty()->SetColor(0.05, 0.05, 0.1);
+    caption->GetCaptionTextProperty()->ShadowOff();
+  }
+  this->Marker->SetOrientationMarker(axes);
+  this->Marker->SetInteractor(this->Interactor);
+  this->Marker->SetViewport(0.86, 0.12, 1.0, 0.32);
+  this->Marker->SetDefaultRenderer(this->Renderer);
+  this->Marker->EnabledOn();
+  this->Marker->InteractiveOff();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AddMesh(vtkImageData* heights)
+{
+  this->Mesh->SetInputData(heights);
+  this->MeshMapper->SetInputConnection(this->Mesh->GetOutputPort());
+  this->MeshActor->SetMapper(this->MeshMapper);
+  this->MeshActor->SetOrigin(0.0, 0.0, heights->GetOrigin()[2]); // exaggerated from there
+  this->MeshActor->GetProperty()->SetRepresentationToWireframe();
+  this->MeshActor->GetProperty()->LightingOff();
+  this->MeshActor->GetProperty()->SetColor(0.1, 0.1, 0.25);
+  this->MeshActor->PickableOff();
+  this->MeshActor->VisibilityOff();
+  this->Renderer->AddActor(this->MeshActor);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Connect()
+{
+  this->Interactor->SetInteractorStyle(this->Style);
+  this->Interactor->SetPicker(this->Picker);
+  this->Style->SetDefaultRenderer(this->Renderer);
+  this->Style->KeyTyped = [this](char key) { this->TypeKey(key); };
+  this->Interactor->AddObserver(vtkCommand::MouseMoveEvent, this, &Viewer::PointerMoved);
+  this->Interactor->AddObserver(vtkCommand::TimerEvent, this, &Viewer::TimePassed);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Run()
+{
+  this->ShowAll();
+  this->Refresh();
+  this->Interactor->Initialize();
+  this->Interactor->CreateRepeatingTimer(kPointerInterval);
+  this->Interactor->Start();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::TypeKey(char key)
+{
+  vtkOpenGLTerrainMapper* mapper = this->Terrain->GetTerrainMapper();
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const int technique = static_cast<int>(this->Terrain->GetTechnique());
+  switch (key)
+  {
+    case 't':
+      this->SetTechnique(technique + 1);
+      break;
+    case 'T':
+      this->SetTechnique(technique - 1);
+      break;
+    case '+':
+      this->Exaggerate(kExaggerationStep);
+      break;
+    case '-':
+      this->Exaggerate(1.0 / kExaggerationStep);
+      break;
+    case 'c':
+      this->Colors = NextPalette(this->Colors);
+      ApplyPalette(this->Colors, this->Terrain);
+      break;
+    case 'w':
+      this->MeshActor->SetVisibility(!this->MeshActor->GetVisibility());
+      break;
+    case 'x':
+      mapper->SetShowCrossings(!mapper->GetShowCrossings());
+      break;
+    case 'o':
+      camera->SetParallelScale(camera->GetDistance() *
+        std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle())));
+      camera->SetParallelProjection(!camera->GetParallelProjection());
+      break;
+    case 'r':
+      this->ShowAll();
+      break;
+    case 'h':
+      this->Help->SetVisibility(!this->Help->GetVisibility());
+      break;
+    case 'p':
+      this->PrintPosition();
+      break;
+    case 's':
+      this->SavePicture();
+      break;
+    case 'q':
+      this->Interactor->TerminateApp();
+      return;
+    default:
+      return;
+  }
+  this->Refresh();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SetTechnique(int technique)
+{
+  const int count = static_cast<int>(kTechniqueNames.size());
+  this->Terrain->SetTechnique(
+    static_cast<vtkTerrainActor::Techniques>((technique + count) % count));
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Exaggerate(double factor)
+{
+  this->Terrain->SetVerticalExaggeration(factor * this->Terrain->GetVerticalExaggeration());
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ShowAll()
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(0.0, -1.0, 0.78);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  this->Renderer->ResetCamera(this->Terrain->GetBounds());
+  camera->Dolly(1.3); // the terrain is flatter than the sphere around it
+}
+
+//------------------------------------------------------------------------------
+void Viewer::PrintPosition()
+{
+  this->PointerMoved();
+  this->TimePassed();
+  std::cout << this->Position->GetInput() << std::endl;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SavePicture()
+{
+  const vtkNew<vtkWindowToImageFilter> capture;
+  capture->SetInput(this->Window);
+  capture->ReadFrontBufferOff();
+  const vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(capture->GetOutputPort());
+  writer->SetFileName(kPictureFile);
+  writer->Write();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Refresh()
+{
+  const auto technique = static_cast<std::size_t>(this->Terrain->GetTechnique());
+  const double exaggeration = this->Terrain->GetVerticalExaggeration();
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "%s  exaggeration %.2f  colours %s   h: help",
+    kTechniqueNames[technique], exaggeration, NameOf(this->Colors));
+  this->Status->SetInput(text.data());
+  this->ScalarBar->SetLookupTable(this->Terrain->GetLookupTable());
+  this->ScalarBar->SetVisibility(
+    this->Terrain->GetColorByHeight() && !this->Terrain->GetTerrainMapper()->GetShowCrossings());
+  this->MeshActor->SetScale(1.0, 1.0, exaggeration);
+  this->Renderer->ResetCameraClippingRange();
+  this->Window->Render();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::PointerMoved()
+{
+  this->PointerHasMoved = true;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::TimePassed()
+{
+  if (!this->PointerHasMoved)
+  {
+    return;
+  }
+  this->PointerHasMoved = false;
+  const int* pointer = this->Interactor->GetEventPosition();
+  this->Picker->Pick(pointer[0] + 0.5, pointer[1] + 0.5, 0.0, this->Renderer);
+  const std::string text = this->Places.Describe(this->Picker);
+  if (text != this->Position->GetInput())
+  {
+    this->Position->SetInput(text.c_str());
+    this->Position->SetVisibility(!text.empty());
+    this->Window->Render();
+  }
+}

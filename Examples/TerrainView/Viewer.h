@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The window: a terrain, what stands around it, and what keys do.
+ */
+#ifndef terrain_view_Viewer_h
+#define terrain_view_Viewer_h
+
+#include "Palettes.h"
+#include "Readout.h"
+#include "TerrainStyle.h"
+
+#include "vtkActor.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOrientationMarkerWidget.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
+#include "vtkSmartPointer.h"
+#include "vtkTerrainActor.h"
+#include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainPicker.h"
+#include "vtkTextActor.h"
+
+#include <string>
+
+class Viewer
+{
+public:
+  /// Of heights that have a surface; title: of the window.
+  Viewer(vtkImageData* heights, const std::string& title, int width, int height);
+
+  vtkTerrainActor* GetTerrain()
+  {
+    return this->Terrain;
+  }
+
+  /// Shows the window until it is closed.
+  void Run();
+
+  /// What the keys do, one a line.
+  static const char* GetHelp();
+
+private:
+  void AddTexts();
+  void AddScalarBar();
+  void AddMarker();
+  void AddLights();
+  void AddMesh(vtkImageData* heights);
+  void Connect();
+
+  void TypeKey(char key);
+  void SetTechnique(int technique);
+  void Exaggerate(double factor);
+  void ShowAll();
+  void PrintPosition();
+  void SavePicture();
+
+  /// Brings texts, bar and mesh up to date with the terrain, and draws.
+  void Refresh();
+  void PointerMoved();
+  void TimePassed();
+
+  Readout Places;
+  Palette Colors = Palette::Relief;
+  bool PointerHasMoved = false;
+  vtkNew<vtkTerrainActor> Terrain;
+  vtkNew<vtkTerrainPicker> Picker;
+  vtkNew<TerrainStyle> Style;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkOrientationMarkerWidget> Marker;
+  vtkNew<vtkScalarBarActor> ScalarBar;
+  vtkNew<vtkTextActor> Status;
+  vtkNew<vtkTextActor> Position;
+  vtkNew<vtkTextActor> Help;
+  vtkNew<vtkTerrainCoarseMesh> Mesh;
+  vtkNew<vtkPolyDataMapper> MeshMapper;
+  vtkNew<vtkActor> MeshActor;
+};
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * terrain-view: a window on a file of heights. What keys do is told by --help, and by the key h.
+ * Exit status: 0, 2 for a wrong command line, 1 otherwise, with one line on stderr.
+ */
+#include "Viewer.h"
+
+#include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h"
+#include "vtkTerrainRasterReader.h"
+#include "vtkTerrainSource.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace
+{
+constexpr int kWrongCommandLine = 2;
+
+struct Options
+{
+  std::string Heights;
+  double Exaggeration = 1.0;
+  int Width = 1280;
+  int Height = 720;
+};
+
+vtkSmartPointer<vtkImageAlgorithm> MakeSource(const std::string& file)
+{
+  if (file.empty())
+  {
+    return vtkSmartPointer<vtkTerrainSource>::New();
+  }
+  auto reader = vtkSmartPointer<vtkTerrainRasterReader>::New();
+  reader->SetFileName(file);
+  return reader;
+}
+
+int Fail(const std::string& what, const std::string& why)
+{
+  std::cerr << "terrain-view: " << what << ": " << why << '\n';
+  return EXIT_FAILURE;
+}
+
+int Show(const Options& options)
+{
+  const char* display = std::getenv("DISPLAY");
+  if (!display || !*display)
+  {
+    return Fail("DISPLAY", "is not set, and a window needs an X server (terrain-render does not)");
+  }
+  const std::string name = options.Heights.empty() ? "built-in landscape" : options.Heights;
+  const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(options.Heights);
+  source->Update();
+  auto* reader = vtkTerrainRasterReader::SafeDownCast(source);
+  if (reader && *reader->GetErrorMessage())
+  {
+    return EXIT_FAILURE; // it has said why
+  }
+  Viewer viewer(source->GetOutput(), name + " - terrain-view", options.Width, options.Height);
+  if (!viewer.GetTerrain()->HasSurface())
+  {
+    return Fail(name, "no four neighbouring samples all have heights");
+  }
+  viewer.GetTerrain()->SetVerticalExaggeration(options.Exaggeration);
+  viewer.Run();
+  return EXIT_SUCCESS;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  CLI::App app("Shows a file of heights in a window.", "terrain-view");
+  app.footer(std::string("Keys in the window:\n") + Viewer::GetHelp());
+  app.set_version_flag("--version", TERRAIN_VIEW_VERSION);
+  app.add_option(
+    "HEIGHTS", options.Heights, "any raster that GDAL opens; the built-in landscape without it");
+  app
+    .add_option("--exaggeration", options.Exaggeration, "drawn height over true height, default 1")
+    ->check(CLI::Range(1e-3, 1e3));
+  app.add_option("--width", options.Width, "of the window in pixels, default 1280")
+    ->check(CLI::Range(64, 16384));
+  app.add_option("--height", options.Height, "of the window in pixels, default 720")
+    ->check(CLI::Range(64, 16384));
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (error.get_exit_code() == 0)
+    {
+      return app.exit(error); // --help, --version
+    }
+    std::cerr << "terrain-view: " << error.what() << '\n';
+    return kWrongCommandLine;
+  }
+  try
+  {
+    return Show(options);
+  }
+  catch (const std::exception& error)
+  {
+    return Fail("error", error.what());
+  }
+}

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// terrain-view in a real window on an X server of its own, driven by synthetic events.
+#include "TerrainRenderFixture.h"
+#include "VirtualDisplay.h"
+
+#include <gdal.h>
+#include <ogr_srs_api.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace
+{
+constexpr int kWidth = 480;
+constexpr int kHeight = 320;
+constexpr int kMiddleX = kWidth / 2;
+constexpr int kMiddleY = kHeight / 2;
+/// Pixels that a change of the terrain changes at least; a line of text has less.
+constexpr int kMany = kWidth * kHeight / 20;
+
+class TerrainView : public TerrainRenderFixture
+{
+protected:
+  /// Opens the viewer on a hill in UTM zone 45 north; skips the test without Xvfb.
+  void Open()
+  {
+    if (!this->Screen.IsThere())
+    {
+      GTEST_SKIP() << "there is no Xvfb here";
+    }
+    const std::string heights = this->WritePlacedHill();
+    ASSERT_TRUE(
+      this->Screen.Start({ TERRAIN_VIEW_PROGRAM, heights, "--width", std::to_string(kWidth),
+                           "--height", std::to_string(kHeight), "--exaggeration", "2" },
+        this->Folder, this->Path("stdout.txt"), "terrain-view"));
+    const Screenshot withoutPosition = this->Screen.CaptureStill();
+    this->Screen.Move(kMiddleX, kMiddleY);
+    this->First = this->Screen.CaptureChange(withoutPosition);
+    ASSERT_EQ(this->First.Width, kWidth);
+    ASSERT_EQ(this->First.Height, kHeight);
+  }
+
+  std::string WritePlacedHill()
+  {
+    RasterDescription hill;
+    hill.Width = 65;
+    hill.Height = 49;
+    hill.Sample = [](int i, int j)
+    { return 300.0 * std::exp(-((i - 32.0) * (i - 32.0) + (j - 24.0) * (j - 24.0)) / 150.0); };
+    hill.GeoTransform = { 493000.0, 30.0, 0.0, 3095000.0, 0.0, -30.0 };
+    const std::string path = this->WriteRaster("hill.tif", hill);
+    GDALDatasetH dataset = GDALOpen(path.c_str(), GA_Update);
+    OGRSpatialReferenceH system = OSRNewSpatialReference(nullptr);
+    OSRImportFromEPSG(system, 32645);
+    GDALSetSpatialRef(dataset, system);
+    OSRDestroySpatialReference(system);
+    GDALClose(dataset);
+    return path;
+  }
+
+  /// What the window shows after a key with the pointer in its middle.
+  Screenshot After(char key, const Screenshot& before)
+  {
+    this->Screen.Type(key, kMiddleX, kMiddleY);
+    return this->Screen.CaptureChange(before);
+  }
+
+  void Quit()
+  {
+    this->Screen.Type('q', kMiddleX, kMiddleY);
+    EXPECT_EQ(this->Screen.WaitForExit(), 0);
+  }
+
+  VirtualDisplay Screen;
+  Screenshot First;
+};
+}
+
+#define OPEN_OR_SKIP()                                                                             \
+  this->Open();                                                                                    \
+  if (this->IsSkipped() || this->HasFatalFailure())                                                \
+  {                                                                                                \
+    return;                                                                                        \
+  }
+
+//------------------------------------------------------------------------------
+TEST_F(TerrainView, ShowsTheTerrainAndHelp)
+{
+  OPEN_OR_SKIP();
+  this->First.Write(this->Path("first.png"));
+  EXPECT_GT(this->First.CountColors(), 500);
+  const Screenshot help = this->After('h', this->First);
+  help.Write(this->Path("help.png"));
+  EXPECT_GT(help.CountDifferent(this->First), 2000);
+  const Screenshot again = this->After('h', help);
+  EXPECT_EQ(again.CountDifferent(this->First), 0);
+  this->Quit();
+}
+
+TEST_F(TerrainView, KeysChangeThePicture)
+{
+  OPEN_OR_SKIP();
+  const Screenshot grey = this->After('c', this->First);
+  grey.Write(this->Path("grey.png"));
+  EXPECT_GT(grey.CountDifferent(this->First), kMany);
+  const Screenshot wires = this->After('w', grey);
+  wires.Write(this->Path("wires.png"));
+  EXPECT_GT(wires.CountDifferent(grey), 500);
+  const Screenshot taller = this->After('+', wires);
+  EXPECT_GT(taller.CountDifferent(wires), kMany / 2);
+  const Screenshot crossings = this->After('x', taller);
+  crossings.Write(this->Path("crossings.png"));
+  EXPECT_GT(crossings.CountDifferent(taller), kMany);
+  const Screenshot parallel = this->After('o', crossings);
+  EXPECT_GT(parallel.CountDifferent(crossings), kMany / 2);
+  const Screenshot mesh = this->After('t', parallel);
+  mesh.Write(this->Path("mesh.png"));
+  EXPECT_GT(mesh.CountDifferent(parallel), kMany / 10);
+  EXPECT_EQ(this->After('T', mesh).CountDifferent(parallel), 0);
+  this->Quit();
+}
+
+TEST_F(TerrainView, TheMouseMovesTheView)
+{
+  OPEN_OR_SKIP();
+  this->Screen.Press(1, kMiddleX, kMiddleY);
+  for (int step = 1; step <= 5; ++step)
+  {
+    this->Screen.Move(kMiddleX + 20 * step, kMiddleY + 4 * step);
+  }
+  this->Screen.Release(1, kMiddleX + 100, kMiddleY + 20);
+  const Screenshot turned = this->Screen.CaptureChange(this->First);
+  turned.Write(this->Path("turned.png"));
+  EXPECT_GT(turned.CountDifferent(this->First), kMany);
+  for (int click = 0; click < 4; ++click)
+  {
+    this->Screen.Press(4, kMiddleX, kMiddleY);
+    this->Screen.Release(4, kMiddleX, kMiddleY);
+  }
+  const Screenshot nearer = this->Screen.CaptureChange(turned);
+  nearer.Write(this->Path("nearer.png"));
+  EXPECT_GT(nearer.CountDifferent(turned), kMany);
+  const Screenshot whole = this->After('r', nearer);
+  EXPECT_LT(whole.CountDifferent(this->First), kMany / 4); // the text at most
+  this->Quit();
+}
+
+TEST_F(TerrainView, TellsThePositionUnderThePointer)
+{
+  OPEN_OR_SKIP();
+  this->Screen.Type('p', kMiddleX, kMiddleY);
+  this->Screen.Move(2, kHeight - 2); // beside the terrain
+  const Screenshot without = this->Screen.CaptureChange(this->First);
+  EXPECT_GT(without.CountDifferent(this->First), 500);
+  this->Screen.Type('p', 2, kHeight - 2);
+  this->Quit();
+  const std::string words = this->ReadText("stdout.txt");
+  EXPECT_NE(words.find("column"), std::string::npos) << words;
+  EXPECT_NE(words.find("45n"), std::string::npos) << words;
+  EXPECT_NE(words.find("45R"), std::string::npos) << words;
+  double height = -1.0;
+  const std::size_t place = words.find("height ");
+  ASSERT_NE(place, std::string::npos) << words;
+  height = std::strtod(words.c_str() + place + 7, nullptr);
+  EXPECT_GT(height, 50.0); // the hill is in the middle
+  EXPECT_LT(height, 300.0);
+  EXPECT_EQ(words.find("column", place), std::string::npos) << words; // nothing beside it
+}
+
+TEST_F(TerrainView, RefusesWhatItCannotShow)
+{
+  const std::string hill = this->WriteHill();
+  const auto run = [this](const std::vector<std::string>& arguments)
+  {
+    std::vector<std::string> command{ TERRAIN_VIEW_PROGRAM };
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    return this->RunCommand(command);
+  };
+  ASSERT_EQ(unsetenv("DISPLAY"), 0);
+  ExpectRefused(run({ hill }), 1, "DISPLAY");
+  ExpectRefused(run({ "--exaggeration", "-1" }), 2, "--exaggeration");
+  ExpectRefused(run({ "--nonsense" }), 2, "--nonsense");
+  EXPECT_EQ(run({ "--help" }).Status, 0);
+  if (this->Screen.IsThere())
+  {
+    setenv("DISPLAY", this->Screen.GetName().c_str(), 1);
+    const RunResult missing = run({ this->Path("none.tif") });
+    EXPECT_EQ(missing.Status, 1);
+    EXPECT_NE(missing.Errors.find("none.tif"), std::string::npos) << missing.Errors;
+  }
+}
