@@ -33,6 +33,8 @@ struct ShownTerrain
 {
   vtkImageData* Heights = nullptr;
   double Exaggeration = 1.0;
+  /// In model coordinates: what is drawn of the heights.
+  std::array<double, 6> Bounds{};
   vtkNew<vtkMatrix4x4> ModelToWorld;
   vtkNew<vtkMatrix4x4> WorldToModel;
 
@@ -53,6 +55,7 @@ void readMapper(vtkMapper* mapper, ShownTerrain& shown)
   {
     shown.Heights = heights;
     shown.Exaggeration = terrainMapper->GetVerticalExaggeration();
+    terrainMapper->GetBounds(shown.Bounds.data());
   }
 }
 
@@ -90,6 +93,27 @@ double mix(double a, double b, double t)
     return a;
   }
   return t >= 1.0 ? b : (1.0 - t) * a + t * b;
+}
+
+/// Narrows a ray to the columns and rows that are drawn; its end lies before its begin if it passes
+/// beside them.
+void clipToShown(const ShownTerrain& shown, terrain::ReferenceRay& ray)
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double low = shown.Bounds[2 * axis] - ray.Origin[axis];
+    const double high = shown.Bounds[2 * axis + 1] - ray.Origin[axis];
+    const double pace = ray.Direction[axis];
+    if (pace != 0.0)
+    {
+      ray.Begin = std::max(ray.Begin, std::min(low / pace, high / pace));
+      ray.End = std::min(ray.End, std::max(low / pace, high / pace));
+    }
+    else if (low > 0.0 || high < 0.0)
+    {
+      ray.End = -1.0;
+    }
+  }
 }
 
 /// Collects a profile.
@@ -238,6 +262,7 @@ double vtkTerrainPicker::IntersectActorWithLine(const double p1[3], const double
   ray.Direction = glm::dvec3(p2[0], p2[1], p2[2]) - ray.Origin;
   ray.Begin = t1;
   ray.End = t2;
+  clipToShown(shown, ray);
   const terrain::ReferenceHit hit =
     this->Internals->CasterOf(shown.Heights, this->NumberOfScans).Cast(ray, shown.Exaggeration);
   if (!hit.Found)
@@ -341,6 +366,7 @@ bool vtkTerrainPicker::HasLineOfSight(
   }
   ray.Begin = SightMargin / cells;
   ray.End = 1.0 - ray.Begin;
+  clipToShown(shown, ray);
   const terrain::ReferenceHit hit =
     this->Internals->CasterOf(shown.Heights, this->NumberOfScans).Cast(ray, shown.Exaggeration);
   if (hit.Found)

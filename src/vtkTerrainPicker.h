@@ -16,17 +16,17 @@
  *   - the methods below: position in the grid, height, values of the image's arrays.
  *
  * Whatever the technique, the bilinear surface is picked, from both sides; cells without data and
- * what clipping planes of the mapper cut away are not. Face culling plays no role.
+ * what clipping planes or an extract of the mapper cut away are not. Face culling plays no role.
+ * Not picked are the walls of a block, and what a surface of columns or a detail adds.
  *
  * Error: that of double arithmetic, about 1e-15 of the coordinates, wherever the eye is. Cost: the
  * heights are scanned once after each change of their image (not of exaggeration, actor or camera);
  * a ray then passes tiles of 32 x 32 cells that it clears as one, some microseconds a ray.
  *
  * VTK's other pickers: vtkCellPicker meets the triangles of the mapper's port 0, the coarse mesh
- * above the surface, or nothing but the box of the heights: this class replaces it.
- * vtkPropPicker and vtkWorldPointPicker read the depth buffer and give a point of the surface to
- * its precision, 1e-7 of the depth range. vtkHardwareSelector tells the actor; its cell ids count
- * triangles of what is drawn as proxy, and mean nothing.
+ * above the surface, or nothing but the box of the heights: this class replaces it. vtkPropPicker
+ * and vtkWorldPointPicker read the depth buffer and give a point of the surface to its precision,
+ * 1e-7 of the depth range. vtkHardwareSelector gives cells and points of the heights' grid.
  *
  * @sa vtkOpenGLTerrainMapper vtkTerrainActor vtkTerrainDrape
  */

@@ -339,6 +339,24 @@ TEST_F(TerrainPicker, LeavesOutWhatIsClipped)
   EXPECT_TRUE(this->PickAt(40.0, 24.0, 130.0));
 }
 
+TEST_F(TerrainPicker, LeavesOutWhatIsNotExtracted)
+{
+  this->Show(hill);
+  this->LookDown();
+  const int first[2] = { 25, 10 };
+  const int last[2] = { 40, 30 };
+  this->Mapper->SetExtract(first, last);
+  EXPECT_TRUE(this->PickAt(30.0, 20.0, 130.0));
+  EXPECT_FALSE(this->PickAt(20.0, 20.0, 130.0));
+  EXPECT_FALSE(this->PickAt(30.0, 35.0, 130.0));
+  // under the terrain, east of the extract: nothing is in the way up
+  const Point low = this->World(50.0, 20.0, 30.0);
+  const Point high = this->World(50.0, 20.0, 900.0);
+  EXPECT_TRUE(this->Picker->HasLineOfSight(this->Actor, low.data(), high.data()));
+  this->Mapper->ExtractAll();
+  EXPECT_FALSE(this->Picker->HasLineOfSight(this->Actor, low.data(), high.data()));
+}
+
 TEST_F(TerrainPicker, ScansHeightsOncePerChange)
 {
   this->Show(hill);
