@@ -11,9 +11,12 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 
 vtkStandardNewMacro(vtkTerrainActor);
 
@@ -89,6 +92,7 @@ void vtkTerrainActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Technique: " << static_cast<int>(this->GetTechnique()) << "\n";
   os << indent << "VerticalExaggeration: " << this->GetVerticalExaggeration() << "\n";
   os << indent << "ColorByHeight: " << this->ColorByHeight << "\n";
+  os << indent << "LevelOfDetail: " << this->LevelOfDetail << "\n";
   os << indent << "LookupTable: " << this->LookupTable << "\n";
 }
 
@@ -166,6 +170,16 @@ void vtkTerrainActor::SetLookupTable(vtkScalarsToColors* colors)
   if (this->LookupTable != colors)
   {
     this->LookupTable = colors;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::SetLevelOfDetail(bool use)
+{
+  if (this->LevelOfDetail != use)
+  {
+    this->LevelOfDetail = use;
     this->Modified();
   }
 }
@@ -280,7 +294,40 @@ void vtkTerrainActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
   this->UpdateMesh();
   this->UpdateColors();
+  if (this->LevelOfDetail && this->AllocatedRenderTime < LongestInteraction &&
+    this->GetTechnique() == Techniques::Pyramid)
+  {
+    this->RenderInTime(renderer, mapper);
+  }
+  else
+  {
+    this->Superclass::Render(renderer, mapper);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::RenderInTime(vtkRenderer* renderer, vtkMapper* mapper)
+{
+  const double tolerance = this->TerrainMapper->GetPixelTolerance();
+  this->TerrainMapper->SetPixelTolerance(std::max(tolerance, this->InteractionTolerance));
+  const auto begin = std::chrono::steady_clock::now();
   this->Superclass::Render(renderer, mapper);
+  renderer->GetRenderWindow()->WaitForCompletion(); // drivers draw when it suits them
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  this->TerrainMapper->SetPixelTolerance(tolerance);
+
+  // less than 2 pixels hardly ends a search sooner
+  constexpr double least = 2.0;
+  if (seconds.count() > this->AllocatedRenderTime)
+  {
+    this->InteractionTolerance =
+      std::clamp(2.0 * this->InteractionTolerance, least, CoarsestTolerance);
+  }
+  else if (seconds.count() < this->AllocatedRenderTime / 3.0)
+  {
+    const double finer = this->InteractionTolerance / 2.0;
+    this->InteractionTolerance = finer < least ? 0.0 : finer;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -294,6 +341,7 @@ void vtkTerrainActor::ShallowCopy(vtkProp* prop)
     this->LookupTable = other->LookupTable;
     this->ReliefColors = other->ReliefColors;
     this->ColorByHeight = other->ColorByHeight;
+    this->LevelOfDetail = other->LevelOfDetail;
     this->ConnectedMesh = other->ConnectedMesh;
   }
   this->Superclass::ShallowCopy(prop);

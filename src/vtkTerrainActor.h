@@ -95,6 +95,24 @@ public:
   vtkScalarsToColors* GetLookupTable();
   ///@}
 
+  ///@{
+  /// Whether frames that are allotted little time are drawn coarser (class comment); default on.
+  void SetLevelOfDetail(bool use);
+  bool GetLevelOfDetail() const
+  {
+    return this->LevelOfDetail;
+  }
+  ///@}
+  /// Tolerance in pixels of the next frame that is allotted little time; 0: that of the mapper.
+  double GetInteractionTolerance() const
+  {
+    return this->InteractionTolerance;
+  }
+  /// Seconds a frame from which on a frame is drawn without haste.
+  static constexpr double LongestInteraction = 1.0;
+  /// In pixels.
+  static constexpr double CoarsestTolerance = 16.0;
+
   /// Colours of a relief map from the lowest to the highest point: green, brown, white, and blue
   /// below 0 where a good part of the heights lies there.
   VTK_WRAPEXCLUDE static vtkSmartPointer<vtkColorTransferFunction> MakeReliefColors(
@@ -120,6 +138,7 @@ protected:
 private:
   void UpdateMesh();
   void UpdateColors();
+  void RenderInTime(vtkRenderer* renderer, vtkMapper* mapper);
 
   vtkSmartPointer<vtkOpenGLTerrainMapper> TerrainMapper;
   vtkSmartPointer<vtkTerrainCoarseMesh> CoarseMesh;
@@ -129,6 +148,8 @@ private:
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
   vtkSmartPointer<vtkScalarsToColors> ReliefColors;
   bool ColorByHeight = true;
+  bool LevelOfDetail = true;
+  double InteractionTolerance = 0.0;
 };
 
 #endif

@@ -291,6 +291,25 @@ TEST_F(TerrainActor, BuildsOnlyWhatChanged)
   EXPECT_EQ(costs([&] { scaleHeights(this->Heights, 1.01); }), (Costs{ 1, 1, 1 }));
 }
 
+// Frames in haste are drawn coarser, the next one with time exactly again.
+TEST_F(TerrainActor, IsCoarseInHasteAndExactWhenStill)
+{
+  const auto exact = this->Draw();
+  this->Scene.Window->SetDesiredUpdateRate(1e9); // never met
+  for (const double tolerance : { 2.0, 4.0, 8.0, 16.0, 16.0 })
+  {
+    this->Draw();
+    EXPECT_DOUBLE_EQ(this->Terrain->GetInteractionTolerance(), tolerance);
+  }
+  EXPECT_GT(vtkTerrainTesting::CountDifferentPixels(this->Draw(), exact, 2), 100);
+  EXPECT_DOUBLE_EQ(this->Terrain->GetTerrainMapper()->GetPixelTolerance(), 0.0);
+  this->Scene.Window->SetDesiredUpdateRate(1e-4);
+  EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(this->Draw(), exact), 0);
+  this->Scene.Window->SetDesiredUpdateRate(1e9);
+  this->Terrain->SetLevelOfDetail(false);
+  EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(this->Draw(), exact), 0);
+}
+
 TEST_F(TerrainActor, CopiesShareEverything)
 {
   this->Terrain->SetTechnique(Techniques::Equidistant);
