@@ -128,6 +128,37 @@ TEST(PyramidColumns, LetNoRayThrough)
   }
 }
 
+TEST(PyramidColumns, HaveFacesAlongTheAxes)
+{
+  const glm::vec4 codes(
+    10.0f, 30.0f, 10.0f, 5.0f); // south-west, south-east, north-west, north-east
+  const auto face = [&codes](float x, float y, const glm::vec3& direction) {
+    return terrain::FindColumnFace(codes, { x, y }, direction);
+  };
+  // a top, from above and from below
+  terrain::ColumnFace found = face(0.2f, 0.7f, { 1.0f, 1.0f, -1.0f });
+  EXPECT_EQ(found.normal, glm::vec3(0.0f, 0.0f, 1.0f));
+  EXPECT_TRUE(found.front);
+  EXPECT_EQ(found.code, 10.0f);
+  EXPECT_FALSE(face(0.2f, 0.7f, { 1.0f, 1.0f, 1.0f }).front);
+  // the wall between 10 and 30, from the low side and from within the high column
+  found = face(0.5f, 0.2f, { 1.0f, 0.5f, -1.0f });
+  EXPECT_EQ(found.normal, glm::vec3(-1.0f, 0.0f, 0.0f));
+  EXPECT_TRUE(found.front);
+  EXPECT_EQ(found.code, 30.0f);
+  found = face(0.5f, 0.2f, { -1.0f, 0.5f, -1.0f });
+  EXPECT_EQ(found.normal, glm::vec3(-1.0f, 0.0f, 0.0f));
+  EXPECT_FALSE(found.front);
+  // between 30 and 5, going north: the high column comes first
+  found = face(0.8f, 0.5f, { 0.2f, 1.0f, 0.0f });
+  EXPECT_EQ(found.normal, glm::vec3(0.0f, 1.0f, 0.0f));
+  EXPECT_FALSE(found.front);
+  // no wall where columns are equally high
+  EXPECT_EQ(face(0.2f, 0.5f, { 0.2f, 1.0f, -1.0f }).normal, glm::vec3(0.0f, 0.0f, 1.0f));
+  // straight down there is none either
+  EXPECT_EQ(face(0.5f, 0.5f, { 0.0f, 0.0f, -1.0f }).normal, glm::vec3(0.0f, 0.0f, 1.0f));
+}
+
 // With a tolerance the hit comes no later than the exact one, and a surface is within a node's box.
 TEST(PyramidTolerance, EndsInBoxesOfItsSize)
 {
@@ -157,6 +188,7 @@ TEST(PyramidTolerance, EndsInBoxesOfItsSize)
         continue;
       }
       ++early;
+      ASSERT_TRUE(field.Coded.IsCellValid(hit.cell));
       ASSERT_TRUE(!exact.found || hit.s <= exact.s + 1e-5);
       // Some sample near the hit lies within the tolerance of its height.
       const double z = ray.originGC.z + static_cast<double>(ray.directionGC.z) * hit.s;
