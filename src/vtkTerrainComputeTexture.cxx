@@ -27,7 +27,7 @@ std::string vtkTerrainComputeTexture::Fill(vtkOpenGLRenderWindow* window, const 
   if (this->BuiltWith != source)
   {
     this->BuiltWith = source;
-    const std::string words = this->Program.Build(source);
+    std::string words = this->Program.Build(source);
     if (!words.empty())
     {
       return words;

@@ -112,6 +112,14 @@ TEST(OpenGLTerrainMapperImage, PyramidFromWithin)
   EXPECT_NEAR(drawnShare(picture), 0.568, 0.005);
 }
 
+TEST(OpenGLTerrainMapperImage, Columns)
+{
+  Landscape landscape;
+  landscape.Mapper->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Columns);
+  const auto picture = landscape.Draw(ValleyEye, ValleyFocus);
+  EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(picture, "TerrainColumns"));
+}
+
 TEST(OpenGLTerrainMapperImage, EquidistantDrawsAsThePyramid)
 {
   Landscape landscape;
