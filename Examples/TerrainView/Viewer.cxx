@@ -14,6 +14,7 @@
 #include "vtkTextProperty.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -29,6 +30,23 @@ constexpr unsigned long kPointerInterval = 100;
 
 constexpr std::array<const char*, 5> kTechniqueNames{ "mesh", "linear", "exponential",
   "equidistant", "pyramid" };
+
+/// About a twentieth of the range of the heights, as 1, 2 or 5 times a power of ten.
+double RoundInterval(vtkOpenGLTerrainMapper* mapper)
+{
+  std::array<double, 2> range{};
+  mapper->GetHeightRange(range.data());
+  const double interval = std::max((range[1] - range[0]) / 20.0, 1e-3);
+  const double power = std::pow(10.0, std::floor(std::log10(interval)));
+  for (const double factor : { 1.0, 2.0, 5.0 })
+  {
+    if (factor * power >= interval)
+    {
+      return factor * power;
+    }
+  }
+  return 10.0 * power;
+}
 
 void PlaceText(vtkTextActor* text, double x, double y, bool atTop)
 {
@@ -54,6 +72,8 @@ const char* Viewer::GetHelp()
   return "t T    next, previous technique\n"
          "+ -    vertical exaggeration\n"
          "c      colours\n"
+         "i      contour lines\n"
+         "l      lights or hillshade\n"
          "w      coarse mesh as wireframe\n"
          "x      number of nodes or samples a ray takes\n"
          "o      perspective or parallel projection\n"
@@ -85,6 +105,7 @@ Viewer::Viewer(vtkImageData* heights, const std::string& title, int width, int h
   this->AddScalarBar();
   this->AddMarker();
   this->AddMesh(heights);
+  this->MapKeys();
   this->Connect();
 }
 
@@ -156,6 +177,7 @@ void Viewer::AddMarker()
     caption->GetCaptionTextProperty()->ShadowOff();
   }
   this->Marker->SetOrientationMarker(axes);
+  this->Marker->KeyPressActivationOff(); // which would take the key i
   this->Marker->SetInteractor(this->Interactor);
   this->Marker->SetViewport(0.86, 0.12, 1.0, 0.32);
   this->Marker->SetDefaultRenderer(this->Renderer);
@@ -200,59 +222,57 @@ void Viewer::Run()
 }
 
 //------------------------------------------------------------------------------
-void Viewer::TypeKey(char key)
+void Viewer::MapKeys()
 {
   vtkOpenGLTerrainMapper* mapper = this->Terrain->GetTerrainMapper();
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  const int technique = static_cast<int>(this->Terrain->GetTechnique());
-  switch (key)
+  const auto technique = [this] { return static_cast<int>(this->Terrain->GetTechnique()); };
+  this->Keys['t'] = [this, technique] { this->SetTechnique(technique() + 1); };
+  this->Keys['T'] = [this, technique] { this->SetTechnique(technique() - 1); };
+  this->Keys['+'] = [this] { this->Exaggerate(kExaggerationStep); };
+  this->Keys['-'] = [this] { this->Exaggerate(1.0 / kExaggerationStep); };
+  this->Keys['c'] = [this]
   {
-    case 't':
-      this->SetTechnique(technique + 1);
-      break;
-    case 'T':
-      this->SetTechnique(technique - 1);
-      break;
-    case '+':
-      this->Exaggerate(kExaggerationStep);
-      break;
-    case '-':
-      this->Exaggerate(1.0 / kExaggerationStep);
-      break;
-    case 'c':
-      this->Colors = NextPalette(this->Colors);
-      ApplyPalette(this->Colors, this->Terrain);
-      break;
-    case 'w':
-      this->MeshActor->SetVisibility(!this->MeshActor->GetVisibility());
-      break;
-    case 'x':
-      mapper->SetShowCrossings(!mapper->GetShowCrossings());
-      break;
-    case 'o':
-      camera->SetParallelScale(camera->GetDistance() *
-        std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle())));
-      camera->SetParallelProjection(!camera->GetParallelProjection());
-      break;
-    case 'r':
-      this->ShowAll();
-      break;
-    case 'h':
-      this->Help->SetVisibility(!this->Help->GetVisibility());
-      break;
-    case 'p':
-      this->PrintPosition();
-      break;
-    case 's':
-      this->SavePicture();
-      break;
-    case 'q':
-      this->Interactor->TerminateApp();
-      return;
-    default:
-      return;
+    this->Colors = NextPalette(this->Colors);
+    ApplyPalette(this->Colors, this->Terrain);
+  };
+  this->Keys['i'] = [mapper]
+  {
+    mapper->SetContourInterval(RoundInterval(mapper));
+    mapper->SetContours(!mapper->GetContours());
+  };
+  this->Keys['l'] = [this, mapper]
+  {
+    mapper->SetHillshade(!mapper->GetHillshade());
+    this->Terrain->GetProperty()->SetLighting(!mapper->GetHillshade());
+  };
+  this->Keys['w'] = [this] { this->MeshActor->SetVisibility(!this->MeshActor->GetVisibility()); };
+  this->Keys['x'] = [mapper] { mapper->SetShowCrossings(!mapper->GetShowCrossings()); };
+  this->Keys['o'] = [this] { this->SwitchProjection(); };
+  this->Keys['r'] = [this] { this->ShowAll(); };
+  this->Keys['p'] = [this] { this->PrintPosition(); };
+  this->Keys['s'] = [this] { this->SavePicture(); };
+  this->Keys['h'] = [this] { this->Help->SetVisibility(!this->Help->GetVisibility()); };
+  this->Keys['q'] = [this] { this->Interactor->TerminateApp(); };
+}
+
+//------------------------------------------------------------------------------
+void Viewer::TypeKey(char key)
+{
+  const auto found = this->Keys.find(key);
+  if (found != this->Keys.end())
+  {
+    found->second();
+    this->Refresh();
   }
-  this->Refresh();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SwitchProjection()
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetParallelScale(
+    camera->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle())));
+  camera->SetParallelProjection(!camera->GetParallelProjection());
 }
 
 //------------------------------------------------------------------------------

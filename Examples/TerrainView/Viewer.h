@@ -26,6 +26,8 @@
 #include "vtkTerrainPicker.h"
 #include "vtkTextActor.h"
 
+#include <functional>
+#include <map>
 #include <string>
 
 class Viewer
@@ -53,7 +55,9 @@ private:
   void AddMesh(vtkImageData* heights);
   void Connect();
 
+  void MapKeys();
   void TypeKey(char key);
+  void SwitchProjection();
   void SetTechnique(int technique);
   void Exaggerate(double factor);
   void ShowAll();
@@ -67,6 +71,8 @@ private:
 
   Readout Places;
   Palette Colors = Palette::Relief;
+  /// What each key does.
+  std::map<char, std::function<void()>> Keys;
   bool PointerHasMoved = false;
   vtkNew<vtkTerrainActor> Terrain;
   vtkNew<vtkTerrainPicker> Picker;

@@ -106,6 +106,12 @@ TEST_F(TerrainView, KeysChangeThePicture)
   const Screenshot grey = this->After('c', this->First);
   grey.Write(this->Path("grey.png"));
   EXPECT_GT(grey.CountDifferent(this->First), kMany);
+  const Screenshot contours = this->After('i', grey);
+  EXPECT_GT(contours.CountDifferent(grey), 500);
+  EXPECT_EQ(this->After('i', contours).CountDifferent(grey), 0);
+  const Screenshot shaded = this->After('l', grey);
+  EXPECT_GT(shaded.CountDifferent(grey), kMany);
+  EXPECT_EQ(this->After('l', shaded).CountDifferent(grey), 0);
   const Screenshot wires = this->After('w', grey);
   wires.Write(this->Path("wires.png"));
   EXPECT_GT(wires.CountDifferent(grey), 500);
