@@ -35,6 +35,19 @@
  * Limits: heights up to the largest texture of the driver (16384 samples a side on Mesa). A
  * direction matrix of the image is refused. Lines and points of port 0 are drawn as they are.
  *
+ * Of what VTK does to a surface, these cannot work with rays or do something else:
+ *   - Edges (EdgeVisibility) are those of a proxy, and are not drawn; the representations wireframe
+ *     and points draw port 0 itself.
+ *   - Normal maps and anisotropic reflection need tangents of a mesh; they are ignored. So is a
+ *     general texture transform.
+ *   - Flat shading takes the normals of bilinear patches; Gouraud is Phong shading.
+ *   - The searches show the first surface only, and each part of the hull its own: let translucent
+ *     terrain and blocks be drawn by the technique Pyramid.
+ *   - vtkValuePass reads arrays of port 0, which the box of the technique Pyramid does not have; the
+ *     technique Mesh has them.
+ *   - A z-buffer of 24 bits is as coarse for a hit as for a mesh; vtkTerrainPicker and
+ *     vtkTerrainDepthPass are exact.
+ *
  * @sa vtkTerrainCoarseMesh vtkTerrainRasterReader vtkTerrainSource
  */
 #ifndef vtkOpenGLTerrainMapper_h
