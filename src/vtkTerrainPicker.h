@@ -28,6 +28,10 @@
  * and vtkWorldPointPicker read the depth buffer and give a point of the surface to its precision,
  * 1e-7 of the depth range. vtkHardwareSelector gives cells and points of the heights' grid.
  *
+ * On earth: the position of a pick is a scene point of vtkTerrainGeoreference::GetReadout
+ * (longitude, latitude, UTM, MGRS) and vtkTerrainViewpoint (geodesic distances, areas, profiles,
+ * lines of sight over the round earth).
+ *
  * @sa vtkOpenGLTerrainMapper vtkTerrainActor vtkTerrainDrape
  */
 #ifndef vtkTerrainPicker_h

@@ -11,6 +11,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -247,7 +248,7 @@ void vtkTerrainReproject::PlaceBlock(const int extent[4], std::vector<double>& s
     });
 }
 
-void vtkTerrainReproject::FillBlock(const int extent[4], double* heights)
+void vtkTerrainReproject::FillBlock(const int extent[4], double* heights, double* placeHeights)
 {
   vtkTerrainGeoreference* reference = this->Internals->Georeference;
   const bool round = reference->GetFrame() == Frame::Local;
@@ -261,6 +262,7 @@ void vtkTerrainReproject::FillBlock(const int extent[4], double* heights)
   {
     reference->SceneToPlaces(scene.data(), places.data(), count);
     this->SampleTiles(scene, places, bounds, heights);
+    std::copy(heights, heights + count, placeHeights);
     if (!round)
     {
       break;
@@ -339,13 +341,27 @@ int vtkTerrainReproject::RequestData(
   const int rows =
     static_cast<int>(std::max<vtkIdType>(1, kBlockSamples / std::max(width, vtkIdType(1))));
   std::vector<double> heights;
+  std::vector<double> placeHeights;
+  vtkSmartPointer<vtkFloatArray> placeArray;
+  if (internals.Georeference->GetFrame() == Frame::Local)
+  {
+    placeArray = vtkSmartPointer<vtkFloatArray>::New();
+    placeArray->SetName("PlaceHeight");
+    placeArray->SetNumberOfValues(output->GetNumberOfPoints());
+    output->GetPointData()->AddArray(placeArray);
+  }
   for (int row = extent[2]; row <= extent[3] && !this->GetAbortExecute(); row += rows)
   {
     const int block[4] = { extent[0], extent[1], row, std::min(row + rows - 1, extent[3]) };
     const vtkIdType count = width * (block[3] - block[2] + 1);
     heights.resize(static_cast<std::size_t>(count));
-    this->FillBlock(block, heights.data());
+    placeHeights.resize(heights.size());
+    this->FillBlock(block, heights.data(), placeHeights.data());
     CopyHeights(heights, scalars, width * (row - extent[2]));
+    if (placeArray)
+    {
+      CopyHeights(placeHeights, placeArray, width * (row - extent[2]));
+    }
     this->UpdateProgress(
       static_cast<double>(block[3] - extent[2] + 1) / (extent[3] - extent[2] + 1));
   }

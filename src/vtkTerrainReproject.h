@@ -19,7 +19,9 @@
  *     the extent, a warning says by how much (GetFlatError).
  *   - Local: the earth is round. z includes the earth's drop, x and y the tilt of the vertical, so
  *     that distant summits sink as they do in nature: each sample is where the vertical line of the
- *     scene meets the terrain, found by fixed point iteration to kVerticalTolerance.
+ *     scene meets the terrain, found by fixed point iteration to kVerticalTolerance. What is left
+ *     of the heights for colours is the point array "PlaceHeight" (float): metres as in flat
+ * frames.
  *   - Geocentric is refused: z is not up in it.
  *
  * Samples are taken from the bilinear surface, or by cubic convolution (smoother; where a
@@ -136,7 +138,7 @@ private:
   void ShareScene(Tile& tile);
   void FileToScene(const Tile& tile, double* points, vtkIdType count);
   void PlaceBlock(const int extent[4], std::vector<double>& scene) const;
-  void FillBlock(const int extent[4], double* heights);
+  void FillBlock(const int extent[4], double* heights, double* placeHeights);
   void SampleTiles(const std::vector<double>& scene, const std::vector<double>& places,
     const double bounds[4], double* heights);
   void AddFieldData(vtkImageData* output) const;

@@ -13,6 +13,7 @@
 #include "vtkCamera.h"
 #include "vtkCoordinate.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -107,6 +108,14 @@ vtkIdType AddTrack(vtkRenderer* renderer, const PlacedHeights& heights, const Op
   return lines->GetNumberOfPoints();
 }
 
+/// False for points behind the eye, which the projection would mirror into the picture.
+bool IsInFront(vtkCamera* camera, const double point[3])
+{
+  std::array<double, 3> way{};
+  vtkMath::Subtract(point, camera->GetPosition(), way.data());
+  return vtkMath::Dot(way.data(), camera->GetDirectionOfProjection()) > 0.0;
+}
+
 /// Texts at points of the terrain that the eye sees.
 void AddLabels(
   vtkRenderer* renderer, vtkPolyData* labels, const PlacedHeights& heights, const Options& options)
@@ -120,7 +129,8 @@ void AddLabels(
   viewpoint->SetRefraction(1.0); // straight lines, as the picture has them
   for (vtkIdType i = 0; texts && i < labels->GetNumberOfPoints(); ++i)
   {
-    if (!viewpoint->IsVisible(camera->GetPosition(), labels->GetPoint(i)))
+    if (!IsInFront(camera, labels->GetPoint(i)) ||
+      !viewpoint->IsVisible(camera->GetPosition(), labels->GetPoint(i)))
     {
       continue;
     }

@@ -9,11 +9,13 @@
 #include "Statistics.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
 #include "vtkElevationFilter.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLTerrainMapper.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -77,6 +79,23 @@ void ColorByHeight(vtkMapper* mapper, double lowest, double highest)
   mapper->ScalarVisibilityOn();
 }
 
+/// In a round scene z is not the height: colours come from the array of heights that
+/// vtkTerrainReproject adds there.
+void ColorByPlaceHeight(vtkTerrainActor* actor, vtkImageData* heights)
+{
+  static const char* const kArray = "PlaceHeight";
+  vtkDataArray* array = heights->GetPointData()->GetArray(kArray);
+  if (!array)
+  {
+    return;
+  }
+  std::array<double, 2> range{};
+  array->GetFiniteRange(range.data());
+  actor->SetLookupTable(vtkTerrainActor::MakeReliefColors(range[0], range[1]));
+  actor->GetTerrainMapper()->SetScalarModeToUsePointFieldData();
+  actor->GetTerrainMapper()->SelectColorArray(kArray);
+}
+
 /// For the techniques of vtkOpenGLTerrainMapper: rays, or the full mesh.
 Terrain PrepareRays(
   vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics)
@@ -88,6 +107,7 @@ Terrain PrepareRays(
   actor->GetTerrainMapper()->SetPixelTolerance(options.PixelTolerance);
   actor->GetTerrainMapper()->SetShowCrossings(options.Crossings);
   actor->GetCoarseMesh()->SetSamplesPerQuad(options.MeshCells);
+  ColorByPlaceHeight(actor, heights);
   Terrain terrain;
   terrain.Actor = actor;
   if (vtkTerrainCoarseMesh* mesh = actor->GetUsedMesh())

@@ -12,6 +12,7 @@
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainGraticule.h"
 #include "vtkTerrainImageWarp.h"
+#include "vtkTerrainPicker.h"
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainReproject.h"
 #include "vtkTerrainViewpoint.h"
@@ -19,8 +20,11 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -30,6 +34,7 @@
 #include <gdal.h>
 #include <ogr_api.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -197,6 +202,42 @@ TEST(TerrainPlacesImage, Graticule)
   const auto picture = vtkTerrainTesting::Render(scene.Window);
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(picture, "TerrainPlacesGraticule"));
   EXPECT_NEAR(ShareOf(picture, 26, 77, 230), 0.0357, 0.004);
+}
+
+TEST(TerrainPlacesImage, PickedPlacesAreMeasured)
+{
+  // what vtkTerrainPicker gives are scene points, which vtkTerrainViewpoint takes
+  Island island;
+  const vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(Width, Height);
+  island.Show(scene.Renderer, false);
+  vtkTerrainTesting::Render(scene.Window);
+  const vtkNew<vtkTerrainViewpoint> viewpoint;
+  viewpoint->SetGeoreference(island.Georeference());
+  viewpoint->SetHeights(island.Heights->GetOutput());
+  viewpoint->SetRefraction(1.0); // light goes straight, as in the picture
+  const vtkNew<vtkTerrainPicker> picker;
+  double picked[2][3];
+  for (int k = 0; k < 2; ++k)
+  {
+    ASSERT_NE(picker->Pick(80.5 + 130.0 * k, 60.5 + 20.0 * k, 0.0, scene.Renderer), 0);
+    ASSERT_TRUE(picker->IsTerrainPicked());
+    picker->GetPickPosition(picked[k]);
+    EXPECT_TRUE(viewpoint->IsVisible(scene.Renderer->GetActiveCamera()->GetPosition(), picked[k]));
+    EXPECT_NE(island.Georeference()->GetReadout(picked[k]).find("27W"), std::string::npos)
+      << island.Georeference()->GetReadout(picked[k]);
+  }
+  double azimuth = 0.0;
+  const double distance = viewpoint->GetDistance(picked[0], picked[1], &azimuth);
+  const double east = picked[1][0] - picked[0][0];
+  const double north = picked[1][1] - picked[0][1];
+  EXPECT_NEAR(distance / std::hypot(east, north), 1.0, 1e-5);
+  EXPECT_NEAR(azimuth, vtkMath::DegreesFromRadians(std::atan2(east, north)), 0.1);
+  const vtkNew<vtkPolyData> profile;
+  EXPECT_EQ(viewpoint->GetProfile(picked[0], picked[1], 50, profile), "");
+  vtkDataArray* heights = profile->GetPointData()->GetArray("Height");
+  ASSERT_EQ(heights->GetNumberOfTuples(), 50);
+  EXPECT_NEAR(heights->GetComponent(0, 0), picked[0][2], 0.01);
+  EXPECT_NEAR(heights->GetComponent(49, 0), picked[1][2], 0.01);
 }
 
 TEST(TerrainPlacesImage, RouteLiesOnThePathOfThePhoto)

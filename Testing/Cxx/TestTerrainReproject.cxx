@@ -209,6 +209,9 @@ TEST(TerrainReproject, RoundEarthSinks)
   const double point[3] = { 100000.0, 0.0, 0.0 };
   const vtkIdType there = output->FindPoint(const_cast<double*>(point));
   EXPECT_NEAR(output->GetPointData()->GetScalars()->GetComponent(there, 0), -784.0, 1.0);
+  vtkDataArray* heights = output->GetPointData()->GetArray("PlaceHeight");
+  ASSERT_NE(heights, nullptr);
+  EXPECT_NEAR(heights->GetComponent(there, 0), 0.0, 1e-3);
   EXPECT_EQ(filter->GetWarningMessage(), "");
   filter->GetGeoreference()->SetFrame(Frame::Plane);
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -219,6 +222,7 @@ TEST(TerrainReproject, RoundEarthSinks)
   EXPECT_TRUE(Contains(filter->GetWarningMessage(), "4356 m of the earth's curvature"))
     << filter->GetWarningMessage();
   EXPECT_EQ(filter->GetOutput()->GetPointData()->GetScalars()->GetComponent(there, 0), 0.0);
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("PlaceHeight"), nullptr);
 }
 
 TEST(TerrainReproject, NoDataAndFeet)
