@@ -133,6 +133,8 @@ private:
   static void PlanTurn(Tile& tile);
   std::string PlanScene();
   std::string PlanGrid();
+  void PlanBounds(Tile& tile);
+  std::string FitGrid(const double bounds[4]);
   void PlanSpacing(const Tile& tile);
   void CheckFlatness();
   void ShareScene(Tile& tile);

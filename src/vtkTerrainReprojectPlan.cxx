@@ -167,51 +167,90 @@ void vtkTerrainReproject::PlanSpacing(const Tile& tile)
   }
 }
 
+void vtkTerrainReproject::PlanBounds(Tile& tile)
+{
+  std::vector<double> points;
+  const auto add = [&points, &tile](double u, double v)
+  {
+    for (double height : tile.Heights)
+    {
+      points.push_back((1.0 - u) * tile.Extent[0] + u * tile.Extent[1]);
+      points.push_back((1.0 - v) * tile.Extent[2] + v * tile.Extent[3]);
+      points.push_back(height);
+    }
+  };
+  for (int i = 0; i < kSidePoints; ++i)
+  {
+    const double t = static_cast<double>(i) / (kSidePoints - 1);
+    add(t, 0.0);
+    add(t, 1.0);
+    add(0.0, t);
+    add(1.0, t);
+  }
+  for (int i = 0; i < kInnerPoints * kInnerPoints; ++i)
+  {
+    add(static_cast<double>(i % kInnerPoints) / (kInnerPoints - 1),
+      std::floor(static_cast<double>(i) / kInnerPoints) / (kInnerPoints - 1));
+  }
+  this->FileToScene(tile, points.data(), static_cast<vtkIdType>(points.size() / 3));
+  double* bounds = tile.Bounds;
+  bounds[0] = bounds[2] = HUGE_VAL;
+  bounds[1] = bounds[3] = -HUGE_VAL;
+  for (std::size_t i = 0; i < points.size(); i += 3)
+  {
+    for (std::size_t axis = 0; axis < 2 && std::isfinite(points[i]); ++axis)
+    {
+      bounds[2 * axis] = std::min(bounds[2 * axis], points[i + axis]);
+      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], points[i + axis]);
+    }
+  }
+}
+
+std::string vtkTerrainReproject::FitGrid(const double bounds[4])
+{
+  vtkInternals& internals = *this->Internals;
+  const auto first = [bounds](int axis, double spacing)
+  { return std::floor(bounds[2 * axis] / spacing + terrain::kSamplingSlack); };
+  const auto last = [bounds](int axis, double spacing)
+  { return std::ceil(bounds[2 * axis + 1] / spacing - terrain::kSamplingSlack); };
+  const auto samples = [&first, &last](double spacing)
+  {
+    return (last(0, spacing) - first(0, spacing) + 1.0) *
+      (last(1, spacing) - first(1, spacing) + 1.0);
+  };
+  const double most = static_cast<double>(this->MaximumNumberOfSamples);
+  if (this->Spacing > 0.0 && !(samples(this->Spacing) <= most))
+  {
+    return "a spacing of " + Text(this->Spacing) + " m needs " + Text(samples(this->Spacing)) +
+      " samples, more than the " + Text(most) + " that are allowed";
+  }
+  while (samples(internals.Spacing) > most)
+  {
+    internals.Spacing *= 1.01;
+  }
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    internals.Origin[axis] = first(axis, internals.Spacing) * internals.Spacing;
+    internals.Extent[2 * axis] = 0;
+    internals.Extent[2 * axis + 1] =
+      static_cast<int>(last(axis, internals.Spacing) - first(axis, internals.Spacing));
+  }
+  internals.Extent[4] = internals.Extent[5] = 0;
+  return {};
+}
+
 std::string vtkTerrainReproject::PlanGrid()
 {
   vtkInternals& internals = *this->Internals;
-  std::array<double, 4> bounds{ HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL };
+  double bounds[4] = { HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL };
   internals.Spacing = this->Spacing;
   for (std::unique_ptr<Tile>& tile : internals.Tiles)
   {
-    std::vector<double> points;
-    const auto add = [&points, &tile](double u, double v)
+    this->PlanBounds(*tile);
+    for (int side = 0; side < 4; ++side)
     {
-      for (double height : tile->Heights)
-      {
-        points.push_back((1.0 - u) * tile->Extent[0] + u * tile->Extent[1]);
-        points.push_back((1.0 - v) * tile->Extent[2] + v * tile->Extent[3]);
-        points.push_back(height);
-      }
-    };
-    for (int i = 0; i < kSidePoints; ++i)
-    {
-      const double t = static_cast<double>(i) / (kSidePoints - 1);
-      add(t, 0.0);
-      add(t, 1.0);
-      add(0.0, t);
-      add(1.0, t);
-    }
-    for (int i = 0; i < kInnerPoints * kInnerPoints; ++i)
-    {
-      add(static_cast<double>(i % kInnerPoints) / (kInnerPoints - 1),
-        std::floor(static_cast<double>(i) / kInnerPoints) / (kInnerPoints - 1));
-    }
-    this->FileToScene(*tile, points.data(), static_cast<vtkIdType>(points.size() / 3));
-    std::array<double, 4> own{ HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL };
-    for (std::size_t i = 0; i < points.size(); i += 3)
-    {
-      for (std::size_t axis = 0; axis < 2 && std::isfinite(points[i]); ++axis)
-      {
-        own[2 * axis] = std::min(own[2 * axis], points[i + axis]);
-        own[2 * axis + 1] = std::max(own[2 * axis + 1], points[i + axis]);
-      }
-    }
-    std::copy(own.begin(), own.end(), tile->Bounds);
-    for (std::size_t axis = 0; axis < 2; ++axis)
-    {
-      bounds[2 * axis] = std::min(bounds[2 * axis], own[2 * axis]);
-      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], own[2 * axis + 1]);
+      bounds[side] = side % 2 == 0 ? std::min(bounds[side], tile->Bounds[side])
+                                   : std::max(bounds[side], tile->Bounds[side]);
     }
     if (!(this->Spacing > 0.0))
     {
@@ -222,34 +261,7 @@ std::string vtkTerrainReproject::PlanGrid()
   {
     return "the heights have no image in the scene";
   }
-  const double most = static_cast<double>(this->MaximumNumberOfSamples);
-  const auto first = [&bounds](std::size_t axis, double spacing)
-  { return std::floor(bounds[2 * axis] / spacing + terrain::kSamplingSlack); };
-  const auto last = [&bounds](std::size_t axis, double spacing)
-  { return std::ceil(bounds[2 * axis + 1] / spacing - terrain::kSamplingSlack); };
-  const auto samples = [&first, &last](double spacing)
-  {
-    return (last(0, spacing) - first(0, spacing) + 1.0) *
-      (last(1, spacing) - first(1, spacing) + 1.0);
-  };
-  if (this->Spacing > 0.0 && !(samples(this->Spacing) <= most))
-  {
-    return "a spacing of " + Text(this->Spacing) + " m needs " + Text(samples(this->Spacing)) +
-      " samples, more than the " + Text(most) + " that are allowed";
-  }
-  while (samples(internals.Spacing) > most)
-  {
-    internals.Spacing *= 1.01;
-  }
-  for (std::size_t axis = 0; axis < 2; ++axis)
-  {
-    internals.Origin[axis] = first(axis, internals.Spacing) * internals.Spacing;
-    internals.Extent[2 * axis] = 0;
-    internals.Extent[2 * axis + 1] =
-      static_cast<int>(last(axis, internals.Spacing) - first(axis, internals.Spacing));
-  }
-  internals.Extent[4] = internals.Extent[5] = 0;
-  return {};
+  return this->FitGrid(bounds);
 }
 
 void vtkTerrainReproject::CheckFlatness()
