@@ -149,12 +149,13 @@ void AddLabels(
   }
 }
 
-void AddGraticule(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options)
+void AddGraticule(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options,
+  vtkTerrainGraticule::GridType grid)
 {
   const vtkNew<vtkTerrainGraticule> graticule;
   graticule->SetInputData(heights.Image);
   graticule->SetGeoreference(heights.Georeference);
-  graticule->SetGrid(*options.Place.Graticule);
+  graticule->SetGrid(grid);
   graticule->SetExaggeration(options.Exaggeration);
   graticule->Update();
   ThrowOnError("--graticule");
@@ -173,7 +174,7 @@ void AddLines(vtkRenderer* renderer, const PlacedHeights& heights, const Options
 {
   if (options.Place.Graticule)
   {
-    AddGraticule(renderer, heights, options);
+    AddGraticule(renderer, heights, options, *options.Place.Graticule);
   }
   vtkIdType points = 0;
   for (const std::string& path : options.Place.Tracks)
