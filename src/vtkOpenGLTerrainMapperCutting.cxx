@@ -159,7 +159,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderClip(ShaderMap shaders, vtkRenderer* r
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::SetClipUniforms(vtkTerrainUniforms& uniforms, vtkActor* act)
 {
-  if (!uniforms.Uses("terrainClipPlaneCount"))
+  if (!uniforms.Uses("terrainClipPlaneCount") && !uniforms.Uses("terrainClipPlanesVC"))
   {
     return;
   }

@@ -199,6 +199,16 @@ TEST(OpenGLTerrainMapperCutting, BlockFromAboveAndBelow)
   EXPECT_TRUE(DrawsAsTheMesh(lookUp));
 }
 
+TEST(OpenGLTerrainMapperCutting, BlockByAComputeShader)
+{
+  auto compute = [](TerrainScene& scene, const TerrainProp& terrain)
+  {
+    terrain.Mapper->SetComputeMode(vtkOpenGLTerrainMapper::ComputeModes::On);
+    standOnBlock(scene, terrain);
+  };
+  EXPECT_TRUE(DrawsAsTheMesh(compute));
+}
+
 TEST(OpenGLTerrainMapperCutting, BlockInParallelProjection)
 {
   auto look = [](TerrainScene& scene, const TerrainProp& terrain)

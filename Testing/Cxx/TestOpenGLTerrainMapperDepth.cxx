@@ -198,3 +198,13 @@ TEST(OpenGLTerrainMapperDepth, UserMatrix)
   };
   EXPECT_TRUE(DrawsAsTheMesh(shear));
 }
+
+TEST(OpenGLTerrainMapperDepth, ComputedSightingsHaveLayersToo)
+{
+  auto compute = [](TerrainScene& scene, const TerrainProp& terrain)
+  {
+    makeGhostFromTheSide(scene, terrain);
+    terrain.Mapper->SetComputeMode(vtkOpenGLTerrainMapper::ComputeModes::On);
+  };
+  EXPECT_TRUE(DrawsAsTheMesh(compute));
+}
