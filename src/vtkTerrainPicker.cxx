@@ -34,7 +34,8 @@ struct ShownTerrain
   vtkImageData* Heights = nullptr;
   double Exaggeration = 1.0;
   /// In model coordinates: what is drawn of the heights.
-  std::array<double, 6> Bounds{};
+  glm::dvec2 Lowest{ 0.0 };
+  glm::dvec2 Highest{ 0.0 };
   vtkNew<vtkMatrix4x4> ModelToWorld;
   vtkNew<vtkMatrix4x4> WorldToModel;
 
@@ -55,7 +56,9 @@ void readMapper(vtkMapper* mapper, ShownTerrain& shown)
   {
     shown.Heights = heights;
     shown.Exaggeration = terrainMapper->GetVerticalExaggeration();
-    terrainMapper->GetBounds(shown.Bounds.data());
+    const double* bounds = terrainMapper->GetBounds();
+    shown.Lowest = { bounds[0], bounds[2] };
+    shown.Highest = { bounds[1], bounds[3] };
   }
 }
 
@@ -101,8 +104,8 @@ void clipToShown(const ShownTerrain& shown, terrain::ReferenceRay& ray)
 {
   for (int axis = 0; axis < 2; ++axis)
   {
-    const double low = shown.Bounds[2 * axis] - ray.Origin[axis];
-    const double high = shown.Bounds[2 * axis + 1] - ray.Origin[axis];
+    const double low = shown.Lowest[axis] - ray.Origin[axis];
+    const double high = shown.Highest[axis] - ray.Origin[axis];
     const double pace = ray.Direction[axis];
     if (pace != 0.0)
     {

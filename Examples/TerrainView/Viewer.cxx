@@ -24,7 +24,6 @@ namespace
 {
 constexpr const char* kPictureFile = "terrain-view.png";
 constexpr double kExaggerationStep = 1.25;
-constexpr int kMargin = 10;
 /// Milliseconds between looks at where the pointer is.
 constexpr unsigned long kPointerInterval = 100;
 
