@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The point of the surface that a fragment shows: what VTK's lights and colours work on.
-// Needs vtkTerrainHeights.glsl, vtkTerrainView.glsl and, for rays, vtkTerrainCast.glsl; for columns,
-// vtkTerrainColumns.glsl.
+// Needs vtkTerrainHeights.glsl, vtkTerrainView.glsl, vtkTerrainGradient.glsl and, for rays,
+// vtkTerrainCast.glsl; for columns, vtkTerrainColumns.glsl.
 // Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_MESH if rays begin at the
 // coarse mesh; TERRAIN_DEPTH_OFFSET if depths are shifted thereafter; TERRAIN_COLUMNS for columns;
 // TERRAIN_FLAT for the normals of single patches, not of differences across them; TERRAIN_BLOCK if
@@ -22,41 +22,6 @@ struct TerrainSurface
   int crossings;   // work done, see TerrainHit
 };
 
-// Slope of a neighbouring cell, from the codes of its outer corners and of those it shares; the
-// cell's own slope if the neighbour has no heights.
-float terrainNextSlope(vec2 outer, vec2 inner, float across, float direction, float own)
-{
-  bool valid = all(greaterThanEqual(outer, vec2(0.0)));
-  float slope = direction * (mix(outer.x, outer.y, across) - mix(inner.x, inner.y, across));
-  return valid ? slope : own;
-}
-
-// Code of a sample, negative outside of the grid.
-float terrainCodeOrNone(ivec2 sampleIndex)
-{
-  bool inside = all(greaterThanEqual(sampleIndex, ivec2(0))) &&
-    all(lessThan(sampleIndex, terrainSize));
-  return inside ? terrainCode(sampleIndex) : -1.0;
-}
-
-// Gradient in codes per cell as the central difference of the surface over the width of one cell:
-// continuous everywhere, and the gradient of the patch at the centre of a cell. At borders and next
-// to cells without heights the difference stays within the cell.
-vec2 terrainSmoothGradient(ivec2 cell, vec2 fraction, vec4 codes)
-{
-  vec2 own = terrainPatchGradient(codes, fraction);
-  bvec2 back = lessThan(fraction, vec2(0.5));
-  ivec2 outer = cell + ivec2(back.x ? -1 : 2, back.y ? -1 : 2);
-  vec2 column = vec2(terrainCodeOrNone(ivec2(outer.x, cell.y)),
-    terrainCodeOrNone(ivec2(outer.x, cell.y + 1)));
-  vec2 row = vec2(terrainCodeOrNone(ivec2(cell.x, outer.y)),
-    terrainCodeOrNone(ivec2(cell.x + 1, outer.y)));
-  vec2 next = vec2(
-    terrainNextSlope(column, back.x ? codes.xz : codes.yw, fraction.y, back.x ? -1.0 : 1.0, own.x),
-    terrainNextSlope(row, back.y ? codes.xy : codes.zw, fraction.x, back.y ? -1.0 : 1.0, own.y));
-  return mix(own, next, abs(fraction - 0.5));
-}
-
 TerrainSurface terrainSurfaceAt(ivec2 cell, vec2 fraction, vec4 positionVC, bool front)
 {
   vec4 codes = terrainCellCodes(cell);
@@ -64,7 +29,7 @@ TerrainSurface terrainSurfaceAt(ivec2 cell, vec2 fraction, vec4 positionVC, bool
 #ifdef TERRAIN_FLAT
   vec3 normalVC = terrainNormalVC(gradient);
 #else
-  vec3 normalVC = terrainNormalVC(terrainSmoothGradient(cell, fraction, codes));
+  vec3 normalVC = terrainNormalVC(terrainGradient(cell, fraction, codes, -positionVC.z));
 #endif
   return TerrainSurface(true, positionVC, front ? normalVC : -normalVC, front, cell, fraction,
     terrainPatchCode(codes, fraction), gradient, 0);

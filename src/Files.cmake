@@ -38,6 +38,7 @@ set(private_sources
   vtkTerrainDetailTexture
   vtkTerrainGeoreferencePrepare
   vtkTerrainHeightTexture
+  vtkTerrainMeanTexture
   vtkTerrainRasterFile
   vtkTerrainRasterLayout
   vtkTerrainRasterPiece
@@ -69,6 +70,7 @@ set(shaders
   vtkTerrainCast
   vtkTerrainColor
   vtkTerrainColumns
+  vtkTerrainGradient
   vtkTerrainHeights
   vtkTerrainPyramid
   vtkTerrainRay
@@ -89,6 +91,7 @@ set(core
   GeographicText
   GeoidGrid
   GridReference
+  HeightMeans
   HeightSearch
   HeightUnits
   HierarchyBands

@@ -12,6 +12,7 @@
 #include "vtkTerrainCast.h"
 #include "vtkTerrainColor.h"
 #include "vtkTerrainColumns.h"
+#include "vtkTerrainGradient.h"
 #include "vtkTerrainHeights.h"
 #include "vtkTerrainPyramid.h"
 #include "vtkTerrainRay.h"
@@ -148,7 +149,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
       functions +=
         this->Internals->Sightings.IsFilled() ? vtkTerrainSighting : this->CastFunctions();
     }
-    functions += std::string(vtkTerrainSurface) + vtkTerrainColor;
+    functions += std::string(vtkTerrainGradient) + vtkTerrainSurface + vtkTerrainColor;
     vtkTerrainSubstitute(this, fragment, "//VTK::Camera::Dec", "//VTK::Camera::Dec\n" + functions);
   }
   this->Superclass::ReplaceShaderValues(shaders, ren, act);

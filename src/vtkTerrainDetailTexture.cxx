@@ -66,6 +66,9 @@ bool vtkTerrainDetailTexture::UploadLevels()
   auto data = [this](int level)
   { return const_cast<terrain::PyramidNode<float>*>(this->Pyramid.LevelNodes(level)); };
   bool done = this->Texture->Create2DFromRaw(size.x, size.y, 1, VTK_FLOAT, this->Texels.data());
+  this->Texture->Activate();
+  glGenerateMipmap(GL_TEXTURE_2D);
+  this->Texture->Deactivate();
   const int top = this->Pyramid.LevelCount();
   this->PyramidTexture->SetMaxLevel(top - 1);
   done = done && this->PyramidTexture->Create2DFromRaw(nodes.x, nodes.y, 2, VTK_FLOAT, data(1));
@@ -103,6 +106,10 @@ bool vtkTerrainDetailTexture::Upload(vtkOpenGLRenderWindow* window)
   this->PyramidTexture->SetInternalFormat(GL_RG32F);
   this->PyramidTexture->SetFormat(GL_RG);
   this->PyramidTexture->SetMinificationFilter(vtkTextureObject::NearestMipmapNearest);
+  // for the slopes of what is far away; else shaders fetch single texels
+  this->Texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->Texture->SetMaxLevel(terrain::LevelOfCells(std::max(this->Period.x, this->Period.y)));
   const bool done = this->UploadLevels();
   this->UploadTime = done ? this->ImageTime : 0;
   return done;
@@ -159,6 +166,8 @@ void vtkTerrainDetailTexture::SetUniforms(vtkTerrainUniforms& uniforms, int leve
 //------------------------------------------------------------------------------
 vtkIdType vtkTerrainDetailTexture::GetMemorySize() const
 {
-  const std::size_t bytes = this->Texels.size() * sizeof(float) + this->Pyramid.MemorySize();
+  // with the mip levels, a third more
+  const std::size_t bytes =
+    this->Texels.size() * sizeof(float) * 4 / 3 + this->Pyramid.MemorySize();
   return this->UploadTime ? static_cast<vtkIdType>(bytes) : 0;
 }

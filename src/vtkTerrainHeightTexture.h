@@ -10,6 +10,7 @@
 #define vtkTerrainHeightTexture_h
 
 #include "vtkTerrainDetailTexture.h"
+#include "vtkTerrainMeanTexture.h"
 
 #include "core/Coordinates.h"
 #include "core/HeightCodes.h"
@@ -149,6 +150,7 @@ private:
   };
   Surface Sum;
   vtkTerrainDetailTexture Detail;
+  vtkTerrainMeanTexture Means;
   int DetailLevel = 0;
   double DetailScale = 1.0;
   vtkNew<vtkTextureObject> Texture;

@@ -95,6 +95,7 @@ struct Texts
   std::string Frames;
   PlaceArguments Place;
   std::string PixelTolerance;
+  DetailArguments Detail;
 };
 
 void Declare(CLI::App& app, Options& options, Texts& texts)
@@ -127,6 +128,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   add("--frames", texts.Frames, "N", "how often the picture is drawn; default 1");
   add("--stats", options.Stats, "FILE", "JSON of counts, sizes and times");
   texts.Place.Declare(app, options.Place);
+  texts.Detail.Declare(app, options.Detail);
   app.set_version_flag("--version", TERRAIN_RENDER_VERSION);
 }
 
@@ -157,6 +159,11 @@ void Interpret(const Texts& texts, Options& options)
     options.Frames = ParseInteger("--frames", texts.Frames, 1, 1000000);
   }
   texts.Place.Interpret(options.Place);
+  texts.Detail.Interpret(options.Detail);
+  if (!options.Detail.File.empty() && options.Search == Technique::Strips)
+  {
+    Refuse("--detail", "is not drawn by strips");
+  }
   if (options.View && !options.Place.LookFrom.empty())
   {
     Refuse("--look-from", "--camera says where the eye is already");
@@ -189,7 +196,7 @@ void CheckTechnique(const Options& options)
 void CheckFiles(const Options& options)
 {
   std::vector<std::pair<const char*, std::string>> files = { { "HEIGHTS", options.Heights },
-    { "--drape", options.Place.Drape } };
+    { "--drape", options.Place.Drape }, { "--detail", options.Detail.File } };
   for (const std::string& track : options.Place.Tracks)
   {
     files.emplace_back("--track", track);

@@ -7,6 +7,7 @@
 #ifndef terrain_render_Options_h
 #define terrain_render_Options_h
 
+#include "Detail.h"
 #include "PlaceOptions.h"
 
 #include <array>
@@ -68,6 +69,7 @@ struct Options
   /// File of statistics; empty for none.
   std::string Stats;
   PlaceOptions Place;
+  DetailOptions Detail;
 };
 
 /// Largest width and height of a picture, in pixels.

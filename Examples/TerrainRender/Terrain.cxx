@@ -108,6 +108,7 @@ Terrain PrepareRays(
   actor->GetTerrainMapper()->SetShowCrossings(options.Crossings);
   actor->GetCoarseMesh()->SetSamplesPerQuad(options.MeshCells);
   ColorByPlaceHeight(actor, heights);
+  AddDetail(actor->GetTerrainMapper(), heights, options.Detail, statistics);
   Terrain terrain;
   terrain.Actor = actor;
   if (vtkTerrainCoarseMesh* mesh = actor->GetUsedMesh())

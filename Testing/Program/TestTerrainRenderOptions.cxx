@@ -66,7 +66,14 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--track-mode", "flying" }, "flying" },
   { { "--drape", "a.png", "--output", "a.png" }, "a.png" },
   { { "--drape", "a.png", "--technique", "strips" }, "strips" },
-  { { "--track", "a.json", "--stats", "a.json" }, "a.json" } };
+  { { "--track", "a.json", "--stats", "a.json" }, "a.json" },
+  { { "--detail-cells", "8" }, "needs --detail" }, { { "--detail-height", "8" }, "needs --detail" },
+  { { "--detail", "builtin", "--detail-cells", "12" }, "power of two" },
+  { { "--detail", "builtin", "--detail-cells", "0" }, "--detail-cells" },
+  { { "--detail", "builtin", "--detail-cells", "1e9" }, "--detail-cells" },
+  { { "--detail", "builtin", "--detail-height", "-1" }, "--detail-height" },
+  { { "--detail", "builtin", "--technique", "strips" }, "strips" },
+  { { "--detail", "a.png", "--output", "a.png" }, "a.png" } };
 }
 
 TEST_F(TerrainRenderOptions, WrongOnesAreRefused)

@@ -140,6 +140,33 @@ TEST_F(TerrainRenderOutput, WindowsDrawTheSame)
   }
 }
 
+// Detail changes the distances by no more than its height, and hardly any pixel is without.
+TEST_F(TerrainRenderOutput, DetailIsAdded)
+{
+  const std::string hill = this->WriteHill();
+  this->ExpectDrawn(this->Draw(hill), 5000);
+  const Depths bare = this->ReadDepths();
+  for (const std::string& detail : { std::string("builtin"), hill })
+  {
+    this->ExpectDrawn(this->Draw(hill,
+                        { "--detail", detail, "--detail-cells", "8", "--detail-height", "0.5",
+                          "--stats", "stats.json" }),
+      5000);
+    EXPECT_NE(
+      this->ReadText("stats.json").find("\"effective_samples\" : 197505"), std::string::npos)
+      << this->ReadText("stats.json");
+    const Depths detailed = this->ReadDepths();
+    int changed = 0;
+    for (std::size_t k = 0; k < bare.Values.size(); ++k)
+    {
+      changed += std::abs(detailed.Values[k] - bare.Values[k]) > 1e-3f;
+    }
+    EXPECT_GT(changed, 3000);
+  }
+  RunResult result = this->Draw(hill, { "--detail", "missing.tif" });
+  ExpectRefused(result, 1, "missing.tif");
+}
+
 TEST_F(TerrainRenderOutput, StatisticsHaveCountsAndTimes)
 {
   const std::string hill = this->WriteHill();
