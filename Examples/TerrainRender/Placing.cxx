@@ -108,7 +108,7 @@ std::string ChooseFrame(PlacedHeights& placed, const std::string& name)
 /// Empty if the scene has places on earth, else why not.
 std::string WhyNoPlaces(vtkTerrainGeoreference* scene)
 {
-  const std::string why = scene->GetWhyNot();
+  std::string why = scene->GetWhyNot();
   if (!why.empty() || scene->IsOnEarth())
   {
     return why;
