@@ -90,7 +90,7 @@ std::string CoordinateSystemOf(OGRLayerH layer)
   {
     OSRExportToWktEx(reference, &text, options);
   }
-  const std::string definition = text ? text : "";
+  std::string definition = text ? text : "";
   CPLFree(text);
   return definition;
 }
