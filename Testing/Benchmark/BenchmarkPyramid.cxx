@@ -7,7 +7,8 @@
  *   BenchmarkPyramid [SAMPLES [START]]     default 4097 5
  *
  * over a procedural landscape of SAMPLES x SAMPLES, START being the level of the first node.
- * Printed are the time to build the pyramid (the best of five, all threads); then for views that
+ * Printed are the time to build the pyramid (the best of five, by the clock and as the processor
+ * time of all threads); then for views that
  * fly and views that walk, 640 x 480 rays each, the spectrum of nodes visited a ray (Park & Oh,
  * figure 13: the part of rays within 16 and 35 and beyond 85), the mean over groups of 4 x 2 pixels
  * of the slowest ray's, and million rays a second on one thread; and the same when the rays of
@@ -25,6 +26,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <vector>
 
 namespace
@@ -245,15 +247,19 @@ int main(int argc, char* argv[])
   }
   Landscape landscape(samples);
   double best = 1e9;
+  double leastWork = 1e9;
   for (int trial = 0; trial < 5; ++trial)
   {
+    const std::clock_t cpu = std::clock();
     const Clock::time_point begin = Clock::now();
     landscape.Build();
+    leastWork = std::min(leastWork, static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC);
     best = std::min(best, SecondsSince(begin));
   }
-  std::printf("%d x %d samples of 16 bits: pyramid of %d levels, %.1f MB, built in %.3f s\n",
+  std::printf("%d x %d samples of 16 bits: pyramid of %d levels, %.1f MB, built in %.3f s, %.3f s "
+              "of all threads\n",
     samples, samples, landscape.Pyramid.LevelCount(),
-    1e-6 * static_cast<double>(landscape.Pyramid.MemorySize()), best);
+    1e-6 * static_cast<double>(landscape.Pyramid.MemorySize()), best, leastWork);
   PrintViews(landscape, start);
   return 0;
 }
