@@ -84,6 +84,23 @@ class TestPyVista(unittest.TestCase):
         clear, _, _ = draw(hill(), exaggeration=2.0, clim=(2.0, 8.0), opacity=0.4)
         self.assertTrue((clear != plain).any())
 
+    def test_texture_spans_the_terrain_with_its_upper_edge_in_the_north(self):
+        quarters = np.full((40, 60, 3), 255, dtype=np.uint8)
+        quarters[:20, :30] = (255, 0, 0)  # north-west
+        quarters[20:, 30:] = (0, 0, 255)  # south-east
+        path = vtkTerrainTesting.output_path("quarters.png")
+        vtkTerrainTesting.write_picture(path, quarters)
+        for texture in (quarters, pyvista.Texture(quarters), path):
+            _, _, plotter = draw(np.zeros((48, 64)), texture=texture)
+            plotter.view_xy()
+            plotter.enable_parallel_projection()
+            picture = plotter.screenshot(return_img=True).astype(int)
+            seen = np.argwhere((picture[..., 0] > 100) & (picture[..., 2] < 50))
+            self.assertGreater(len(seen), 1000)
+            self.assertTrue((seen.mean(axis=0) < (SIZE[1] / 2, SIZE[0] / 2)).all())
+            seen = np.argwhere((picture[..., 2] > 100) & (picture[..., 0] < 50))
+            self.assertTrue((seen.mean(axis=0) > (SIZE[1] / 2, SIZE[0] / 2)).all())
+
     def test_a_named_terrain_replaces_the_one_before(self):
         _, _, plotter = draw(hill(), name="hill", show_scalar_bar=True)
         again = plotting.add_terrain(plotter, hill() * 2.0, name="hill")

@@ -67,6 +67,12 @@ def _add_colors(actor, cmap, clim):
     return table
 
 
+def _to_texture(texture):
+    if isinstance(texture, (str, os.PathLike)):
+        return pyvista.read_texture(texture)
+    return texture if isinstance(texture, pyvista.Texture) else pyvista.Texture(np.asarray(texture))
+
+
 def _add_scalar_bar(plotter, table, options):
     mapper = pyvista.DataSetMapper()
     mapper.lookup_table = table
@@ -75,7 +81,7 @@ def _add_scalar_bar(plotter, table, options):
 
 
 def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap=None, clim=None,
-                color=None, opacity=1.0, show_scalar_bar=None, scalar_bar_args=None, name=None,
+                color=None, texture=None, opacity=1.0, show_scalar_bar=None, scalar_bar_args=None, name=None,
                 reset_camera=None, pickable=True, **place):
     """Adds a heightfield to a plotter; returns the ``vtkTerrainActor``.
 
@@ -97,6 +103,9 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
         Heights of the first and last colour of ``cmap``; the lowest and the highest by default.
     color : ColorLike, optional
         One colour for all, instead of colours of the heights.
+    texture : pyvista.Texture, array_like, str or path, optional
+        A picture that spans the terrain, its upper edge in the north, instead of colours of the
+        heights.
     opacity : float
         1 is opaque, 0 not seen.
     show_scalar_bar : bool, optional
@@ -122,11 +131,14 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
     actor.SetTechnique(techniques[technique])
     actor.SetVerticalExaggeration(exaggeration)
     actor.GetProperty().SetOpacity(opacity)
+    has_height_colors = color is None and texture is None
+    actor.SetColorByHeight(has_height_colors)
     if color is not None:
-        actor.SetColorByHeight(False)
         actor.GetProperty().SetColor(pyvista.Color(color).float_rgb)
+    if texture is not None:
+        actor.SetTexture(_to_texture(texture))
     plotter.add_actor(actor, name=name, reset_camera=reset_camera, pickable=pickable, render=False)
-    if color is None:
+    if has_height_colors:
         table = _add_colors(actor, cmap, clim)
         if plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar:
             _add_scalar_bar(plotter, table, scalar_bar_args)

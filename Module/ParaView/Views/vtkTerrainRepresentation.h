@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTerrainRepresentation
+ * @brief   the representation "Terrain" of images in ParaView
+ *
+ * Input: vtkImageData of W x H x 1 points, whose heights are a point or a cell array of one
+ * component (SetInputArrayToProcess, index 1; the active point scalars without). Cell heights are
+ * samples at the centres of the cells. Any array may colour the surface (index 0).
+ *
+ * Distributed images are drawn where they are: each rank draws its piece, ParaView composites by
+ * depth. One level of ghost cells is asked for, so that normals at the border of a piece are those
+ * of the whole; ghost cells themselves are not drawn. A rank without data draws nothing.
+ *
+ * Methods that set properties do so on a vtkTerrainActor, see there and at its mapper.
+ *
+ * @sa vtkTerrainActor vtkOpenGLTerrainMapper
+ */
+#ifndef vtkTerrainRepresentation_h
+#define vtkTerrainRepresentation_h
+
+#include "vtkNew.h" // For members
+#include "vtkPVDataRepresentation.h"
+#include "vtkSmartPointer.h"               // For members
+#include "vtkTerrainParaViewViewsModule.h" // For export macro
+
+class vtkImageData;
+class vtkScalarsToColors;
+class vtkTerrainActor;
+class vtkTexture;
+
+class VTKTERRAINPARAVIEWVIEWS_EXPORT vtkTerrainRepresentation : public vtkPVDataRepresentation
+{
+public:
+  static vtkTerrainRepresentation* New();
+  vtkTypeMacro(vtkTerrainRepresentation, vtkPVDataRepresentation)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+  void SetVisibility(bool visible) override;
+
+  /// How the surface is drawn: vtkOpenGLTerrainMapper::Techniques as a number; default 4, Pyramid.
+  void SetTechnique(int technique);
+  /// Drawn height over true height, > 0; default 1.
+  void SetVerticalExaggeration(double exaggeration);
+  /// What colours show: vtkOpenGLTerrainMapper::ColorSources as a number; default 0, the array.
+  void SetColorSource(int source);
+
+  ///@{
+  /// Contour lines: default off, at multiples of 100, 1.5 pixels wide.
+  void SetContours(bool show);
+  void SetContourInterval(double heights);
+  void SetContourWidth(double pixels);
+  ///@}
+
+  ///@{
+  /// Shading by a sun, in degrees; default off, 315 clockwise from north, 45 above the horizon.
+  void SetHillshade(bool show);
+  void SetHillshadeAzimuth(double degrees);
+  void SetHillshadeAltitude(double degrees);
+  ///@}
+
+  ///@{
+  /// A solid block down to a height; default off, 0.
+  void SetBlock(bool show);
+  void SetBlockBase(double height);
+  ///@}
+
+  ///@{
+  /// As those of vtkActor, vtkProperty and vtkMapper.
+  void SetLookupTable(vtkScalarsToColors* colors);
+  void SetOpacity(double opacity);
+  void SetAmbientColor(double red, double green, double blue);
+  void SetDiffuseColor(double red, double green, double blue);
+  void SetSpecular(double specular);
+  void SetSpecularPower(double power);
+  void SetTexture(vtkTexture* texture);
+  void SetPosition(double x, double y, double z);
+  void SetScale(double x, double y, double z);
+  void SetOrientation(double x, double y, double z);
+  void SetOrigin(double x, double y, double z);
+  void SetPickable(int pickable);
+  ///@}
+
+  vtkTerrainRepresentation(const vtkTerrainRepresentation&) = delete;
+  void operator=(const vtkTerrainRepresentation&) = delete;
+
+protected:
+  vtkTerrainRepresentation();
+  ~vtkTerrainRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+private:
+  void PassPiece(vtkInformation* inInfo, vtkInformation* outInfo);
+  void GetOwnBounds(double bounds[6]);
+  void TakePiece(vtkInformation* inInfo);
+  void UpdateColors();
+
+  vtkNew<vtkTerrainActor> Actor;
+  /// The piece of this process; without points if it has none.
+  vtkSmartPointer<vtkImageData> Heights;
+};
+
+#endif

@@ -1,0 +1,156 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin in one process, run by pvbatch."""
+import pathlib
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.append(str(pathlib.Path(__file__).parents[1] / "Python"))
+import terrainScene  # noqa: E402
+import vtkTerrainTesting  # noqa: E402
+from paraview import simple  # noqa: E402
+
+terrainScene.load_plugin()
+
+
+def picture(view, name):
+    path = vtkTerrainTesting.output_path(f"{name}.png")
+    terrainScene.save(view, path)
+    return vtkTerrainTesting.read_picture(path).astype(int)
+
+
+def share_of_difference(one, other, visible=8):
+    return (np.abs(one - other) > visible).any(axis=2).mean()
+
+
+def write_hill(name):
+    j, i = np.mgrid[0:48, 0:64]
+    path = vtkTerrainTesting.output_path(name)
+    vtkTerrainTesting.write_ascii_grid(path, 12.0 * np.exp(-((i - 40) ** 2 + (j - 30) ** 2) / 120.0))
+    return path
+
+
+def delete_all():
+    """Removes all sources, displays and views."""
+    for source in list(simple.GetSources().values())[::-1]:
+        simple.Delete(source)
+    for view in simple.GetRenderViews():
+        simple.Delete(view)
+
+
+class TestPlugin(unittest.TestCase):
+    def setUp(self):
+        self.view = terrainScene.new_view()
+        self.source = simple.TerrainLandscape(Dimensions=[101, 76])
+        terrainScene.look_from_the_south(self.view)
+
+    def tearDown(self):
+        delete_all()
+
+    def test_terrain_is_a_representation_of_images(self):
+        display = simple.Show(self.source, self.view)
+        self.assertIn("Terrain", display.GetProperty("Representation").GetAvailable())
+
+    def test_techniques_draw_the_same_surface(self):
+        display = terrainScene.show_terrain(self.source, self.view)
+        exact = picture(self.view, "technique-Pyramid")
+        self.assertGreater((exact != exact[0, 0]).any(axis=2).mean(), 0.2)
+        for technique in ("Mesh", "Linear", "Exponential", "Equidistant"):
+            display.TerrainTechnique = technique
+            other = picture(self.view, f"technique-{technique}")
+            self.assertLess(share_of_difference(exact, other), 0.03, technique)
+
+    def test_properties_change_the_picture(self):
+        display = terrainScene.show_terrain(self.source, self.view)
+        plain = picture(self.view, "plain")
+        for name, default, value, least in (
+                ("TerrainVerticalExaggeration", 1.0, 2.0, 0.1), ("Opacity", 1.0, 0.4, 0.2),
+                ("TerrainContours", 0, 1, 0.005), ("TerrainHillshade", 0, 1, 0.1),
+                ("TerrainBlock", 0, 1, 0.0005), ("TerrainColorSource", "Array", "Slope", 0.1),
+                ("Position", [0.0, 0.0, 0.0], [5000.0, 0.0, 0.0], 0.1)):
+            setattr(display, name, value)
+            changed = picture(self.view, f"property-{name}")
+            self.assertGreater(share_of_difference(plain, changed), least, name)
+            setattr(display, name, default)
+            self.assertEqual(share_of_difference(plain, picture(self.view, "again")), 0.0, name)
+
+    def test_without_an_array_the_surface_has_one_colour(self):
+        display = terrainScene.show_terrain(self.source, self.view)
+        simple.ColorBy(display, None)
+        display.DiffuseColor = [1.0, 0.0, 0.0]
+        drawn = picture(self.view, "red")
+        surface = (drawn != drawn[0, 0]).any(axis=2)
+        self.assertEqual(drawn[surface][:, 1:].max(initial=0), 0)
+
+    def test_any_array_colours_the_surface(self):
+        calculator = simple.Calculator(self.source, ResultArrayName="east", Function="coordsX")
+        display = terrainScene.show_terrain(calculator, self.view)
+        display.TerrainHeights = ["POINTS", "Elevation"]
+        simple.ColorBy(display, ("POINTS", "east"))
+        colors = simple.GetColorTransferFunction("east")
+        colors.RGBPoints = [0.0, 1.0, 0.0, 0.0, 40960.0, 0.0, 0.0, 1.0]
+        colors.ColorSpace = "RGB"
+        drawn = picture(self.view, "east")
+        west, east = drawn[75:95, 60:80], drawn[75:95, 160:180]
+        self.assertGreater((west[..., 0] - west[..., 2]).mean(), 30)
+        self.assertGreater((east[..., 2] - east[..., 0]).mean(), 30)
+
+    def test_heights_of_cells(self):
+        cells = simple.PointDatatoCellData(self.source)
+        display = simple.Show(cells, self.view)
+        display.SetRepresentationType("Terrain")
+        display.TerrainHeights = ["CELLS", "Elevation"]
+        simple.ColorBy(display, None)
+        drawn = picture(self.view, "cells")
+        display = terrainScene.show_terrain(self.source, self.view)
+        simple.Hide(cells, self.view)
+        simple.ColorBy(display, None)
+        self.assertLess(share_of_difference(drawn, picture(self.view, "points"), 40), 0.05)
+
+    def test_hidden_terrain_is_not_drawn(self):
+        terrainScene.show_terrain(self.source, self.view)
+        simple.Render(self.view)
+        simple.Hide(self.source, self.view)
+        drawn = picture(self.view, "hidden")
+        self.assertTrue((drawn == drawn[0, 0]).all())
+
+    def test_files_open(self):
+        path = write_hill("paraview-hill.asc")
+        reader = simple.OpenDataFile(path)
+        self.assertEqual(reader.GetXMLName(), "TerrainRasterReader")
+        reader.UpdatePipeline()
+        self.assertEqual(reader.GetDataInformation().GetExtent(), (0, 63, 0, 47, 0, 0))
+        reader.MaximumSize = 32
+        reader.UpdatePipeline()
+        self.assertEqual(reader.GetDataInformation().GetExtent()[1], 31)
+
+    def test_filters(self):
+        mesh = simple.TerrainCoarseMesh(self.source, SamplesPerQuad=16)
+        mesh.UpdatePipeline()
+        self.assertGreater(mesh.GetDataInformation().GetNumberOfCells(), 50)
+        reproject = simple.TerrainReproject(self.source, CoordinateSystem="EPSG:32645", Spacing=400.0)
+        reproject.UpdatePipeline()
+        self.assertGreater(reproject.GetDataInformation().GetNumberOfPoints(), 5000)
+
+    def test_state_files(self):
+        terrainScene.show_terrain(
+            self.source, self.view, TerrainVerticalExaggeration=2.0, TerrainTechnique="Equidistant",
+            TerrainContours=1)
+        before = picture(self.view, "state-before")
+        path = vtkTerrainTesting.output_path("state.pvsm")
+        simple.SaveState(path)
+        delete_all()
+        simple.LoadState(path)
+        view = simple.GetRenderViews()[0]
+        view.UseFXAA = 0  # a setting of the user, not of the state
+        self.assertEqual(share_of_difference(before, picture(view, "state-after")), 0.0)
+        display = simple.GetDisplayProperties(list(simple.GetSources().values())[0], view)
+        self.assertEqual(display.TerrainTechnique, "Equidistant")
+        self.assertEqual(display.TerrainVerticalExaggeration, 2.0)
+
+
+if __name__ == "__main__":
+    sys.argv[1:] = []
+    vtkTerrainTesting.run()

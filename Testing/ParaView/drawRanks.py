@@ -1,0 +1,26 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws terrain on all ranks, a picture for each case: drawRanks.py PREFIX (run by pvbatch)"""
+import sys
+
+import terrainScene
+from paraview import simple
+
+TECHNIQUES = ("Pyramid", "Equidistant", "Linear", "Exponential", "Mesh")
+
+terrainScene.load_plugin()
+source = simple.TerrainLandscape(Dimensions=[161, 121])
+view = terrainScene.new_view()
+display = terrainScene.show_terrain(source, view, TerrainVerticalExaggeration=2.0)
+terrainScene.look_from_the_south(view)
+ball = simple.Sphere(Center=[20000.0, 15000.0, 2500.0], Radius=4000.0, ThetaResolution=64,
+                     PhiResolution=64)
+shown_ball = simple.Show(ball, view)
+shown_ball.ColorArrayName = [None, ""]
+for technique in TECHNIQUES:
+    display.TerrainTechnique = technique
+    terrainScene.save(view, f"{sys.argv[1]}-{technique}.png")
+display.TerrainTechnique = "Pyramid"
+display.Opacity = 0.5
+simple.Hide(ball, view)
+terrainScene.save(view, f"{sys.argv[1]}-Translucent.png")
