@@ -371,12 +371,15 @@ void vtkOpenGLTerrainMapper::ComputeBounds()
   const terrain::SampleRectangle drawn = this->DrawnRectangle();
   const glm::dvec3 low = geometry.ToModel(drawn.First, cutting.Lowest(codes.ToHeight(0.0)));
   const glm::dvec3 high = geometry.ToModel(drawn.Last, codes.ToHeight(codes.MaximumCode));
-  for (int axis = 0; axis < 3; ++axis)
+  if (cutting.Extracts)
   {
-    const bool cut = axis < 2 && !cutting.Extracts;
-    this->Bounds[2 * axis] = cut ? this->Bounds[2 * axis] : low[axis];
-    this->Bounds[2 * axis + 1] = cut ? this->Bounds[2 * axis + 1] : high[axis];
+    this->Bounds[0] = low.x;
+    this->Bounds[1] = high.x;
+    this->Bounds[2] = low.y;
+    this->Bounds[3] = high.y;
   }
+  this->Bounds[4] = low.z;
+  this->Bounds[5] = high.z;
 }
 
 //------------------------------------------------------------------------------

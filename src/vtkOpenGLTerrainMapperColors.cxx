@@ -96,7 +96,7 @@ void vtkOpenGLTerrainMapper::SetDrape(vtkImageData* picture, const double bounds
 void vtkOpenGLTerrainMapper::SetDrape(vtkImageData* picture)
 {
   double bounds[4] = { 0.0, 1.0, 0.0, 1.0 };
-  for (int axis = 0; picture && axis < 2; ++axis)
+  for (std::size_t axis = 0; picture && axis < 2; ++axis)
   {
     const int* extent = picture->GetExtent() + 2 * axis;
     const double origin = picture->GetOrigin()[axis];

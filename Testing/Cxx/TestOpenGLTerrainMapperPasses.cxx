@@ -187,3 +187,21 @@ TEST(OpenGLTerrainMapperPasses, DepthPeeling)
   };
   EXPECT_TRUE(DrawsAsTheMesh(peel));
 }
+
+TEST(OpenGLTerrainMapperPasses, SampleShadingSmoothsSilhouettes)
+{
+  using Techniques = vtkOpenGLTerrainMapper::Techniques;
+  auto differences = [](bool shade)
+  {
+    auto draw = [shade](TerrainScene& scene, const TerrainProp& terrain)
+    {
+      scene.Window->SetMultiSamples(4);
+      terrain.Mapper->SetSampleShading(shade);
+    };
+    const auto mesh = vtkTerrainTesting::DrawScene(draw, Techniques::Mesh);
+    return vtkTerrainTesting::CountDifferentPixels(vtkTerrainTesting::DrawScene(draw), mesh, 24);
+  };
+  const vtkIdType jagged = differences(false);
+  EXPECT_GT(jagged, 100);
+  EXPECT_LT(10 * differences(true), jagged);
+}
