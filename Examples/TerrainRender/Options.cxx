@@ -117,8 +117,11 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
     "view, from the south");
   add("--view-angle", texts.ViewAngle, "DEGREES", "vertical field of view; default 30");
   add("--exaggeration", texts.Exaggeration, "FACTOR", "drawn height over true height; default 1");
-  add("--pixel-tolerance", texts.PixelTolerance, "PIXELS",
-    "by how much the technique pyramid may be off; default 0, exact");
+  add("--pixel-tolerance,--tolerance", texts.PixelTolerance, "PIXELS",
+    "by how much the techniques pyramid (default 0, exact) and strips (default 1) may be off");
+  app.add_flag("--wireframe", options.Wireframe, "draw the technique strips as lines");
+  app.add_flag(
+    "--levels", options.Levels, "draw the technique strips in colours of its hierarchy's depths");
   app.add_flag("--crossings", options.Crossings,
     "draw how many nodes or samples each ray takes, blue for none to red for 64 and more");
   add("--depth", options.Depth, "FILE",
@@ -182,9 +185,22 @@ void CheckTechnique(const Options& options)
   {
     Refuse("--crossings", std::string(NameOf(options.Search)) + " casts no rays");
   }
-  if (options.PixelTolerance > 0.0 && options.Search != Technique::Pyramid)
+  const bool strips = options.Search == Technique::Strips;
+  if (options.PixelTolerance && !strips && options.Search != Technique::Pyramid)
   {
-    Refuse("--pixel-tolerance", "is for the technique pyramid only");
+    Refuse("--pixel-tolerance", "is for the techniques pyramid and strips only");
+  }
+  if (strips && options.PixelTolerance && *options.PixelTolerance == 0.0)
+  {
+    Refuse("--pixel-tolerance", "must not be 0 for the technique strips");
+  }
+  if (options.Wireframe && !strips)
+  {
+    Refuse("--wireframe", "is for the technique strips only");
+  }
+  if (options.Levels && !strips)
+  {
+    Refuse("--levels", "is for the technique strips only");
   }
   if (options.Search == Technique::Strips && !options.Place.Drape.empty())
   {

@@ -58,8 +58,11 @@ struct Options
   double ViewAngle = 30.0;
   /// Drawn height over true height.
   double Exaggeration = 1.0;
-  /// Pixels by which the technique pyramid may be off; 0: exact.
-  double PixelTolerance = 0.0;
+  /// Pixels by which the technique pyramid (else 0: exact) or strips (else 1) may be off.
+  std::optional<double> PixelTolerance;
+  /// True to draw the edges of the technique strips, or the depths of its hierarchy in colours.
+  bool Wireframe = false;
+  bool Levels = false;
   /// True to draw the work of each ray in false colours.
   bool Crossings = false;
   /// File of depths; empty for none.

@@ -104,7 +104,7 @@ Terrain PrepareRays(
   actor->SetInputData(heights);
   actor->SetTechnique(MapperTechnique(options.Search));
   actor->SetVerticalExaggeration(options.Exaggeration);
-  actor->GetTerrainMapper()->SetPixelTolerance(options.PixelTolerance);
+  actor->GetTerrainMapper()->SetPixelTolerance(options.PixelTolerance.value_or(0.0));
   actor->GetTerrainMapper()->SetShowCrossings(options.Crossings);
   actor->GetCoarseMesh()->SetSamplesPerQuad(options.MeshCells);
   ColorByPlaceHeight(actor, heights);
@@ -127,6 +127,34 @@ Terrain PrepareRays(
   terrain.Bounds.SetBounds(actor->GetBounds());
   ThrowOnError(HeightsName(options));
   return terrain;
+}
+
+/// Draws strips between two heights, `low` as drawn: coloured by height, or by depth.
+vtkSmartPointer<vtkActor> MakeStripsActor(
+  vtkTerrainStrips* strips, double lowest, double highest, double low, const Options& options)
+{
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  const vtkNew<vtkPolyDataMapper> mapper;
+  actor->SetMapper(mapper);
+  if (options.Wireframe)
+  {
+    actor->GetProperty()->SetRepresentationToWireframe();
+  }
+  if (options.Levels)
+  {
+    mapper->SetInputConnection(strips->GetOutputPort());
+    return actor;
+  }
+  const vtkNew<vtkElevationFilter> elevation;
+  elevation->SetInputConnection(strips->GetOutputPort());
+  const double thickness = highest > lowest ? highest - lowest : 1.0;
+  elevation->SetLowPoint(0.0, 0.0, low);
+  elevation->SetHighPoint(0.0, 0.0, low + options.Exaggeration * thickness);
+  elevation->SetScalarRange(lowest, lowest + thickness);
+  mapper->SetInputConnection(elevation->GetOutputPort());
+  mapper->InterpolateScalarsBeforeMappingOn();
+  ColorByHeight(mapper, lowest, highest);
+  return actor;
 }
 
 /// For the technique Strips: a hierarchy that is refined for the camera later.
@@ -159,19 +187,10 @@ Terrain PrepareStrips(vtkImageData* heights, const Options& options, ProgressBar
   terrain.Strips = vtkSmartPointer<vtkTerrainStrips>::New();
   terrain.Strips->SetHierarchy(hierarchy);
   terrain.Strips->SetExaggeration(options.Exaggeration);
+  terrain.Strips->SetTolerance(options.PixelTolerance.value_or(1.0));
   terrain.Strips->NormalsOn();
-  const vtkNew<vtkElevationFilter> elevation;
-  elevation->SetInputConnection(terrain.Strips->GetOutputPort());
-  const double thickness = highest > lowest ? highest - lowest : 1.0;
-  elevation->SetLowPoint(0.0, 0.0, bounds[4]);
-  elevation->SetHighPoint(0.0, 0.0, bounds[4] + options.Exaggeration * thickness);
-  elevation->SetScalarRange(lowest, lowest + thickness);
-  const vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(elevation->GetOutputPort());
-  mapper->InterpolateScalarsBeforeMappingOn();
-  ColorByHeight(mapper, lowest, highest);
-  terrain.Actor = vtkSmartPointer<vtkActor>::New();
-  terrain.Actor->SetMapper(mapper);
+  terrain.Strips->SetLevelColors(options.Levels);
+  terrain.Actor = MakeStripsActor(terrain.Strips, lowest, highest, bounds[4], options);
   return terrain;
 }
 }

@@ -108,6 +108,29 @@ TEST_F(TerrainRenderOutput, NothingNearTheEyeIsLost)
   EXPECT_NEAR(this->ReadDepths().At(80, 60), 0.15, 1e-4);
 }
 
+TEST_F(TerrainRenderOutput, StripsKeepATolerance)
+{
+  const std::string hill = this->WriteHill();
+  const auto triangles = [&](const std::vector<std::string>& options)
+  {
+    std::vector<std::string> arguments{ "--technique", "strips", "--stats", "stats.json" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    this->ExpectDrawn(this->Draw(hill, arguments), 1000);
+    const std::string text = this->ReadText("stats.json");
+    const std::string key = "\"mesh_triangles\"";
+    const std::size_t place = text.find(key);
+    return place == std::string::npos ? -1 : std::stoi(text.substr(text.find(':', place) + 1));
+  };
+  const int standard = triangles({});
+  EXPECT_EQ(triangles({ "--tolerance", "1" }), standard);
+  EXPECT_LT(triangles({ "--tolerance", "4" }), standard);
+  EXPECT_GT(triangles({ "--tolerance", "0.2" }), standard);
+  EXPECT_EQ(triangles({ "--levels" }), standard);
+  const int hits = this->ReadDepths().CountHits();
+  EXPECT_EQ(triangles({ "--wireframe" }), standard);
+  EXPECT_LT(this->ReadDepths().CountHits(), hits);
+}
+
 TEST_F(TerrainRenderOutput, TechniquesAgree)
 {
   const std::string hill = this->WriteHill();
