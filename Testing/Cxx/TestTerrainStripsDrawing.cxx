@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Strips drawn by VTK's own mapper: at each of three tolerances the depths stay within the
 // tolerance of the full mesh, and the pictures are known.
+#include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainSource.h"
 #include "vtkTerrainStrips.h"
 #include "vtkTerrainTesting.h"
@@ -179,4 +180,28 @@ TEST(TerrainStripsDrawing, MatchesBaselines)
   picture.Actor->GetProperty()->EdgeVisibilityOn();
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(
     vtkTerrainTesting::Render(picture.Scene.Window), "TerrainStripsLevels", { 40, 0.01 }));
+}
+
+TEST(TerrainStripsDrawing, TheTerrainMapperShadesThemByTheHeights)
+{
+  Picture picture;
+  const auto render = [&] { return vtkTerrainTesting::Render(picture.Scene.Window); };
+  vtkNew<vtkOpenGLTerrainMapper> mapper;
+  mapper->SetHeightsConnection(picture.Source->GetOutputPort());
+  picture.Actor->SetMapper(mapper);
+  const vtkSmartPointer<vtkImageData> surface = render();
+  mapper->SetInputConnection(0, picture.Strips->GetOutputPort());
+  mapper->SetTechnique(vtkOpenGLTerrainMapper::Techniques::Mesh);
+  picture.Strips->SetTolerance(3.0);
+  const vtkSmartPointer<vtkImageData> shaded = render();
+  EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(shaded, "TerrainStripsShaded"));
+  const vtkIdType shadedByHeights = vtkTerrainTesting::CountDifferentPixels(surface, shaded, 20);
+  picture.Actor->SetMapper(picture.Mapper);
+  const vtkIdType shadedByPoints = vtkTerrainTesting::CountDifferentPixels(surface, render(), 20);
+  RecordProperty("shadedByHeights", std::to_string(shadedByHeights));
+  RecordProperty("shadedByPoints", std::to_string(shadedByPoints));
+  std::printf("pixels shaded otherwise: %lld by heights, %lld by points\n",
+    static_cast<long long>(shadedByHeights), static_cast<long long>(shadedByPoints));
+  // The strips leave the surface by up to 3 pixels, so some differ in either case.
+  EXPECT_LT(2 * shadedByHeights, shadedByPoints);
 }
