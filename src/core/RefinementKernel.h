@@ -116,6 +116,7 @@ constexpr StripEdge Flip(StripEdge edge)
  *   Holes      some triangles are not drawn
  * Sink gives active vertices an index and takes the strip:
  *   std::uint32_t Vertex(const RefinementFrame&, const VertexSite&, left, right)
+ *   void Prefetch(record), ahead of Vertex
  *   void Append(index); void Reserve(); std::uint32_t Count(); std::uint32_t Last();
  *   void RepeatThird(); bool Stopped()
  */
@@ -258,6 +259,25 @@ private:
     return site;
   }
 
+  /// Fetches what is known of the vertices that halve the triangle's halves. Most of them are
+  /// looked at soon, and whether they take part is hard to predict: the answer should not wait for
+  /// memory.
+  TERRAIN_INLINE void Prefetch(const TriangleSite& triangle) const
+  {
+    if constexpr (!Traits::Distance)
+    {
+      if (!this->IsFinest(triangle))
+      {
+        for (const int side : { 0, 1 })
+        {
+          const std::uint32_t index = this->Site(this->Half(triangle, side)).Index;
+          __builtin_prefetch(&this->Frame.Records[index]);
+          this->Out.Prefetch(index);
+        }
+      }
+    }
+  }
+
   /// True if the vertex takes part, culling aside: its error is too large to leave it out.
   TERRAIN_INLINE bool IsNeeded(VertexSite& site) const
   {
@@ -368,7 +388,8 @@ private:
   }
 
   /// Goes on at the triangle (first, second, third) after a gap, joined by degenerate triangles.
-  void Start(std::uint32_t first, std::uint32_t second, std::uint32_t third, bool counterClockwise)
+  TERRAIN_NO_INLINE void Start(
+    std::uint32_t first, std::uint32_t second, std::uint32_t third, bool counterClockwise)
   {
     if (this->Out.Count() != 0)
     {
@@ -423,6 +444,8 @@ private:
     }
     TriangleSite left = this->Half(triangle, 0);
     TriangleSite right = this->Half(triangle, 1);
+    this->Prefetch(left);
+    this->Prefetch(right);
     const bool isLeftActive = this->Visit(left);
     const bool isRightActive = this->Visit(right);
     if (isLeftActive && isRightActive)

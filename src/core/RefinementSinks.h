@@ -87,6 +87,9 @@ class StripSink
 public:
   AppendBuffer<std::uint32_t> Strip;
 
+  void Prefetch(std::uint32_t) const
+  {
+  }
   void Append(std::uint32_t index)
   {
     this->Strip.Append(index);
@@ -155,6 +158,9 @@ public:
   {
   }
   void RepeatThird()
+  {
+  }
+  void Prefetch(std::uint32_t) const
   {
   }
   static constexpr std::uint32_t Count()
@@ -246,6 +252,10 @@ public:
   {
     return this->Entries.get()[record] - this->First;
   }
+  TERRAIN_INLINE void Prefetch(std::uint32_t record) const
+  {
+    __builtin_prefetch(this->Entries.get() + record);
+  }
   void Set(std::uint32_t record, std::uint32_t index)
   {
     this->Entries.get()[record] = this->First + index;
@@ -272,6 +282,11 @@ public:
   /// Vertices inside the raster, by record.
   VertexIndex Inside;
   bool Morphing = false;
+
+  TERRAIN_INLINE void Prefetch(std::uint32_t record) const
+  {
+    this->Inside.Prefetch(record);
+  }
 
   /// Begins a mesh in the memory of `mesh`.
   void Begin(StripMesh& mesh)
