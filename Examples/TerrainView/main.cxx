@@ -16,6 +16,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <string>
 
 namespace
@@ -71,11 +72,10 @@ int Show(const Options& options)
   viewer.Run();
   return EXIT_SUCCESS;
 }
-}
 
-int main(int argc, char* argv[])
+/// Fills in the options; the exit status if there is nothing to show.
+std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
 {
-  Options options;
   CLI::App app("Shows a file of heights in a window.", "terrain-view");
   app.footer(std::string("Keys in the window:\n") + Viewer::GetHelp());
   app.set_version_flag("--version", TERRAIN_VIEW_VERSION);
@@ -101,12 +101,21 @@ int main(int argc, char* argv[])
     std::cerr << "terrain-view: " << error.what() << '\n';
     return kWrongCommandLine;
   }
+  return std::nullopt;
+}
+}
+
+int main(int argc, char* argv[])
+{
   try
   {
-    return Show(options);
+    Options options;
+    const std::optional<int> status = ParseCommandLine(argc, argv, options);
+    return status ? *status : Show(options);
   }
   catch (const std::exception& error)
   {
-    return Fail("error", error.what());
+    std::cerr << "terrain-view: " << error.what() << '\n';
   }
+  return EXIT_FAILURE;
 }
