@@ -56,7 +56,7 @@ inline Layout GetLayout(vtkImageData* image)
   if (!GetPair(image, "LayoutOrigin", layout.Origin) ||
     !GetPair(image, "LayoutScale", layout.Scale))
   {
-    return Layout();
+    return {};
   }
   return layout;
 }

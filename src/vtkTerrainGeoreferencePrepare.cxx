@@ -77,8 +77,9 @@ void vtkTerrainGeoreference::SetFromHeights(vtkImageData* heights)
   {
     const double first = geometry.Origin[axis];
     const double last = first + (dims[axis] - 1) * geometry.Spacing[axis];
-    extent[2 * axis] = layout.Origin[axis] + first / layout.Scale[axis];
-    extent[2 * axis + 1] = layout.Origin[axis] + last / layout.Scale[axis];
+    double* ends = axis == 0 ? extent : extent + 2;
+    ends[0] = layout.Origin[axis] + first / layout.Scale[axis];
+    ends[1] = layout.Origin[axis] + last / layout.Scale[axis];
   }
   this->SetExtent(extent[0], extent[1], extent[2], extent[3]);
 }

@@ -209,9 +209,9 @@ void vtkTerrainReproject::PlanBounds(Tile& tile)
 std::string vtkTerrainReproject::FitGrid(const double bounds[4])
 {
   vtkInternals& internals = *this->Internals;
-  const auto first = [bounds](int axis, double spacing)
+  const auto first = [bounds](std::size_t axis, double spacing)
   { return std::floor(bounds[2 * axis] / spacing + terrain::kSamplingSlack); };
-  const auto last = [bounds](int axis, double spacing)
+  const auto last = [bounds](std::size_t axis, double spacing)
   { return std::ceil(bounds[2 * axis + 1] / spacing - terrain::kSamplingSlack); };
   const auto samples = [&first, &last](double spacing)
   {
@@ -228,7 +228,7 @@ std::string vtkTerrainReproject::FitGrid(const double bounds[4])
   {
     internals.Spacing *= 1.01;
   }
-  for (int axis = 0; axis < 2; ++axis)
+  for (std::size_t axis = 0; axis < 2; ++axis)
   {
     internals.Origin[axis] = first(axis, internals.Spacing) * internals.Spacing;
     internals.Extent[2 * axis] = 0;
