@@ -43,8 +43,8 @@
  *   - Flat shading takes the normals of bilinear patches; Gouraud is Phong shading.
  *   - The searches show the first surface only, and each part of the hull its own: let translucent
  *     terrain and blocks be drawn by the technique Pyramid.
- *   - vtkValuePass reads arrays of port 0, which the box of the technique Pyramid does not have; the
- *     technique Mesh has them.
+ *   - vtkValuePass reads arrays of port 0, which the box of the technique Pyramid does not have;
+ * the technique Mesh has them.
  *   - A z-buffer of 24 bits is as coarse for a hit as for a mesh; vtkTerrainPicker and
  *     vtkTerrainDepthPass are exact.
  *
