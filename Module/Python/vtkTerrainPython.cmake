@@ -12,7 +12,7 @@ function (vtkterrain_why_not_interpreter interpreter result)
     if (failure)
       execute_process(
         COMMAND "${interpreter}" ${option} -c
-          "from vtkmodules.vtkCommonCore import vtkVersion; print(vtkVersion().GetVTKVersion())"
+          "import numpy; from vtkmodules.vtkCommonCore import vtkVersion; print(vtkVersion().GetVTKVersion())"
         RESULT_VARIABLE failure
         OUTPUT_VARIABLE version
         ERROR_VARIABLE error
@@ -22,7 +22,7 @@ function (vtkterrain_why_not_interpreter interpreter result)
   set(why_not "")
   if (failure)
     string(REGEX REPLACE ".*\n" "" error "${error}")
-    set(why_not "${interpreter} cannot import VTK (${error})")
+    set(why_not "${interpreter} cannot import VTK and numpy (${error})")
   elseif (NOT version VERSION_EQUAL VTK_VERSION)
     set(why_not "${interpreter} imports VTK ${version}, the module is built with ${VTK_VERSION}")
   endif ()
