@@ -166,6 +166,13 @@ vtk_module_link(vtkTerrain::Terrain
     GDAL::GDAL
     GeographicLib::GeographicLib
     ${window_libraries})
+# Reading VTK's headers takes longer than compiling what uses them.
+target_precompile_headers(Terrain PRIVATE
+  <glm/glm.hpp> <algorithm> <array> <cmath> <functional> <string> <vector>
+  <vtkDoubleArray.h> <vtkFieldData.h> <vtkFloatArray.h> <vtkImageData.h> <vtkInformation.h>
+  <vtkInformationVector.h> <vtkNew.h> <vtkObjectFactory.h> <vtkOpenGLPolyDataMapper.h>
+  <vtkOpenGLRenderWindow.h> <vtkPointData.h> <vtkPolyData.h> <vtkRenderer.h> <vtkSmartPointer.h>
+  <vtkStreamingDemandDrivenPipeline.h> <vtkTextureObject.h>)
 if (VTK_VERSION VERSION_LESS 9.4)
   # A program that names no symbol of the module still gets its windows: the linker must neither
   # drop the library (--as-needed) nor, in a static build, the file that registers the windows.

@@ -17,6 +17,14 @@ target_link_libraries(vtkTerrainTestSupport
   PRIVATE
     vtkTerrainWarnings
     ${CMAKE_DL_LIBS})
+# What nearly every test includes takes longer to read than the test itself; the same definitions are
+# needed wherever it is used.
+vtk_module_autoinit(TARGETS vtkTerrainTestSupport MODULES ${vtkTerrain_test_modules})
+target_precompile_headers(vtkTerrainTestSupport PRIVATE
+  <gtest/gtest.h> <glm/glm.hpp> <algorithm> <cmath> <functional> <random> <string> <vector>
+  <vtkActor.h> <vtkCamera.h> <vtkDoubleArray.h> <vtkFloatArray.h> <vtkImageData.h> <vtkNew.h>
+  <vtkOpenGLPolyDataMapper.h> <vtkOpenGLRenderWindow.h> <vtkPointData.h> <vtkPolyData.h>
+  <vtkProperty.h> <vtkRenderer.h> <vtkSmartPointer.h>)
 if (VTK_VERSION VERSION_LESS 9.4) # Since then the functions of OpenGL come with VTK::glad.
   target_link_libraries(vtkTerrainTestSupport PUBLIC OpenGL::OpenGL)
 endif ()
@@ -30,6 +38,7 @@ function (vtkterrain_add_test name)
   if (arg_CORE)
     target_link_libraries(${name} PRIVATE vtkTerrainCore)
   endif ()
+  target_precompile_headers(${name} REUSE_FROM vtkTerrainTestSupport)
   vtk_module_autoinit(TARGETS ${name} MODULES ${vtkTerrain_test_modules})
   set(environment
     "VTKTERRAIN_DATA_DIR=${VTKTERRAIN_DATA_DIR}"
