@@ -18,6 +18,12 @@ struct SumLevel
   std::vector<Sum> Sums;
 };
 
+std::size_t TexelIndex(glm::ivec2 size, int x, int y)
+{
+  return static_cast<std::size_t>(x) +
+    static_cast<std::size_t>(size.x) * static_cast<std::size_t>(y);
+}
+
 /// The place, of `count`, next to which part `index` of `parts` equal parts begins.
 std::int64_t PartBegin(std::int64_t index, std::int64_t parts, std::int64_t count)
 {
@@ -73,7 +79,7 @@ SumLevel SumLevelBelow(const SumLevel& below)
         {
           const double part = std::max(std::min(high.x, i + 1.0) - std::max(low.x, 1.0 * i), 0.0) *
             std::max(std::min(high.y, j + 1.0) - std::max(low.y, 1.0 * j), 0.0);
-          const Sum& texel = below.Sums[static_cast<std::size_t>(i + below.Size.x * j)];
+          const Sum& texel = below.Sums[TexelIndex(below.Size, i, j)];
           sum += part * glm::dvec2(texel.Codes, texel.Count);
         }
       }
@@ -94,7 +100,7 @@ MeanLevel Encode(const SumLevel& sums, const HeightCodes& codes, const MeanLevel
   {
     for (int x = 0; x < level.Size.x; ++x)
     {
-      const Sum& sum = sums.Sums[static_cast<std::size_t>(x + level.Size.x * y)];
+      const Sum& sum = sums.Sums[TexelIndex(level.Size, x, y)];
       std::uint16_t texel = 0;
       if (sum.Count > 0.0f)
       {
@@ -105,7 +111,7 @@ MeanLevel Encode(const SumLevel& sums, const HeightCodes& codes, const MeanLevel
       else if (above)
       {
         const glm::ivec2 at = glm::ivec2(x, y) * above->Size / level.Size;
-        texel = above->Texels[static_cast<std::size_t>(at.x + above->Size.x * at.y)];
+        texel = above->Texels[TexelIndex(above->Size, at.x, at.y)];
       }
       level.Texels.push_back(texel);
     }
