@@ -83,7 +83,7 @@ public:
     property->SetColor(color[0], color[1], color[2]);
     property->SetJustification(anchor + 1);
     property->SetVerticalJustificationToCentered();
-    this->Renderer->AddActor2D(actor);
+    this->Renderer->AddViewProp(actor);
   }
   void Save(const std::string& path)
   {
@@ -133,7 +133,7 @@ private:
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(color[0], color[1], color[2]);
     actor->GetProperty()->SetLineWidth(static_cast<float>(width));
-    this->Renderer->AddActor2D(actor);
+    this->Renderer->AddViewProp(actor);
   }
 
   vtkNew<vtkRenderWindow> Window;

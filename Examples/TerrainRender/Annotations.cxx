@@ -145,7 +145,7 @@ void AddLabels(
     property->SetBackgroundOpacity(0.75);
     property->SetJustificationToCentered();
     property->SetVerticalJustificationToCentered();
-    renderer->AddActor2D(label);
+    renderer->AddViewProp(label);
   }
 }
 

@@ -86,7 +86,7 @@ void AddShape(vtkRenderer* renderer, vtkAlgorithmOutput* shape, double x, double
   const vtkNew<vtkActor2D> actor;
   actor->SetMapper(mapper);
   actor->SetPosition(x, y);
-  renderer->AddActor2D(actor);
+  renderer->AddViewProp(actor);
 }
 
 void AddText(vtkRenderer* renderer, const std::string& text, double x, double y, double size)
@@ -99,7 +99,7 @@ void AddText(vtkRenderer* renderer, const std::string& text, double x, double y,
   property->SetColor(0.08, 0.10, 0.16);
   property->SetJustificationToCentered();
   property->SetVerticalJustificationToBottom();
-  renderer->AddActor2D(actor);
+  renderer->AddViewProp(actor);
 }
 }
 

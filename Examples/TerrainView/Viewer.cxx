@@ -135,7 +135,7 @@ void Viewer::AddTexts()
   this->Help->VisibilityOff();
   for (vtkTextActor* text : { this->Status.Get(), this->Position.Get(), this->Help.Get() })
   {
-    this->Renderer->AddActor2D(text);
+    this->Renderer->AddViewProp(text);
   }
 }
 
@@ -159,7 +159,7 @@ void Viewer::AddScalarBar()
   this->ScalarBar->SetWidth(0.07);
   this->ScalarBar->SetHeight(0.45);
   this->ScalarBar->SetPosition(0.91, 0.45);
-  this->Renderer->AddActor2D(this->ScalarBar);
+  this->Renderer->AddViewProp(this->ScalarBar);
 }
 
 //------------------------------------------------------------------------------
