@@ -18,8 +18,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 namespace
@@ -28,15 +26,7 @@ constexpr int NumberOfRays = 1000;
 using terrain::TerrainBeam;
 using terrain::TerrainHit;
 using terrain::TerrainRay;
-
-std::string shader(const std::string& name)
-{
-  const std::string here = __FILE__;
-  std::ifstream file(here.substr(0, here.rfind('/')) + "/../../shaders/" + name + ".glsl");
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using vtkTerrainTesting::ReadShader;
 
 std::string declarations(bool integer, bool columns)
 {
@@ -45,8 +35,8 @@ std::string declarations(bool integer, bool columns)
     "#define TERRAIN_WITHIN\nuint terrainVisits = 0u;\n"
     "#define TERRAIN_VISIT(node, level) terrainVisits = terrainVisits * 31u + "
     "uint((node).x * 7 + (node).y * 13 + level);\n" +
-    shader("vtkTerrainHeights") + shader("vtkTerrainColumns") + shader("vtkTerrainRay") +
-    shader("vtkTerrainPyramid") + shader("vtkTerrainBeam") +
+    ReadShader("vtkTerrainHeights") + ReadShader("vtkTerrainColumns") +
+    ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainPyramid") + ReadShader("vtkTerrainBeam") +
     "TerrainRay inputRay(vec4 a, vec4 b, vec4 c)\n"
     "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w, b.w); }\n";
 }

@@ -16,8 +16,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
 #include <string>
 
 namespace
@@ -26,20 +24,12 @@ constexpr int NumberOfRays = 2000;
 using terrain::SearchKind;
 using terrain::TerrainHit;
 using terrain::TerrainRay;
-
-std::string shader(const std::string& name)
-{
-  const std::string here = __FILE__;
-  std::ifstream file(here.substr(0, here.rfind('/')) + "/../../shaders/" + name + ".glsl");
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using vtkTerrainTesting::ReadShader;
 
 std::string declarations(bool integer)
 {
   return std::string(integer ? "#define TERRAIN_HEIGHTS_INTEGER\n" : "") +
-    shader("vtkTerrainHeights") + shader("vtkTerrainRay") + shader("vtkTerrainSearch") +
+    ReadShader("vtkTerrainHeights") + ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainSearch") +
     "TerrainRay inputRay(vec4 a, vec4 b, vec4 c)\n"
     "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w, b.w); }\n";
 }

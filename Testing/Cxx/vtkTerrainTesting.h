@@ -78,6 +78,9 @@ std::string DataPath(const std::string& file);
 /// "egl", "osmesa" or "x": what VTK_DEFAULT_OPENGL_WINDOW asks for; "any" if it is not set.
 std::string WindowName();
 
+/// The text of shaders/NAME.glsl in the sources; empty if there is none.
+std::string ReadShader(const std::string& name);
+
 /// Runs a GLSL fragment once for each item and returns what it gives, 4 floats an item.
 ///
 /// @param window any OpenGL window; its size does not matter, and its scene is left alone.

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <fstream>
+#include <sstream>
 
 namespace vtkTerrainTesting
 {
@@ -88,6 +90,16 @@ void Draw(vtkOpenGLQuadHelper& quad, const Textures& textures,
     texture->Deactivate();
   }
 }
+}
+
+//------------------------------------------------------------------------------
+std::string ReadShader(const std::string& name)
+{
+  const std::string here = __FILE__;
+  std::ifstream file(here.substr(0, here.rfind('/')) + "/../../shaders/" + name + ".glsl");
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
 //------------------------------------------------------------------------------

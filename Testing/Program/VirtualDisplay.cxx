@@ -249,11 +249,11 @@ void VirtualDisplay::Move(int x, int y)
 }
 
 //------------------------------------------------------------------------------
-void VirtualDisplay::Press(unsigned int button, int x, int y)
+void VirtualDisplay::SendButton(int type, long mask, unsigned int button, int x, int y)
 {
   this->Move(x, y);
   XEvent event{};
-  event.xbutton.type = ButtonPress;
+  event.xbutton.type = type;
   event.xbutton.display = this->Display;
   event.xbutton.window = this->Window;
   event.xbutton.root = DefaultRootWindow(this->Display);
@@ -262,25 +262,20 @@ void VirtualDisplay::Press(unsigned int button, int x, int y)
   event.xbutton.button = button;
   event.xbutton.state = this->Buttons;
   event.xbutton.same_screen = True;
-  this->Send(&event, ButtonPressMask);
+  this->Send(&event, mask);
+}
+
+//------------------------------------------------------------------------------
+void VirtualDisplay::Press(unsigned int button, int x, int y)
+{
+  this->SendButton(ButtonPress, ButtonPressMask, button, x, y);
   this->Buttons |= static_cast<unsigned int>(Button1Mask) << (button - 1);
 }
 
 //------------------------------------------------------------------------------
 void VirtualDisplay::Release(unsigned int button, int x, int y)
 {
-  this->Move(x, y);
-  XEvent event{};
-  event.xbutton.type = ButtonRelease;
-  event.xbutton.display = this->Display;
-  event.xbutton.window = this->Window;
-  event.xbutton.root = DefaultRootWindow(this->Display);
-  event.xbutton.x = x;
-  event.xbutton.y = y;
-  event.xbutton.button = button;
-  event.xbutton.state = this->Buttons;
-  event.xbutton.same_screen = True;
-  this->Send(&event, ButtonReleaseMask);
+  this->SendButton(ButtonRelease, ButtonReleaseMask, button, x, y);
   this->Buttons &= ~(static_cast<unsigned int>(Button1Mask) << (button - 1));
 }
 

@@ -81,6 +81,7 @@ public:
 private:
   unsigned long FindWindow(unsigned long root, const std::string& title);
   void Send(void* event, long mask);
+  void SendButton(int type, long mask, unsigned int button, int x, int y);
 
   _XDisplay* Display = nullptr;
   std::string Name;
