@@ -42,6 +42,7 @@ set(private_sources
   vtkTerrainRasterFile
   vtkTerrainRasterLayout
   vtkTerrainRasterPiece
+  vtkTerrainRasterTiles
   vtkTerrainRayCaster
   vtkTerrainReprojectPlan
 )

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainRasterFile.h"
 
+#include "vtkTerrainRasterTiles.h"
+
 #include <cpl_error.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
@@ -69,10 +71,6 @@ std::string WhyNotOpened(const char* fileName, const std::string& failure)
     const bool plainName = std::strchr(fileName, ':') == nullptr && fileName[0] != '<';
     return plainName || failure.empty() ? "there is no such file" : failure;
   }
-  if (VSI_ISDIR(status.st_mode))
-  {
-    return "it is a directory";
-  }
   if (std::strncmp(fileName, "/vsi", 4) != 0 &&
     faccessat(AT_FDCWD, fileName, R_OK, AT_EACCESS) != 0)
   {
@@ -83,6 +81,13 @@ std::string WhyNotOpened(const char* fileName, const std::string& failure)
     return "it is empty";
   }
   return "it is not a raster that GDAL can open" + (failure.empty() ? "" : " (" + failure + ")");
+}
+
+bool IsDirectory(const char* name)
+{
+  VSIStatBufL status;
+  std::memset(&status, 0, sizeof(status));
+  return VSIStatL(name, &status) == 0 && VSI_ISDIR(status.st_mode);
 }
 
 bool IsColor(GDALColorInterp color)
@@ -126,6 +131,10 @@ vtkTerrainRasterFile::vtkTerrainRasterFile(const char* fileName)
   {
     this->Dataset = GDALOpenEx(fileName, GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
       nullptr, nullptr, nullptr);
+  }
+  if (!this->Dataset && fileName && IsDirectory(fileName)) // of no format that is a directory
+  {
+    this->Dataset = vtkTerrainOpenRasterTiles(fileName);
   }
   if (!this->Dataset)
   {
@@ -208,6 +217,12 @@ void vtkTerrainRasterFile::CheckColors() const
     throw vtkTerrainRasterError("it looks like a colour image of " + std::to_string(count) +
       (count == 1 ? " band" : " bands") + ", not like heights; choose a band to use it as heights");
   }
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainRasterFile::GetNumberOfBands() const
+{
+  return GDALGetRasterCount(this->Dataset);
 }
 
 //------------------------------------------------------------------------------
@@ -398,6 +413,8 @@ void ReadWindow(GDALRasterBandH band, const vtkTerrainRasterWindow& window, void
   const CPLErr result =
     GDALRasterIOEx(band, GF_Read, static_cast<int>(window.X), static_cast<int>(window.Y), width,
       height, buffer, width, height, type, pixelBytes, lineBytes, nullptr);
+  // What is read comes in whole blocks, once: to keep it would take as much memory as the samples.
+  GDALFlushRasterCache(band);
   if (result != CE_None || !messages.GetFailure().empty())
   {
     throw vtkTerrainRasterError("its samples cannot be read" +

@@ -77,7 +77,7 @@ struct vtkTerrainRasterLayout
 class vtkTerrainRasterFile
 {
 public:
-  /// Opens the file for reading. Throws vtkTerrainRasterError.
+  /// Opens a file, or a directory of tiles as one, for reading. Throws vtkTerrainRasterError.
   explicit vtkTerrainRasterFile(const char* fileName);
   ~vtkTerrainRasterFile();
   vtkTerrainRasterFile(const vtkTerrainRasterFile&) = delete;
@@ -93,6 +93,8 @@ public:
   {
     return this->BandNumber;
   }
+
+  int GetNumberOfBands() const;
 
   std::int64_t GetWidth() const;
   std::int64_t GetHeight() const;

@@ -28,7 +28,9 @@
 #include <exception>
 #include <initializer_list>
 #include <new>
+#include <numeric>
 #include <sstream>
+#include <vector>
 
 #include <unistd.h>
 
@@ -168,6 +170,15 @@ void PlaceSamples(vtkTerrainRasterPlan& plan)
     plan.Origin[axis] =
       (corner[axis] - plan.Layout.Origin[a]) * plan.Layout.Scale[a] + 0.5 * plan.Spacing[axis];
   }
+}
+
+/// Band of the time that is asked for: the last one that has begun, the first without a time.
+int BandAtTime(vtkInformation* info, int numberOfBands)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const double time =
+    info->Has(Pipeline::UPDATE_TIME_STEP()) ? info->Get(Pipeline::UPDATE_TIME_STEP()) : 1.0;
+  return static_cast<int>(std::clamp(std::floor(time), 1.0, std::max(1.0, 1.0 * numberOfBands)));
 }
 
 vtkTerrainRasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* samples)
@@ -338,9 +349,9 @@ void vtkTerrainRasterReader::Warn(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainRasterReader::Plan(vtkTerrainRasterPlan& plan) const
+void vtkTerrainRasterReader::Plan(vtkTerrainRasterPlan& plan, int band) const
 {
-  plan.File.SelectBand(this->Band);
+  plan.File.SelectBand(band);
   if (!this->CoordinateSystem.empty())
   {
     plan.File.SetCoordinateSystem(this->CoordinateSystem);
@@ -355,6 +366,24 @@ void vtkTerrainRasterReader::Plan(vtkTerrainRasterPlan& plan) const
 }
 
 //------------------------------------------------------------------------------
+// Time k is band k.
+void vtkTerrainRasterReader::DeclareTimeSteps(int numberOfBands, vtkInformation* info) const
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (!this->BandsAsTimeSteps)
+  {
+    info->Remove(Pipeline::TIME_STEPS());
+    info->Remove(Pipeline::TIME_RANGE());
+    return;
+  }
+  std::vector<double> steps(static_cast<std::size_t>(numberOfBands));
+  std::iota(steps.begin(), steps.end(), 1.0);
+  const double range[2] = { 1.0, static_cast<double>(numberOfBands) };
+  info->Set(Pipeline::TIME_STEPS(), steps.data(), numberOfBands);
+  info->Set(Pipeline::TIME_RANGE(), range, 2);
+}
+
+//------------------------------------------------------------------------------
 int vtkTerrainRasterReader::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputs), vtkInformationVector* outputs)
 {
@@ -363,8 +392,9 @@ int vtkTerrainRasterReader::RequestInformation(vtkInformation* vtkNotUsed(reques
   try
   {
     vtkTerrainRasterPlan plan(this->FileName.c_str());
-    this->Plan(plan);
+    this->Plan(plan, this->BandsAsTimeSteps ? 1 : this->Band);
     vtkInformation* info = outputs->GetInformationObject(0);
+    this->DeclareTimeSteps(plan.File.GetNumberOfBands(), info);
     const int extent[6] = { 0, static_cast<int>(plan.Request.Width) - 1, 0,
       static_cast<int>(plan.Request.Height) - 1, 0, 0 };
     info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
@@ -394,7 +424,13 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     vtkTerrainRasterPlan plan(this->FileName.c_str());
-    this->Plan(plan);
+    int band = this->Band;
+    if (this->BandsAsTimeSteps)
+    {
+      band = BandAtTime(info, plan.File.GetNumberOfBands());
+      image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), band);
+    }
+    this->Plan(plan, band);
     std::copy(extent, extent + 4, plan.Request.Extent);
     CheckMemory(extent, plan.ScalarType);
     this->AllocateOutputData(image, info, extent);
@@ -506,6 +542,7 @@ void vtkTerrainRasterReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << this->FileName << "\n"
      << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n"
      << indent << "Band: " << this->Band << "\n"
+     << indent << "BandsAsTimeSteps: " << this->BandsAsTimeSteps << "\n"
      << indent << "Window: " << this->Window[0] << " " << this->Window[1] << " " << this->Window[2]
      << " " << this->Window[3] << "\n"
      << indent << "MaximumSize: " << this->MaximumSize << "\n"

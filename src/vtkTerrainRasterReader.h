@@ -39,6 +39,10 @@
  * | string | name of the unit of the file's heights | | VerticalScale | 1 double | metres in that
  * unit, already applied to the scalars; else 1 |
  *
+ * A directory is read as one raster of the tiles in it (.tif .hgt .dem .asc .img .dt0 to .dt2 .bil
+ * .flt .grd .jp2), which must have one CRS; between them are no data. Where they overlap the last
+ * one by name counts.
+ *
  * Reading less: Band, Window, and MaximumSize or MaximumNumberOfSamples. Reduced samples are means
  * over their area (of what has data, where half of it has), taken from the smallest overview that
  * is fine enough. The pipeline's pieces read only their part of the file, and equal the whole.
@@ -77,7 +81,8 @@ public:
   void operator=(const vtkTerrainRasterReader&) = delete;
 
   ///@{
-  /// File to read, or any other name that GDAL opens ("/vsizip/...", "NETCDF:...").
+  /// File to read, or any other name that GDAL opens ("/vsizip/...", "NETCDF:..."); or a directory
+  /// of tiles.
   void SetFileName(VTK_FILEPATH const char* fileName);
   void SetFileName(VTK_FILEPATH const std::string& fileName);
   VTK_FILEPATH const char* GetFileName() const;
@@ -96,6 +101,14 @@ public:
   /// with red, green and blue, with a palette, or with more than two bands of bytes.
   vtkSetMacro(Band, int);
   vtkGetMacro(Band, int);
+  ///@}
+
+  ///@{
+  /// Whether each band is a time step: the pipeline's time k, from 1 on, reads band k, in place of
+  /// Band; default off.
+  vtkSetMacro(BandsAsTimeSteps, bool);
+  vtkGetMacro(BandsAsTimeSteps, bool);
+  vtkBooleanMacro(BandsAsTimeSteps, bool);
   ///@}
 
   ///@{
@@ -156,7 +169,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  void Plan(vtkTerrainRasterPlan& plan) const;
+  void Plan(vtkTerrainRasterPlan& plan, int band) const;
+  void DeclareTimeSteps(int numberOfBands, vtkInformation* info) const;
   void Read(vtkTerrainRasterPlan& plan, vtkImageData* image);
   void AddFieldData(const vtkTerrainRasterPlan& plan, vtkImageData* image) const;
   int Fail(const std::string& reason);
@@ -165,6 +179,7 @@ private:
   std::string FileName;
   std::string CoordinateSystem;
   int Band = 0;
+  bool BandsAsTimeSteps = false;
   int Window[4] = { 0, 0, 0, 0 };
   int MaximumSize = 0;
   vtkIdType MaximumNumberOfSamples = 0;

@@ -92,6 +92,20 @@ TEST_F(TerrainRasterReaderErrors, Directory)
   this->ExpectError(path, "directory");
 }
 
+TEST_F(TerrainRasterReaderErrors, DirectoryOfTilesThatDoNotFit)
+{
+  const std::filesystem::path folder = TemporaryFile("tiles-of-two-systems");
+  std::filesystem::create_directories(folder);
+  RasterFile tile;
+  tile.GeoTransform = { 0.0, 10.0, 0.0, 0.0, 0.0, -10.0 };
+  for (const int epsg : { 32633, 32634 })
+  {
+    tile.EPSG = epsg;
+    tile.Write((folder / (std::to_string(epsg) + ".tif")).string());
+  }
+  this->ExpectError(folder.string(), "UTM zone 34N");
+}
+
 TEST_F(TerrainRasterReaderErrors, FileWithoutPermission)
 {
   constexpr uid_t kNobody = 65534;

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainRasterTiles.h"
+
+#include "vtkTerrainRasterFile.h"
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <gdal_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+// Pictures and virtual rasters, which lie beside tiles, are none.
+constexpr std::array<const char*, 13> kTileExtensions{ { "tif", "tiff", "hgt", "dem", "asc", "img",
+  "dt0", "dt1", "dt2", "bil", "flt", "grd", "jp2" } };
+
+struct FreeStrings
+{
+  void operator()(char** list) const
+  {
+    CSLDestroy(list);
+  }
+};
+using Strings = std::unique_ptr<char*, FreeStrings>;
+
+struct FreeOptions
+{
+  void operator()(GDALBuildVRTOptions* options) const
+  {
+    GDALBuildVRTOptionsFree(options);
+  }
+};
+
+bool IsTile(const char* name)
+{
+  const char* extension = CPLGetExtension(name);
+  return std::any_of(kTileExtensions.begin(), kTileExtensions.end(),
+    [extension](const char* other) { return EQUAL(extension, other); });
+}
+
+/// Paths of the tiles, sorted.
+std::vector<std::string> FindTiles(const char* directory)
+{
+  std::vector<std::string> tiles;
+  const Strings names(VSIReadDir(directory));
+  for (char** name = names.get(); name && *name; ++name)
+  {
+    if (IsTile(*name))
+    {
+      tiles.emplace_back(CPLFormFilename(directory, *name, nullptr));
+    }
+  }
+  std::sort(tiles.begin(), tiles.end());
+  return tiles;
+}
+
+Strings MakeList(const std::vector<std::string>& texts)
+{
+  char** list = nullptr;
+  for (const std::string& text : texts)
+  {
+    list = CSLAddString(list, text.c_str());
+  }
+  return Strings(list);
+}
+}
+
+//------------------------------------------------------------------------------
+GDALDatasetH vtkTerrainOpenRasterTiles(const char* directory)
+{
+  const vtkTerrainGDALMessages messages;
+  const std::vector<std::string> tiles = FindTiles(directory);
+  if (tiles.empty())
+  {
+    throw vtkTerrainRasterError("it is a directory without elevation tiles");
+  }
+  const Strings names = MakeList(tiles);
+  // an alpha band tells gaps from heights in tiles that declare no value for no data
+  const Strings arguments =
+    MakeList({ "-strict", "-resolution", "highest", "-r", "bilinear", "-addalpha" });
+  const std::unique_ptr<GDALBuildVRTOptions, FreeOptions> options(
+    GDALBuildVRTOptionsNew(arguments.get(), nullptr));
+  int misuse = 0;
+  GDALDatasetH terrain =
+    GDALBuildVRT("", static_cast<int>(tiles.size()), nullptr, names.get(), options.get(), &misuse);
+  if (!terrain)
+  {
+    throw vtkTerrainRasterError("its " + std::to_string(tiles.size()) +
+      " tiles make no one raster" +
+      (messages.GetFailure().empty() ? "" : " (" + messages.GetFailure() + ")"));
+  }
+  return terrain;
+}
