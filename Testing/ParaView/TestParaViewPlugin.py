@@ -25,10 +25,11 @@ def share_of_difference(one, other, visible=8):
     return (np.abs(one - other) > visible).any(axis=2).mean()
 
 
-def write_hill(name):
+def write_hill(name, height=12.0, west=0):
     j, i = np.mgrid[0:48, 0:64]
     path = vtkTerrainTesting.output_path(name)
-    vtkTerrainTesting.write_ascii_grid(path, 12.0 * np.exp(-((i - 40) ** 2 + (j - 30) ** 2) / 120.0))
+    hill = height * np.exp(-((i - 40) ** 2 + (j - 30) ** 2) / 120.0)
+    vtkTerrainTesting.write_ascii_grid(path, hill, west)
     return path
 
 
@@ -125,6 +126,71 @@ class TestPlugin(unittest.TestCase):
         reader.MaximumSize = 32
         reader.UpdatePipeline()
         self.assertEqual(reader.GetDataInformation().GetExtent()[1], 31)
+
+    def test_files_are_time_steps(self):
+        paths = [write_hill(f"paraview-series{k}.asc", 12.0 + k) for k in range(3)]
+        reader = simple.TerrainRasterReader(FileName=paths)
+        reader.UpdatePipeline()
+        self.assertEqual(len(reader.TimestepValues), 3)
+        for k, time in enumerate(reader.TimestepValues):
+            reader.UpdatePipeline(time)
+            highest = reader.GetPointDataInformation()["Elevation"].GetRange()[1]
+            self.assertAlmostEqual(highest, 12.0 + k, places=2)
+
+    def test_bands_are_time_steps(self):
+        path = vtkTerrainTesting.output_path("paraview-bands.vrt")
+        band = "<SourceFilename>{}</SourceFilename><SourceBand>1</SourceBand>"
+        bands = "".join(
+            f'<VRTRasterBand dataType="Float32" band="{k + 1}"><SimpleSource>'
+            + band.format(write_hill(f"paraview-band{k}.asc", 20.0 + k))
+            + "</SimpleSource></VRTRasterBand>" for k in range(2))
+        pathlib.Path(path).write_text(
+            f'<VRTDataset rasterXSize="64" rasterYSize="48">{bands}</VRTDataset>', encoding="ascii")
+        reader = simple.TerrainRasterReader(FileName=path, BandsAsTimeSteps=1)
+        reader.UpdatePipeline(2.0)
+        self.assertEqual(list(reader.TimestepValues), [1.0, 2.0])
+        self.assertAlmostEqual(
+            reader.GetPointDataInformation()["Elevation"].GetRange()[1], 21.0, places=2)
+
+    def test_directory_of_tiles_opens(self):
+        folder = vtkTerrainTesting.output_path("paraview-tiles")
+        pathlib.Path(folder).mkdir(exist_ok=True)
+        write_hill("paraview-tiles/west.asc")
+        write_hill("paraview-tiles/east.asc", west=64)
+        reader = simple.TerrainRasterReader(FileName=folder)
+        reader.UpdatePipeline()
+        self.assertEqual(reader.GetDataInformation().GetExtent(), (0, 127, 0, 47, 0, 0))
+
+    def test_strips(self):
+        heights = {"CameraPosition": [20480.0, -40960.0, 32768.0],
+                   "CameraFocalPoint": [20480.0, 18432.0, 0.0], "CameraViewUp": [0.0, 0.0, 1.0],
+                   "ViewportSize": list(terrainScene.SIZE)}
+        strips = simple.TerrainStrips(self.source, Tolerance=0.25, **heights)
+        strips.UpdatePipeline()
+        finest = strips.GetDataInformation().GetNumberOfPoints()
+        strips.Tolerance = 2.0
+        strips.UpdatePipeline()
+        coarsest = strips.GetDataInformation().GetNumberOfPoints()
+        self.assertLess(2 * coarsest, finest)
+        strips.Tolerance = 0.25
+        shown = simple.Show(strips, self.view)
+        shown.ColorArrayName = [None, ""]
+        drawn = picture(self.view, "strips")
+        simple.Hide(strips, self.view)
+        display = terrainScene.show_terrain(self.source, self.view)
+        simple.ColorBy(display, None)
+        surface = [(image != image[0, 0]).any(axis=2)
+                   for image in (drawn, picture(self.view, "strips-terrain"))]
+        self.assertLess((surface[0] != surface[1]).mean(), 0.005)
+
+    def test_camera_sees_all_of_the_terrain(self):
+        terrainScene.show_terrain(self.source, self.view, TerrainVerticalExaggeration=2.0,
+                                  Position=[1e6, 0.0, 0.0])
+        simple.Render(self.view)
+        self.view.ResetCamera()
+        camera = self.view.GetActiveCamera()
+        self.assertAlmostEqual(camera.GetFocalPoint()[0], 1e6 + 20480.0, delta=1.0)
+        self.assertLess(camera.GetDistance(), 4 * 40960.0)
 
     def test_filters(self):
         mesh = simple.TerrainCoarseMesh(self.source, SamplesPerQuad=16)

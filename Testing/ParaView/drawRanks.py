@@ -1,13 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws terrain on all ranks, a picture for each case: drawRanks.py PREFIX (run by pvbatch)"""
+"""Draws terrain on all ranks, a picture for each case: drawRanks.py PREFIX [PORT]
+
+Run by pvbatch, or by pvpython with the port of a pvserver.
+"""
 import sys
 
 import terrainScene
 from paraview import simple
 
-TECHNIQUES = ("Pyramid", "Equidistant", "Linear", "Exponential", "Mesh")
+TECHNIQUES = ("Equidistant", "Linear", "Exponential", "Mesh", "Pyramid")
 
+if len(sys.argv) > 2:
+    simple.Connect("localhost", int(sys.argv[2]))
 terrainScene.load_plugin()
 source = simple.TerrainLandscape(Dimensions=[161, 121])
 view = terrainScene.new_view()
@@ -20,7 +25,11 @@ shown_ball.ColorArrayName = [None, ""]
 for technique in TECHNIQUES:
     display.TerrainTechnique = technique
     terrainScene.save(view, f"{sys.argv[1]}-{technique}.png")
-display.TerrainTechnique = "Pyramid"
 display.Opacity = 0.5
+terrainScene.save(view, f"{sys.argv[1]}-TranslucentWithBall.png")
 simple.Hide(ball, view)
 terrainScene.save(view, f"{sys.argv[1]}-Translucent.png")
+simple.Hide(source, view)
+cell = simple.TerrainLandscape(Dimensions=[2, 2])  # more ranks than cells
+terrainScene.show_terrain(cell, view)
+terrainScene.save(view, f"{sys.argv[1]}-OneCell.png")

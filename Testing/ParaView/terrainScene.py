@@ -9,8 +9,11 @@ SIZE = (240, 160)
 
 
 def load_plugin():
-    """Loads the plugin that the environment names."""
-    simple.LoadPlugin(os.environ["VTKTERRAIN_PARAVIEW_PLUGIN"], remote=True, ns=vars(simple))
+    """Loads the plugin that the environment names, here and where the data are."""
+    path = os.environ["VTKTERRAIN_PARAVIEW_PLUGIN"]
+    if simple.servermanager.ActiveConnection.IsRemote():
+        simple.LoadPlugin(path, remote=False, ns=vars(simple))
+    simple.LoadPlugin(path, remote=True, ns=vars(simple))
 
 
 def new_view():

@@ -36,11 +36,11 @@ def read_picture(path):
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)
 
 
-def write_ascii_grid(path, heights):
-    """Heights, rows from the south, as an ESRI ASCII grid of spacing 1 at the origin."""
+def write_ascii_grid(path, heights, west=0):
+    """Heights, rows from the south, as an ESRI ASCII grid of spacing 1, at (west, 0)."""
     with open(path, "w", encoding="ascii") as file:
         file.write(f"ncols {heights.shape[1]}\nnrows {heights.shape[0]}\n"
-                   "xllcenter 0\nyllcenter 0\ncellsize 1\n")
+                   f"xllcenter {west}\nyllcenter 0\ncellsize 1\n")
         np.savetxt(file, heights[::-1], fmt="%.6f")
 
 

@@ -3,6 +3,7 @@
 #include "vtkTerrainRepresentation.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -10,6 +11,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkPVRenderView.h"
@@ -54,6 +56,26 @@ vtkSmartPointer<vtkImageData> cellsAsSamples(vtkImageData* image)
   samples->GetPointData()->ShallowCopy(image->GetCellData());
   samples->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   return samples;
+}
+
+/// Makes of a box a column as high as that of any other process, and the matrix that brings it
+/// back.
+///
+/// ParaView orders the processes by the boxes as they are, and cuts what else is drawn along their
+/// sides, each process drawing what lies in its own: what reached above or below the terrain would
+/// be in none of them. The camera sees the boxes through the matrix.
+void makeColumn(double bounds[6], vtkMatrix4x4* matrix)
+{
+  matrix->Identity();
+  if (!vtkMath::AreBoundsInitialized(bounds))
+  {
+    return;
+  }
+  constexpr double end = 1e9; // in metres: beyond the earth
+  matrix->SetElement(2, 2, (bounds[5] - bounds[4]) / (2.0 * end));
+  matrix->SetElement(2, 3, (bounds[5] + bounds[4]) / 2.0);
+  bounds[4] = -end;
+  bounds[5] = end;
 }
 
 /// First and last sample, counted from the first one of the image, of the cells that are not copies
@@ -191,18 +213,20 @@ void vtkTerrainRepresentation::PassPiece(vtkInformation* inInfo, vtkInformation*
   vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
   double bounds[6];
   this->GetOwnBounds(bounds);
-  this->Actor->ComputeMatrix();
-  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, this->Actor->GetMatrix());
+  vtkNew<vtkMatrix4x4> toWorld;
+  makeColumn(bounds, toWorld);
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, toWorld);
+  vtkPVRenderView::SetOrderedCompositingConfiguration(
+    inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
   if (this->Actor->GetProperty()->GetOpacity() < 1.0)
   {
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
-    vtkPVRenderView::SetOrderedCompositingConfiguration(
-      inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
   }
 }
 
 //------------------------------------------------------------------------------
-// Of what this process draws: boxes that overlap have no order to be composited in.
+// Of what this process draws, in world coordinates: boxes that overlap have no order to be
+// composited in.
 void vtkTerrainRepresentation::GetOwnBounds(double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);
@@ -218,6 +242,10 @@ void vtkTerrainRepresentation::GetOwnBounds(double bounds[6])
   const double* spacing = this->Heights->GetSpacing();
   double range[2];
   this->Heights->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
+  if (range[0] > range[1])
+  {
+    return;
+  }
   for (int axis = 0; axis < 2; ++axis)
   {
     const double start = origin[axis] + extent[2 * axis] * spacing[axis];
@@ -225,6 +253,17 @@ void vtkTerrainRepresentation::GetOwnBounds(double bounds[6])
     bounds[2 * axis + 1] = start + last[axis] * spacing[axis];
     bounds[4 + axis] = origin[2] + this->Actor->GetVerticalExaggeration() * range[axis];
   }
+  this->Actor->ComputeMatrix();
+  vtkBoundingBox box;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double point[4] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+      bounds[4 + (corner >> 2)], 1.0 };
+    double moved[4];
+    this->Actor->GetMatrix()->MultiplyPoint(point, moved);
+    box.AddPoint(moved);
+  }
+  box.GetBounds(bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -324,6 +363,12 @@ void vtkTerrainRepresentation::SetColorSource(int source)
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainRepresentation::SetLevelOfDetail(bool use)
+{
+  this->Actor->SetLevelOfDetail(use);
+}
+
+//------------------------------------------------------------------------------
 void vtkTerrainRepresentation::SetContours(bool show)
 {
   this->Actor->GetTerrainMapper()->SetContours(show);
@@ -417,24 +462,28 @@ void vtkTerrainRepresentation::SetTexture(vtkTexture* texture)
 void vtkTerrainRepresentation::SetPosition(double x, double y, double z)
 {
   this->Actor->SetPosition(x, y, z);
+  this->MarkModified();
 }
 
 //------------------------------------------------------------------------------
 void vtkTerrainRepresentation::SetScale(double x, double y, double z)
 {
   this->Actor->SetScale(x, y, z);
+  this->MarkModified();
 }
 
 //------------------------------------------------------------------------------
 void vtkTerrainRepresentation::SetOrientation(double x, double y, double z)
 {
   this->Actor->SetOrientation(x, y, z);
+  this->MarkModified();
 }
 
 //------------------------------------------------------------------------------
 void vtkTerrainRepresentation::SetOrigin(double x, double y, double z)
 {
   this->Actor->SetOrigin(x, y, z);
+  this->MarkModified();
 }
 
 //------------------------------------------------------------------------------

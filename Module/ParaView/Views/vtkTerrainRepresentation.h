@@ -48,6 +48,9 @@ public:
   /// What colours show: vtkOpenGLTerrainMapper::ColorSources as a number; default 0, the array.
   void SetColorSource(int source);
 
+  /// Whether frames are drawn coarser while the view is moved (vtkTerrainActor); default on.
+  void SetLevelOfDetail(bool use);
+
   ///@{
   /// Contour lines: default off, at multiples of 100, 1.5 pixels wide.
   void SetContours(bool show);

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTerrainCameraStrips
+ * @brief   vtkTerrainStrips with a camera of its own, whose numbers ParaView can set
+ *
+ * In parallel each process refines its own piece; neighbours may differ by the tolerance at their
+ * border.
+ */
+#ifndef vtkTerrainCameraStrips_h
+#define vtkTerrainCameraStrips_h
+
+#include "vtkTerrainParaViewViewsModule.h" // For export macro
+#include "vtkTerrainStrips.h"
+
+class VTKTERRAINPARAVIEWVIEWS_EXPORT vtkTerrainCameraStrips : public vtkTerrainStrips
+{
+public:
+  static vtkTerrainCameraStrips* New();
+  vtkTypeMacro(vtkTerrainCameraStrips, vtkTerrainStrips)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// As those of vtkCamera, with its defaults.
+  void SetCameraPosition(double x, double y, double z);
+  void SetCameraFocalPoint(double x, double y, double z);
+  void SetCameraViewUp(double x, double y, double z);
+  void SetCameraViewAngle(double degrees);
+  ///@}
+
+  vtkTerrainCameraStrips(const vtkTerrainCameraStrips&) = delete;
+  void operator=(const vtkTerrainCameraStrips&) = delete;
+
+protected:
+  vtkTerrainCameraStrips();
+  ~vtkTerrainCameraStrips() override = default;
+};
+
+#endif
