@@ -3,11 +3,11 @@
 //
 // What the ray of a pixel sees: clips the ray, traces it, passes by what is culled.
 // Needs vtkTerrainHeights.glsl, vtkTerrainRay.glsl, vtkTerrainView.glsl, vtkTerrainTrace.glsl.
-// Defines: TERRAIN_CULL_FRONT, TERRAIN_CULL_BACK if hits from above, from below are to be passed
-// by; TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels each way are there
+// Defines: TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels each way are there
 // (vtkTerrainBeamCS.glsl).
 
-uniform int terrainLayer; // surfaces that the ray passes by
+uniform int terrainLayer;    // surfaces that the ray passes by
+uniform ivec2 terrainCulled; // 1 if hits from above, from below are passed by
 
 #ifdef TERRAIN_BEAM_PIXELS
 uniform sampler2D terrainBeamStarts;
@@ -150,14 +150,7 @@ TerrainSighting terrainCast(vec2 pixel, float entryDistance)
     TerrainHit hit = terrainTraceRange(pixel, range, front);
     sighting = TerrainSighting(hit.found, range.x + hit.s, hit.cell, hit.fraction, front,
       sighting.crossings + hit.crossings, -1);
-#ifdef TERRAIN_CULL_FRONT
-    bool culled = hit.found && front;
-#else
-    bool culled = false;
-#endif
-#ifdef TERRAIN_CULL_BACK
-    culled = culled || (hit.found && !front);
-#endif
+    bool culled = hit.found && (front ? terrainCulled.x : terrainCulled.y) == 1;
     if (!hit.found || (!culled && layer == 0))
     {
       break;

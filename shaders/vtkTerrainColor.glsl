@@ -3,10 +3,9 @@
 //
 // Colours of the surface: values through a colour map or direct colours, a draped picture, hillshade
 // and contour lines, in this order over the material's own colour. Needs vtkTerrainSurface.glsl.
-// Defines: TERRAIN_SHOW_CROSSINGS, which leaves out all else; one of TERRAIN_VALUE_POINTS,
-// TERRAIN_VALUE_CELLS, TERRAIN_VALUE_HEIGHT, TERRAIN_VALUE_SLOPE, TERRAIN_VALUE_ASPECT for the colour
-// map, or TERRAIN_DIRECT_POINTS, TERRAIN_DIRECT_CELLS; TERRAIN_DRAPE with the number of its
-// components; TERRAIN_HILLSHADE; TERRAIN_CONTOURS; TERRAIN_TEXTURED for textures of VTK.
+// Defines: TERRAIN_PAINT if there is anything but the material's colour; TERRAIN_DRAPE with the number
+// of the picture's components; TERRAIN_TEXTURED for textures of VTK. All else is chosen by uniforms: to
+// build another program takes as long as several frames.
 
 // What the surface's colours make of the material's: add + keep * colour; opacity times alpha.
 struct TerrainPaint
@@ -51,102 +50,104 @@ mat2 terrainTextureFootprint(vec2 pixel, TerrainSurface surface)
 }
 #endif
 
-#if defined(TERRAIN_VALUE_POINTS) || defined(TERRAIN_VALUE_CELLS)
-uniform sampler2D terrainValues;   // of samples or cells, less the offset
-#endif
+#ifdef TERRAIN_PAINT
+// What the surface's own colour is made from; twin: vtkTerrainColoring::Kinds.
+const int terrainOfMaterial = 0;
+const int terrainOfHeight = 1;
+const int terrainOfSlope = 2;
+const int terrainOfAspect = 3;
+const int terrainOfValues = 4;
+const int terrainOfColors = 5;
+const int terrainOfCrossings = 6;
 
-#if defined(TERRAIN_DIRECT_POINTS) || defined(TERRAIN_DIRECT_CELLS)
-uniform sampler2D terrainColors;   // RGBA of samples or cells
-#endif
-
-#if defined(TERRAIN_VALUE_SLOPE) || defined(TERRAIN_VALUE_ASPECT) || defined(TERRAIN_HILLSHADE)
-uniform vec2 terrainGradientScale; // codes per cell to heights per unit of length, without exaggeration
-#endif
+uniform int terrainColorKind;
+uniform sampler2D terrainValues;      // of samples or cells, less the offset
+uniform sampler2D terrainColors;      // RGBA of samples or cells
+uniform int terrainArrayTexels;       // that a place needs of them: 4, 1 for cells, 0 for no array
+uniform vec2 terrainGradientScale;    // codes per cell to heights per unit of length, without exaggeration
+uniform sampler2D terrainColorMap;    // colours over the range
+uniform vec4 terrainSpecialColors[3]; // below the range, above it, not a number
+uniform vec2 terrainValueScale;       // value = x * terrainValue() + y
+uniform vec2 terrainColorScale;       // position in the map, 0..1 = x * value + y
+uniform int terrainColorLogarithm;    // 1 if it is the value's logarithm that is mapped
+uniform float terrainMaximumShownCrossings;
 
 const float terrainNotANumber = -3e38;
+const int terrainColorMapSize = 4096; // twin: ColorMapSize in src/vtkTerrainColoring.cxx
 
-#if defined(TERRAIN_VALUE_POINTS)
-#define TERRAIN_VALUE
-float terrainValue(TerrainSurface surface)
+// Weight of a corner, 0 or 1 each way, in bilinear interpolation.
+float terrainCornerWeight(ivec2 corner, vec2 fraction)
+{
+  vec2 weights = mix(1.0 - fraction, fraction, vec2(corner));
+  return weights.x * weights.y;
+}
+
+// Value or colour of an array of samples or cells; the value is not a number if a sample's is not.
+float terrainArrayValue(TerrainSurface surface, out vec4 color)
 {
   vec2 fraction;
   ivec2 cell = terrainArrayCell(surface, fraction);
-  vec4 corners = vec4(texelFetch(terrainValues, cell, 0).r,
-    texelFetch(terrainValues, cell + ivec2(1, 0), 0).r,
-    texelFetch(terrainValues, cell + ivec2(0, 1), 0).r,
-    texelFetch(terrainValues, cell + ivec2(1, 1), 0).r);
-  bool valid = all(greaterThan(corners, vec4(0.5 * terrainNotANumber)));
-  return valid ? terrainPatchCode(corners, fraction) : terrainNotANumber;
+  float value = 0.0;
+  color = vec4(0.0);
+  for (int k = 0; k < terrainArrayTexels; ++k)
+  {
+    ivec2 corner = ivec2(k & 1, k >> 1);
+    float weight = terrainCornerWeight(corner, terrainArrayTexels == 1 ? vec2(0.0) : fraction);
+    float texel = texelFetch(terrainValues, cell + corner, 0).r;
+    bool valid = min(texel, value) > 0.5 * terrainNotANumber;
+    value = valid ? value + weight * texel : terrainNotANumber;
+    color += weight * texelFetch(terrainColors, cell + corner, 0);
+  }
+  return value;
 }
-#elif defined(TERRAIN_VALUE_CELLS)
-#define TERRAIN_VALUE
-float terrainValue(TerrainSurface surface)
-{
-  vec2 fraction;
-  return texelFetch(terrainValues, terrainArrayCell(surface, fraction), 0).r;
-}
-#elif defined(TERRAIN_VALUE_HEIGHT)
-#define TERRAIN_VALUE
-float terrainValue(TerrainSurface surface)
-{
-  return surface.code;
-}
-#elif defined(TERRAIN_VALUE_SLOPE)
-#define TERRAIN_VALUE
+
 // Degrees from the horizontal, 0 to 90.
-float terrainValue(TerrainSurface surface)
+float terrainSlope(TerrainSurface surface)
 {
   return degrees(atan(length(terrainGradientScale * surface.gradient)));
 }
-#elif defined(TERRAIN_VALUE_ASPECT)
-#define TERRAIN_VALUE
+
 // Direction downhill, degrees clockwise from the grid's north, 0 to 360; not a number where it is level.
-float terrainValue(TerrainSurface surface)
+float terrainAspect(TerrainSurface surface)
 {
   vec2 down = -terrainGradientScale * surface.gradient;
   float aspect = degrees(atan(down.x, down.y));
   return length(down) < 1e-6 ? terrainNotANumber : aspect < 0.0 ? aspect + 360.0 : aspect;
 }
-#endif
-
-#ifdef TERRAIN_VALUE
-uniform sampler2D terrainColorMap;      // colours over the range
-uniform vec4 terrainSpecialColors[3];   // below the range, above it, not a number
-uniform vec2 terrainValueScale;         // value = x * terrainValue() + y
-uniform vec2 terrainColorScale;         // position in the map, 0..1 = x * value + y
-uniform int terrainColorLogarithm;      // 1 if it is the value's logarithm that is mapped
 
 vec4 terrainMapColor(float value)
 {
   float scaled = terrainValueScale.x * value + terrainValueScale.y;
   scaled = terrainColorLogarithm == 1 ? log(max(scaled, 1e-37)) : scaled;
   float t = terrainColorScale.x * scaled + terrainColorScale.y;
-  int size = textureSize(terrainColorMap, 0).x;
-  vec4 color =
-    texelFetch(terrainColorMap, ivec2(clamp(int(t * float(size)), 0, size - 1), 0), 0);
+  int texel = clamp(int(t * float(terrainColorMapSize)), 0, terrainColorMapSize - 1);
+  vec4 color = texelFetch(terrainColorMap, ivec2(texel, 0), 0);
   color = t < -1e-6 ? terrainSpecialColors[0] : t > 1.0 + 1e-6 ? terrainSpecialColors[1] : color;
   return value < 0.5 * terrainNotANumber ? terrainSpecialColors[2] : color;
 }
-#endif
 
-#if defined(TERRAIN_DIRECT_POINTS)
-vec4 terrainDirectColor(TerrainSurface surface)
+// Blue for no work over green to red for the largest number and above.
+vec4 terrainCrossingsColor(int crossings)
 {
-  vec2 fraction;
-  ivec2 cell = terrainArrayCell(surface, fraction);
-  vec4 south = mix(texelFetch(terrainColors, cell, 0),
-    texelFetch(terrainColors, cell + ivec2(1, 0), 0), fraction.x);
-  vec4 north = mix(texelFetch(terrainColors, cell + ivec2(0, 1), 0),
-    texelFetch(terrainColors, cell + ivec2(1, 1), 0), fraction.x);
-  return mix(south, north, fraction.y);
+  float work = clamp(float(crossings) / terrainMaximumShownCrossings, 0.0, 1.0);
+  return vec4(clamp(vec3(2.0 - abs(4.0 * work - 4.0), 2.0 - abs(4.0 * work - 2.0),
+                      2.0 - abs(4.0 * work)), 0.0, 1.0), 1.0);
 }
-#elif defined(TERRAIN_DIRECT_CELLS)
-vec4 terrainDirectColor(TerrainSurface surface)
+
+// The surface's own colour; nothing is added to the material's.
+vec4 terrainOwnColor(TerrainSurface surface)
 {
-  vec2 fraction;
-  return texelFetch(terrainColors, terrainArrayCell(surface, fraction), 0);
+  vec4 arrayColor;
+  float arrayValue = terrainArrayValue(surface, arrayColor);
+  float value = surface.code;
+  value = terrainColorKind == terrainOfSlope ? terrainSlope(surface) : value;
+  value = terrainColorKind == terrainOfAspect ? terrainAspect(surface) : value;
+  value = terrainColorKind == terrainOfValues ? arrayValue : value;
+  vec4 color = terrainMapColor(value);
+  color = terrainColorKind == terrainOfColors ? arrayColor : color;
+  color = terrainColorKind == terrainOfMaterial ? vec4(0.0, 0.0, 0.0, 1.0) : color;
+  return terrainColorKind == terrainOfCrossings ? terrainCrossingsColor(surface.crossings) : color;
 }
-#endif
 
 #ifdef TERRAIN_DRAPE
 uniform sampler2D terrainDrape;
@@ -172,22 +173,21 @@ vec4 terrainDrapeColor(vec2 pixel, TerrainSurface surface)
 }
 #endif
 
-#ifdef TERRAIN_HILLSHADE
 uniform vec3 terrainSunDirection;  // to the sun: east, north, up; length 1
 uniform float terrainShadeRelief;  // exaggeration
+uniform float terrainShadeStrength; // 1, or 0 for none
 
-// Cosine of the angle between the surface's normal and the sun, 0..1.
+// Cosine of the angle between the surface's normal and the sun, 0..1; 1 without hillshade.
 float terrainHillshade(TerrainSurface surface)
 {
   vec2 slope = terrainShadeRelief * terrainGradientScale * surface.gradient;
-  return max(dot(normalize(vec3(-slope, 1.0)), terrainSunDirection), 0.0);
+  float shade = max(dot(normalize(vec3(-slope, 1.0)), terrainSunDirection), 0.0);
+  return mix(1.0, shade, terrainShadeStrength);
 }
-#endif
 
-#ifdef TERRAIN_CONTOURS
 uniform vec2 terrainContourScale;  // number of the contour = x * code + y
 uniform float terrainContourWidth; // pixels
-uniform vec4 terrainContourColor;
+uniform vec4 terrainContourColor;  // alpha 0 for none
 
 // How much of a pixel contour lines cover. Lines closer than their width run into an even grey.
 float terrainContourCoverage(vec2 pixel, TerrainSurface surface)
@@ -201,41 +201,19 @@ float terrainContourCoverage(vec2 pixel, TerrainSurface surface)
   float even = terrainContourWidth * change;
   return change < 1e-6 ? 0.0 : mix(line, min(even, 1.0), clamp(2.0 * even - 1.0, 0.0, 1.0));
 }
-#endif
 
-#ifdef TERRAIN_SHOW_CROSSINGS
-uniform float terrainMaximumShownCrossings;
-
-// Blue for no work over green to red for the largest number and above.
 TerrainPaint terrainPaintSurface(vec2 pixel, TerrainSurface surface)
 {
-  float work = clamp(float(surface.crossings) / terrainMaximumShownCrossings, 0.0, 1.0);
-  return TerrainPaint(clamp(vec3(2.0 - abs(4.0 * work - 4.0), 2.0 - abs(4.0 * work - 2.0),
-    2.0 - abs(4.0 * work)), 0.0, 1.0), 0.0, 1.0);
-}
-#else
-TerrainPaint terrainPaintSurface(vec2 pixel, TerrainSurface surface)
-{
-  TerrainPaint paint = TerrainPaint(vec3(0.0), 1.0, 1.0);
-#if defined(TERRAIN_VALUE)
-  vec4 color = terrainMapColor(terrainValue(surface));
-  paint = TerrainPaint(color.rgb, 0.0, color.a);
-#elif defined(TERRAIN_DIRECT_POINTS) || defined(TERRAIN_DIRECT_CELLS)
-  vec4 color = terrainDirectColor(surface);
-  paint = TerrainPaint(color.rgb, 0.0, color.a);
-#endif
+  vec4 color = terrainOwnColor(surface);
+  TerrainPaint paint =
+    TerrainPaint(color.rgb, terrainColorKind == terrainOfMaterial ? 1.0 : 0.0, color.a);
 #ifdef TERRAIN_DRAPE
   vec4 drape = terrainDrapeColor(pixel, surface);
   paint = terrainOver(paint, drape.rgb / max(drape.a, 1e-6), drape.a);
 #endif
-#ifdef TERRAIN_HILLSHADE
   float shade = terrainHillshade(surface);
   paint = TerrainPaint(shade * paint.add, shade * paint.keep, paint.alpha);
-#endif
-#ifdef TERRAIN_CONTOURS
-  paint = terrainOver(paint, terrainContourColor.rgb,
+  return terrainOver(paint, terrainContourColor.rgb,
     terrainContourColor.a * terrainContourCoverage(pixel, surface));
-#endif
-  return paint;
 }
 #endif

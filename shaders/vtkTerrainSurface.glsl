@@ -6,8 +6,9 @@
 // vtkTerrainCast.glsl; for columns, vtkTerrainColumns.glsl.
 // Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_MESH if rays begin at the
 // coarse mesh; TERRAIN_DEPTH_OFFSET if depths are shifted thereafter; TERRAIN_COLUMNS for columns;
-// TERRAIN_FLAT for the normals of single patches, not of differences across them; TERRAIN_BLOCK if
-// the surface covers a block that clipping planes cut.
+// TERRAIN_BLOCK if the surface covers a block that clipping planes cut.
+
+uniform int terrainFlat; // 1 for the normals of single patches, not of differences across them
 
 struct TerrainSurface
 {
@@ -26,11 +27,8 @@ TerrainSurface terrainSurfaceAt(ivec2 cell, vec2 fraction, vec4 positionVC, bool
 {
   vec4 codes = terrainCellCodes(cell);
   vec2 gradient = terrainPatchGradient(codes, fraction);
-#ifdef TERRAIN_FLAT
-  vec3 normalVC = terrainNormalVC(gradient);
-#else
-  vec3 normalVC = terrainNormalVC(terrainGradient(cell, fraction, codes, -positionVC.z));
-#endif
+  vec3 normalVC = terrainNormalVC(
+    terrainFlat == 1 ? gradient : terrainGradient(cell, fraction, codes, -positionVC.z));
   return TerrainSurface(true, positionVC, front ? normalVC : -normalVC, front, cell, fraction,
     terrainPatchCode(codes, fraction), gradient, 0);
 }

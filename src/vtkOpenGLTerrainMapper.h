@@ -451,6 +451,8 @@ private:
   void DrawLayers(vtkRenderer* ren, vtkActor* act);
   terrain::SampleRectangle DrawnRectangle() const;
   void FollowDepth(ShaderMap shaders, vtkActor* act);
+  std::string HeightDefines() const;
+  std::string CastDefines() const;
   std::string ShaderDefines(vtkActor* act);
   void UpdateView(vtkRenderer* ren, vtkActor* act);
   bool UsesCompute(vtkActor* act) const;
@@ -459,7 +461,7 @@ private:
   void ComputeBeams(vtkRenderer* ren, vtkActor* act);
   void ComputeSightings(vtkRenderer* ren, vtkActor* act);
   void Compute(vtkRenderer* ren, vtkActor* act, vtkTerrainComputeTexture& texture,
-    const std::string& functions, int pixels, int components);
+    const std::string& defines, const std::string& functions, int pixels, int components);
   void SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vtkActor* act);
   void SetViewUniforms(vtkTerrainUniforms& uniforms);
   void SetSearchUniforms(vtkTerrainUniforms& uniforms);

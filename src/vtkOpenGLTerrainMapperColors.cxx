@@ -169,7 +169,7 @@ void vtkOpenGLTerrainMapper::UpdateProxy(vtkActor* act)
 // Extend: the colours of VTK's code are painted over where the surface has its own.
 void vtkOpenGLTerrainMapper::ReplaceShaderColor(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
 {
-  if (this->UsesSurface(act) && !this->Internals->Coloring.Defines().empty())
+  if (this->UsesSurface(act) && this->Internals->Coloring.Paints())
   {
     vtkTerrainSubstitute(this, shaders[vtkShader::Fragment], "//VTK::Color::Impl",
       "//VTK::Color::Impl\n"

@@ -62,63 +62,53 @@ void vtkTerrainSubstitute(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOpenGLTerrainMapper::HeightDefines() const
+{
+  const vtkTerrainHeightTexture& heights = this->Internals->Heights;
+  std::string defines =
+    "#define TERRAIN_CLIP_PLANES " + std::to_string(terrain::MaximumClipPlanes) + "\n";
+  if (heights.GetCodes().Format == terrain::HeightCodes::TexelFormat::UInt16)
+  {
+    defines += "#define TERRAIN_HEIGHTS_INTEGER\n";
+  }
+  defines += heights.HasDetail() ? "#define TERRAIN_DETAIL\n" : "";
+  return defines;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOpenGLTerrainMapper::CastDefines() const
+{
+  std::string defines = this->HeightDefines() + searchDefine(this->Technique);
+  if (this->Technique == Techniques::Pyramid)
+  {
+    defines += this->Surface == Surfaces::Columns ? "#define TERRAIN_COLUMNS\n" : "";
+    defines += this->PixelTolerance > 0.0 ? "#define TERRAIN_WITHIN\n" : "";
+  }
+  defines += this->Internals->Cutting.Block ? "#define TERRAIN_BLOCK\n" : "";
+  return defines;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act)
 {
   if (!this->UsesSurface(act))
   {
     return {};
   }
-  std::string defines = this->CastsRays(act)
-    ? std::string("#define TERRAIN_CAST\n") + searchDefine(this->Technique)
-    : std::string("#define TERRAIN_MESH\n");
-  if (this->Internals->Heights.GetCodes().Format == terrain::HeightCodes::TexelFormat::UInt16)
+  std::string defines;
+  if (this->CastsRays(act))
   {
-    defines += "#define TERRAIN_HEIGHTS_INTEGER\n";
+    defines = "#define TERRAIN_CAST\n" + this->CastDefines();
+    defines += this->Internals->EyeInBox ? "" : "#define TERRAIN_BELOW_MESH\n";
+    defines += this->Internals->Sightings.IsFilled() ? "#define TERRAIN_READ_SIGHTINGS\n" : "";
+    defines += this->Internals->BeamStarts.IsFilled() ? vtkInternals::BeamDefine() : "";
   }
-  if (this->Internals->Heights.HasDetail())
+  else
   {
-    defines += "#define TERRAIN_DETAIL\n";
+    defines = "#define TERRAIN_MESH\n" + this->HeightDefines();
   }
-  if (this->CastsRays(act) && this->Technique == Techniques::Pyramid)
-  {
-    defines += this->Surface == Surfaces::Columns ? "#define TERRAIN_COLUMNS\n" : "";
-    defines += this->PixelTolerance > 0.0 ? "#define TERRAIN_WITHIN\n" : "";
-  }
-  if (this->CastsRays(act) && !this->Internals->EyeInBox)
-  {
-    defines += "#define TERRAIN_BELOW_MESH\n";
-  }
-  if (this->CastsRays(act) && this->Internals->Sightings.IsFilled())
-  {
-    defines += "#define TERRAIN_READ_SIGHTINGS\n";
-  }
-  if (this->CastsRays(act) && this->Internals->BeamStarts.IsFilled())
-  {
-    defines += vtkInternals::BeamDefine();
-  }
-  if (act->GetProperty()->GetInterpolation() == VTK_FLAT)
-  {
-    defines += "#define TERRAIN_FLAT\n";
-  }
-  if (act->GetProperty()->GetBackfaceCulling())
-  {
-    defines += "#define TERRAIN_CULL_BACK\n";
-  }
-  if (act->GetProperty()->GetFrontfaceCulling())
-  {
-    defines += "#define TERRAIN_CULL_FRONT\n";
-  }
-  defines += "#define TERRAIN_CLIP_PLANES " + std::to_string(terrain::MaximumClipPlanes) + "\n";
-  if (this->Internals->Cutting.Block)
-  {
-    defines += "#define TERRAIN_BLOCK\n";
-  }
-  if (this->IsTextured(act))
-  {
-    defines += "#define TERRAIN_TEXTURED\n";
-  }
-  defines += this->Internals->Coloring.Defines();
-  return defines;
+  defines += this->IsTextured(act) ? "#define TERRAIN_TEXTURED\n" : "";
+  return defines + this->Internals->Coloring.Defines();
 }
 
 //------------------------------------------------------------------------------

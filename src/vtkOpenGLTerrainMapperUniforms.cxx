@@ -30,6 +30,7 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProgram.h"
@@ -111,11 +112,12 @@ bool vtkOpenGLTerrainMapper::UsesBeams(vtkActor* act) const
 
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::Compute(vtkRenderer* ren, vtkActor* act,
-  vtkTerrainComputeTexture& texture, const std::string& functions, int pixels, int components)
+  vtkTerrainComputeTexture& texture, const std::string& defines, const std::string& functions,
+  int pixels, int components)
 {
   vtkInternals& internals = *this->Internals;
-  const std::string source = vtkInternals::Extensions + this->ShaderDefines(act) +
-    vtkTerrainHeights + vtkTerrainColumns + vtkTerrainRay + vtkTerrainView + functions;
+  const std::string source = vtkInternals::Extensions + defines + vtkTerrainHeights +
+    vtkTerrainColumns + vtkTerrainRay + vtkTerrainView + functions;
   const glm::ivec2 viewport(internals.Viewport.z, internals.Viewport.w);
   const std::string words =
     texture.Fill(static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow()), source,
@@ -134,8 +136,9 @@ void vtkOpenGLTerrainMapper::ComputeBeams(vtkRenderer* ren, vtkActor* act)
   if (this->UsesBeams(act))
   {
     this->Compute(ren, act, internals.BeamStarts,
-      vtkInternals::BeamDefine() + vtkTerrainPyramid + vtkTerrainBeam + vtkTerrainBeamCS,
-      vtkInternals::BeamPixels, 1);
+      this->HeightDefines() + vtkInternals::BeamDefine(),
+      std::string(vtkTerrainPyramid) + vtkTerrainBeam + vtkTerrainBeamCS, vtkInternals::BeamPixels,
+      1);
   }
 }
 
@@ -147,8 +150,8 @@ void vtkOpenGLTerrainMapper::ComputeSightings(vtkRenderer* ren, vtkActor* act)
   internals.Sightings.Forget();
   if (this->UsesCompute(act))
   {
-    this->Compute(
-      ren, act, internals.Sightings, this->CastFunctions() + vtkTerrainSightingCS, 1, 4);
+    this->Compute(ren, act, internals.Sightings, this->CastDefines(),
+      this->CastFunctions() + vtkTerrainSightingCS, 1, 4);
   }
 }
 
@@ -174,7 +177,11 @@ void vtkOpenGLTerrainMapper::SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vt
   this->SetSearchUniforms(uniforms);
   this->SetClipUniforms(uniforms, act);
   internals.Coloring.SetUniforms(uniforms, internals.Heights, this->VerticalExaggeration);
+  vtkProperty* property = act->GetProperty();
   uniforms.Set("terrainLayer", internals.Layer);
+  uniforms.Set(
+    "terrainCulled", glm::ivec2(property->GetFrontfaceCulling(), property->GetBackfaceCulling()));
+  uniforms.Set("terrainFlat", property->GetInterpolation() == VTK_FLAT ? 1 : 0);
   if (uniforms.Uses("terrainTolerance"))
   {
     uniforms.Set("terrainTolerance",

@@ -24,8 +24,8 @@ namespace
 {
 using ColorSources = vtkOpenGLTerrainMapper::ColorSources;
 
+/// Twins of terrainColorMapSize and terrainNotANumber in shaders/vtkTerrainColor.glsl.
 constexpr int ColorMapSize = 4096;
-/// Twin of terrainNotANumber in shaders/vtkTerrainColor.glsl.
 constexpr float NotANumber = -3e38f;
 constexpr float LargestAnisotropy = 16.0f;
 
@@ -138,7 +138,34 @@ std::string vtkTerrainColoring::Update(
   }
   const std::string words = this->UpdateScalars(mapper, window);
   const std::string more = this->UpdateDrape(window);
+  this->Painted = this->Painted || this->Kind != Kinds::Material || this->DrapeTexture.Used ||
+    this->Hillshade || this->Contours;
+  if (this->Painted)
+  {
+    this->FillIn(mapper->GetHeights()->GetDimensions(), window);
+  }
   return words.empty() ? more : words;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainColoring::FillIn(const int heights[2], vtkOpenGLRenderWindow* window)
+{
+  // like the arrays of these heights: some drivers build programs for sizes that are powers of two
+  const auto size = [](int samples) { return (samples & (samples - 1)) == 0 ? 2U : 3U; };
+  const auto fill = [&](
+                      Made& made, unsigned int width, unsigned int height, int components, int type)
+  {
+    const bool there = !made.From.empty() && made.Texture->GetContext() == window;
+    if (!there && this->StartsToMake(made, "nothing", window))
+    {
+      std::array<float, 9> nothing{};
+      made.Texture->Create2DFromRaw(width, height, components, type, nothing.data());
+    }
+    made.Used = true;
+  };
+  fill(this->ColorMap, 2, 1, 4, VTK_UNSIGNED_CHAR);
+  fill(this->Values, size(heights[0]), size(heights[1]), 1, VTK_FLOAT);
+  fill(this->Colors, size(heights[0]), size(heights[1]), 4, VTK_UNSIGNED_CHAR);
 }
 
 //------------------------------------------------------------------------------
@@ -164,7 +191,7 @@ bool vtkTerrainColoring::StartsToMake(
 std::string vtkTerrainColoring::UpdateScalars(
   vtkOpenGLTerrainMapper* mapper, vtkOpenGLRenderWindow* window)
 {
-  this->Kind = Kinds::Material;
+  this->Kind = this->ShowCrossings ? Kinds::Crossings : Kinds::Material;
   if (!mapper->GetScalarVisibility() || this->ShowCrossings)
   {
     return {};
@@ -209,13 +236,14 @@ std::string vtkTerrainColoring::UpdateArray(
     return "The array to colour by has " + std::to_string(array->GetNumberOfTuples()) +
       " tuples, not " + std::to_string(width) + " x " + std::to_string(height);
   }
+  this->OfCells = cells;
   if (isDirect(mapper, array))
   {
-    this->Kind = cells ? Kinds::CellColors : Kinds::PointColors;
+    this->Kind = Kinds::Colors;
     this->UpdateColors(mapper, array, width, height, window);
     return {};
   }
-  this->Kind = cells ? Kinds::CellValues : Kinds::PointValues;
+  this->Kind = Kinds::Values;
   this->UpdateValues(array, mappedComponent(mapper, array), width, height, window);
   this->UpdateColorMap(mapper, window);
   return {};
@@ -348,22 +376,12 @@ std::string vtkTerrainColoring::UpdateDrape(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 std::string vtkTerrainColoring::Defines() const
 {
-  if (this->ShowCrossings)
-  {
-    return "#define TERRAIN_PAINT\n#define TERRAIN_SHOW_CROSSINGS\n";
-  }
-  static const char* const kinds[] = { "", "#define TERRAIN_VALUE_HEIGHT\n",
-    "#define TERRAIN_VALUE_SLOPE\n", "#define TERRAIN_VALUE_ASPECT\n",
-    "#define TERRAIN_VALUE_POINTS\n", "#define TERRAIN_VALUE_CELLS\n",
-    "#define TERRAIN_DIRECT_POINTS\n", "#define TERRAIN_DIRECT_CELLS\n" };
-  std::string defines = kinds[static_cast<int>(this->Kind)];
+  std::string defines = this->Painted ? "#define TERRAIN_PAINT\n" : "";
   if (this->DrapeTexture.Used)
   {
     defines += "#define TERRAIN_DRAPE " + std::to_string(this->DrapeComponents) + "\n";
   }
-  defines += this->Hillshade ? "#define TERRAIN_HILLSHADE\n" : "";
-  defines += this->Contours ? "#define TERRAIN_CONTOURS\n" : "";
-  return defines.empty() ? defines : "#define TERRAIN_PAINT\n" + defines;
+  return defines;
 }
 
 //------------------------------------------------------------------------------
@@ -423,8 +441,7 @@ glm::dvec2 vtkTerrainColoring::ValueScale(const vtkTerrainHeightTexture& heights
   {
     return { heights.GetCodes().Scale, heights.GetCodes().Offset };
   }
-  const bool values = this->Kind == Kinds::PointValues || this->Kind == Kinds::CellValues;
-  return { 1.0, values ? this->ValueOffset : 0.0 };
+  return { 1.0, this->Kind == Kinds::Values ? this->ValueOffset : 0.0 };
 }
 
 //------------------------------------------------------------------------------
@@ -444,6 +461,10 @@ void vtkTerrainColoring::SetUniforms(
   setTexture("terrainDrape", this->DrapeTexture);
   if (uniforms.Uses("terrainColorScale"))
   {
+    const bool array = this->Kind == Kinds::Values || this->Kind == Kinds::Colors;
+    const int texels = this->OfCells ? 1 : 4;
+    uniforms.Set("terrainColorKind", static_cast<int>(this->Kind));
+    uniforms.Set("terrainArrayTexels", array ? texels : 0);
     uniforms.SetArray("terrainSpecialColors", 3, this->SpecialColors.data());
     uniforms.Set("terrainValueScale", glm::vec2(this->ValueScale(heights)));
     uniforms.Set("terrainColorScale", glm::vec2(this->ColorScale));
@@ -472,13 +493,16 @@ void vtkTerrainColoring::SetUniforms(
       std::cos(azimuth) * std::cos(altitude), std::sin(altitude));
     uniforms.SetArray("terrainSunDirection", 1, &sun);
     uniforms.Set("terrainShadeRelief", static_cast<float>(exaggeration));
+    uniforms.Set("terrainShadeStrength", this->Hillshade && !this->ShowCrossings ? 1.0f : 0.0f);
   }
   if (uniforms.Uses("terrainContourScale"))
   {
     uniforms.Set("terrainContourScale",
       glm::vec2(glm::dvec2(codes.Scale, codes.Offset) / this->ContourInterval));
     uniforms.Set("terrainContourWidth", static_cast<float>(this->ContourWidth));
-    uniforms.Set("terrainContourColor", glm::vec4(this->ContourColor));
+    const double shown = this->Contours && !this->ShowCrossings ? 1.0 : 0.0;
+    uniforms.Set(
+      "terrainContourColor", glm::vec4(this->ContourColor * glm::dvec4(1.0, 1.0, 1.0, shown)));
   }
   if (uniforms.Uses("terrainMaximumShownCrossings"))
   {

@@ -46,7 +46,13 @@ public:
   /// heights' image. Returns an empty string, or one sentence that says what cannot be shown.
   std::string Update(vtkOpenGLTerrainMapper* mapper, vtkOpenGLRenderWindow* window);
 
-  /// Defines of the shader; empty if the colours are the material's.
+  /// Whether the shader paints. Once it has, it goes on, if with nothing but the material's colour:
+  /// to switch colours off costs no other program.
+  bool Paints() const
+  {
+    return this->Painted;
+  }
+  /// Defines of the shader.
   std::string Defines() const;
 
   /// True if some colours of the surface may let see through.
@@ -65,17 +71,16 @@ public:
   }
 
 private:
-  /// What the colour of a place is made from.
+  /// What the colour of a place is made from; twin in shaders/vtkTerrainColor.glsl.
   enum class Kinds
   {
     Material,
     Height,
     Slope,
     Aspect,
-    PointValues,
-    CellValues,
-    PointColors,
-    CellColors
+    Values,
+    Colors,
+    Crossings
   };
   /// A texture and what it was made from.
   struct Made
@@ -85,6 +90,9 @@ private:
     bool Used = false;
   };
 
+  /// Puts something small in the place of textures that were never made: the program names them
+  /// all.
+  void FillIn(const int heights[2], vtkOpenGLRenderWindow* window);
   std::string UpdateScalars(vtkOpenGLTerrainMapper* mapper, vtkOpenGLRenderWindow* window);
   std::string UpdateArray(
     vtkOpenGLTerrainMapper* mapper, vtkDataArray* array, bool cells, vtkOpenGLRenderWindow* window);
@@ -102,6 +110,9 @@ private:
   }
 
   Kinds Kind = Kinds::Material;
+  bool Painted = false;
+  /// Whether values or colours are those of cells.
+  bool OfCells = false;
   Made ColorMap;
   Made Values;
   Made Colors;
