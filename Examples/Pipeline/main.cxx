@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The smallest program that draws terrain: terrain-pipeline HEIGHTS PICTURE.png
+#include "vtkCamera.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
@@ -27,6 +28,11 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(terrain);
+  renderer->SetBackground(0.6, 0.7, 0.8);
+  renderer->ResetCamera();
+  renderer->GetActiveCamera()->Elevation(-50.0); // from the south
+  renderer->GetActiveCamera()->Zoom(1.2);
+  renderer->ResetCameraClippingRange();
   vtkNew<vtkRenderWindow> window; // X, EGL or OSMesa, whichever there is
   window->SetOffScreenRendering(1);
   window->SetSize(1280, 720);

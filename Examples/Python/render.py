@@ -16,6 +16,11 @@ terrain.SetVerticalExaggeration(1.5)
 
 renderer = vtkRenderer()
 renderer.AddActor(terrain)
+renderer.SetBackground(0.6, 0.7, 0.8)
+renderer.ResetCamera()
+renderer.GetActiveCamera().Elevation(-50.0)  # from the south
+renderer.GetActiveCamera().Zoom(1.2)
+renderer.ResetCameraClippingRange()
 window = vtkRenderWindow()  # X, EGL or OSMesa, whichever there is
 window.SetOffScreenRendering(1)
 window.SetSize(1280, 720)

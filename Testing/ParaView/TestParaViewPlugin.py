@@ -13,6 +13,8 @@ import vtkTerrainTesting  # noqa: E402
 from paraview import simple  # noqa: E402
 
 terrainScene.load_plugin()
+# ParaView 5.13 renamed it
+TRANSLATION = "Position" if simple.GetParaViewVersion() < (5, 13) else "Translation"
 
 
 def picture(view, name):
@@ -70,7 +72,7 @@ class TestPlugin(unittest.TestCase):
                 ("TerrainVerticalExaggeration", 1.0, 2.0, 0.1), ("Opacity", 1.0, 0.4, 0.2),
                 ("TerrainContours", 0, 1, 0.005), ("TerrainHillshade", 0, 1, 0.1),
                 ("TerrainBlock", 0, 1, 0.0005), ("TerrainColorSource", "Array", "Slope", 0.1),
-                ("Position", [0.0, 0.0, 0.0], [5000.0, 0.0, 0.0], 0.1)):
+                (TRANSLATION, [0.0, 0.0, 0.0], [5000.0, 0.0, 0.0], 0.1)):
             setattr(display, name, value)
             changed = picture(self.view, f"property-{name}")
             self.assertGreater(share_of_difference(plain, changed), least, name)
@@ -185,7 +187,7 @@ class TestPlugin(unittest.TestCase):
 
     def test_camera_sees_all_of_the_terrain(self):
         terrainScene.show_terrain(self.source, self.view, TerrainVerticalExaggeration=2.0,
-                                  Position=[1e6, 0.0, 0.0])
+                                  **{TRANSLATION: [1e6, 0.0, 0.0]})
         simple.Render(self.view)
         self.view.ResetCamera()
         camera = self.view.GetActiveCamera()

@@ -36,8 +36,8 @@ def show_terrain(source, view, **options):
     display.SetRepresentationType("Terrain")
     simple.ColorBy(display, ("POINTS", "Elevation"))
     colors = simple.GetColorTransferFunction("Elevation")
-    colors.ApplyPreset("Viridis (matplotlib)", True)
-    colors.RescaleTransferFunction(0.0, 2500.0)
+    colors.RGBPoints = [0.0, 0.3, 0.0, 0.3, 1250.0, 0.1, 0.6, 0.5, 2500.0, 1.0, 0.9, 0.1]
+    colors.ColorSpace = "RGB"
     for name, value in options.items():
         setattr(display, name, value)
     return display
