@@ -112,6 +112,30 @@ class TestPlugin(unittest.TestCase):
         simple.ColorBy(display, None)
         self.assertLess(share_of_difference(drawn, picture(self.view, "points"), 40), 0.05)
 
+    def test_tiles_in_one_dataset(self):
+        terrainScene.show_terrain(self.source, self.view, TerrainHillshade=1)
+        whole = picture(self.view, "whole")
+        simple.Hide(self.source, self.view)
+        halves = [simple.ExtractSubset(self.source, VOI=[*columns, 0, 75, 0, 0])
+                  for columns in ((0, 50), (50, 100))]
+        tiles = simple.GroupDatasets(Input=halves)
+        display = terrainScene.show_terrain(tiles, self.view, TerrainHillshade=1)
+        together = picture(self.view, "tiles")
+        self.assertLess(share_of_difference(whole, together), 0.01)  # normals at the border
+        simple.Hide(tiles, self.view)
+        hidden = picture(self.view, "tiles-hidden")
+        self.assertTrue((hidden == hidden[0, 0]).all())
+        simple.Show(tiles, self.view)
+        display.SetRepresentationType("Outline")
+        self.assertGreater(share_of_difference(whole, picture(self.view, "tiles-outline")), 0.1)
+
+    def test_poly_data_are_drawn_as_before(self):
+        ball = simple.Sphere(Radius=10000.0, Center=[20000.0, 15000.0, 0.0])
+        display = simple.Show(ball, self.view)
+        display.ColorArrayName = [None, ""]
+        drawn = picture(self.view, "ball")
+        self.assertGreater((drawn != drawn[0, 0]).any(axis=2).mean(), 0.05)
+
     def test_hidden_terrain_is_not_drawn(self):
         terrainScene.show_terrain(self.source, self.view)
         simple.Render(self.view)
@@ -201,6 +225,11 @@ class TestPlugin(unittest.TestCase):
         reproject = simple.TerrainReproject(self.source, CoordinateSystem="EPSG:32645", Spacing=400.0)
         reproject.UpdatePipeline()
         self.assertGreater(reproject.GetDataInformation().GetNumberOfPoints(), 5000)
+        tiles = [simple.TerrainRasterReader(FileName=write_hill(f"paraview-tile{west}.asc", west=west))
+                 for west in (0, 64)]
+        both = simple.TerrainReproject(Input=tiles, CoordinateSystem="EPSG:32645", Spacing=1.0)
+        both.UpdatePipeline()
+        self.assertGreater(both.GetDataInformation().GetExtent()[1], 120)
 
     def test_state_files(self):
         terrainScene.show_terrain(

@@ -6,12 +6,12 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkPVRenderView.h"
@@ -22,11 +22,13 @@
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerrainActor.h"
+#include "vtkTerrainPieces.h"
 #include "vtkTexture.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <vector>
 
 vtkStandardNewMacro(vtkTerrainRepresentation);
 
@@ -36,26 +38,30 @@ namespace
 constexpr int ColorArray = 0;
 constexpr int HeightArray = 1;
 
-bool hasCells(vtkImageData* heights)
+/// Makes a terrain look like another one, but for its colours.
+void shareLook(vtkTerrainActor* from, vtkTerrainActor* to)
 {
-  const int* dimensions = heights->GetDimensions();
-  return dimensions[0] > 1 && dimensions[1] > 1 && heights->GetPointData()->GetScalars();
-}
-
-/// Cells as samples at their centres, sharing the arrays.
-vtkSmartPointer<vtkImageData> cellsAsSamples(vtkImageData* image)
-{
-  auto samples = vtkSmartPointer<vtkImageData>::New();
-  std::array<int, 6> extent{};
-  image->GetExtent(extent.data());
-  const double* origin = image->GetOrigin();
-  const double* spacing = image->GetSpacing();
-  samples->SetExtent(extent[0], extent[1] - 1, extent[2], extent[3] - 1, extent[4], extent[4]);
-  samples->SetSpacing(spacing[0], spacing[1], spacing[2]);
-  samples->SetOrigin(origin[0] + spacing[0] / 2.0, origin[1] + spacing[1] / 2.0, origin[2]);
-  samples->GetPointData()->ShallowCopy(image->GetCellData());
-  samples->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  return samples;
+  to->SetProperty(from->GetProperty());
+  to->SetTexture(from->GetTexture());
+  to->SetPosition(from->GetPosition());
+  to->SetScale(from->GetScale());
+  to->SetOrientation(from->GetOrientation());
+  to->SetOrigin(from->GetOrigin());
+  to->SetPickable(from->GetPickable());
+  to->SetTechnique(from->GetTechnique());
+  to->SetVerticalExaggeration(from->GetVerticalExaggeration());
+  to->SetLevelOfDetail(from->GetLevelOfDetail());
+  vtkOpenGLTerrainMapper* source = from->GetTerrainMapper();
+  vtkOpenGLTerrainMapper* mapper = to->GetTerrainMapper();
+  mapper->SetColorSource(source->GetColorSource());
+  mapper->SetContours(source->GetContours());
+  mapper->SetContourInterval(source->GetContourInterval());
+  mapper->SetContourWidth(source->GetContourWidth());
+  mapper->SetHillshade(source->GetHillshade());
+  mapper->SetHillshadeAzimuth(source->GetHillshadeAzimuth());
+  mapper->SetHillshadeAltitude(source->GetHillshadeAltitude());
+  mapper->SetBlock(source->GetBlock());
+  mapper->SetBlockBase(source->GetBlockBase());
 }
 
 /// Makes of a box a column as high as that of any other process, and the matrix that brings it
@@ -78,39 +84,11 @@ void makeColumn(double bounds[6], vtkMatrix4x4* matrix)
   bounds[5] = end;
 }
 
-/// First and last sample, counted from the first one of the image, of the cells that are not copies
-/// of another process's.
-void ownSamples(vtkImageData* image, std::array<int, 2>& first, std::array<int, 2>& last)
-{
-  const int* dimensions = image->GetDimensions();
-  first = { 0, 0 };
-  last = { dimensions[0] - 1, dimensions[1] - 1 };
-  vtkUnsignedCharArray* ghosts = image->GetCellGhostArray();
-  if (!ghosts)
-  {
-    return;
-  }
-  const vtkIdType columns = dimensions[0] - 1;
-  const auto isOwn = [ghosts](vtkIdType cell)
-  { return !(ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL); };
-  vtkIdType low = 0;
-  vtkIdType high = ghosts->GetNumberOfValues() - 1;
-  while (low < high && !isOwn(low))
-  {
-    ++low;
-  }
-  while (high > low && !isOwn(high))
-  {
-    --high;
-  }
-  first = { static_cast<int>(low % columns), static_cast<int>(low / columns) };
-  last = { static_cast<int>(high % columns) + 1, static_cast<int>(high / columns) + 1 };
-}
 }
 
 //------------------------------------------------------------------------------
 vtkTerrainRepresentation::vtkTerrainRepresentation()
-  : Heights(vtkSmartPointer<vtkImageData>::New())
+  : Pieces(vtkSmartPointer<vtkMultiBlockDataSet>::New())
 {
   this->Actor->SetColorByHeight(false);
   this->Actor->SetVisibility(false);
@@ -131,6 +109,7 @@ void vtkTerrainRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 int vtkTerrainRepresentation::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -160,27 +139,37 @@ int vtkTerrainRepresentation::RequestUpdateExtent(
 int vtkTerrainRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->Heights = vtkSmartPointer<vtkImageData>::New();
-  vtkImageData* input =
-    inputs[0]->GetNumberOfInformationObjects() > 0 ? vtkImageData::GetData(inputs[0], 0) : nullptr;
-  if (input && input->GetNumberOfPoints() > 0)
+  this->Pieces = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  if (inputs[0]->GetNumberOfInformationObjects() > 0)
   {
-    int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    vtkDataArray* heights = this->GetInputArrayToProcess(HeightArray, inputs, association);
-    if (heights && association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+    for (vtkImageData* image : vtkTerrainPieces::FindImages(vtkDataObject::GetData(inputs[0], 0)))
     {
-      this->Heights = cellsAsSamples(input);
-    }
-    else
-    {
-      this->Heights->ShallowCopy(input);
-    }
-    if (heights && heights->GetName())
-    {
-      this->Heights->GetPointData()->SetActiveScalars(heights->GetName());
+      this->AddPiece(image);
     }
   }
   return this->Superclass::RequestData(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRepresentation::AddPiece(vtkImageData* image)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* array = this->GetInputArrayToProcess(HeightArray, image, association);
+  vtkSmartPointer<vtkImageData> heights;
+  if (array && association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    heights = vtkTerrainPieces::CellsAsSamples(image);
+  }
+  else
+  {
+    heights = vtkSmartPointer<vtkImageData>::New();
+    heights->ShallowCopy(image);
+  }
+  if (array && array->GetName())
+  {
+    heights->GetPointData()->SetActiveScalars(array->GetName());
+  }
+  this->Pieces->SetBlock(this->Pieces->GetNumberOfBlocks(), heights);
 }
 
 //------------------------------------------------------------------------------
@@ -193,7 +182,7 @@ int vtkTerrainRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    this->PassPiece(inInfo, outInfo);
+    this->PassPieces(inInfo, outInfo);
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())
   {
@@ -201,15 +190,15 @@ int vtkTerrainRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    this->TakePiece(inInfo);
+    this->TakePieces(inInfo);
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainRepresentation::PassPiece(vtkInformation* inInfo, vtkInformation* outInfo)
+void vtkTerrainRepresentation::PassPieces(vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  vtkPVView::SetPiece(inInfo, this, this->Heights, this->Heights->GetActualMemorySize());
+  vtkPVView::SetPiece(inInfo, this, this->Pieces, this->Pieces->GetActualMemorySize());
   vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
   double bounds[6];
   this->GetOwnBounds(bounds);
@@ -229,80 +218,87 @@ void vtkTerrainRepresentation::PassPiece(vtkInformation* inInfo, vtkInformation*
 // composited in.
 void vtkTerrainRepresentation::GetOwnBounds(double bounds[6])
 {
-  vtkMath::UninitializeBounds(bounds);
-  if (!hasCells(this->Heights))
-  {
-    return;
-  }
-  std::array<int, 2> first{};
-  std::array<int, 2> last{};
-  ownSamples(this->Heights, first, last);
-  const int* extent = this->Heights->GetExtent();
-  const double* origin = this->Heights->GetOrigin();
-  const double* spacing = this->Heights->GetSpacing();
-  double range[2];
-  this->Heights->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
-  if (range[0] > range[1])
-  {
-    return;
-  }
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double start = origin[axis] + extent[2 * axis] * spacing[axis];
-    bounds[2 * axis] = start + first[axis] * spacing[axis];
-    bounds[2 * axis + 1] = start + last[axis] * spacing[axis];
-    bounds[4 + axis] = origin[2] + this->Actor->GetVerticalExaggeration() * range[axis];
-  }
   this->Actor->ComputeMatrix();
   vtkBoundingBox box;
-  for (int corner = 0; corner < 8; ++corner)
+  for (vtkImageData* heights : vtkTerrainPieces::FindImages(this->Pieces))
   {
-    const double point[4] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
-      bounds[4 + (corner >> 2)], 1.0 };
-    double moved[4];
-    this->Actor->GetMatrix()->MultiplyPoint(point, moved);
-    box.AddPoint(moved);
+    if (vtkTerrainPieces::HasCells(heights))
+    {
+      vtkTerrainPieces::AddOwnBox(
+        heights, this->Actor->GetVerticalExaggeration(), this->Actor->GetMatrix(), box);
+    }
   }
-  box.GetBounds(bounds);
+  vtkMath::UninitializeBounds(bounds);
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
+  }
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainRepresentation::TakePiece(vtkInformation* inInfo)
+void vtkTerrainRepresentation::TakePieces(vtkInformation* inInfo)
 {
-  auto* heights = vtkImageData::SafeDownCast(vtkPVRenderView::GetDeliveredPiece(inInfo, this));
-  const bool draws = heights && hasCells(heights);
-  this->Actor->SetVisibility(draws && this->GetVisibility());
-  if (!draws)
+  std::vector<vtkImageData*> pieces =
+    vtkTerrainPieces::FindImages(vtkPVRenderView::GetDeliveredPiece(inInfo, this));
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                 [](vtkImageData* heights) { return !vtkTerrainPieces::HasCells(heights); }),
+    pieces.end());
+  this->Actor->SetVisibility(!pieces.empty() && this->GetVisibility());
+  this->SetNumberOfActors(pieces.size());
+  for (std::size_t k = 0; k < pieces.size(); ++k)
   {
-    return;
+    vtkTerrainActor* actor = k == 0 ? this->Actor.Get() : this->OtherActors[k - 1].Get();
+    if (actor->GetHeights() != pieces[k])
+    {
+      actor->SetInputData(pieces[k]);
+      std::array<int, 2> first{};
+      std::array<int, 2> last{};
+      vtkTerrainPieces::OwnSamples(pieces[k], first, last);
+      actor->GetTerrainMapper()->SetExtract(first.data(), last.data());
+    }
+    if (k > 0)
+    {
+      shareLook(this->Actor, actor);
+      actor->SetVisibility(this->GetVisibility());
+    }
+    this->UpdateColors(actor);
   }
-  if (this->Actor->GetHeights() != heights)
-  {
-    this->Actor->SetInputData(heights);
-    std::array<int, 2> first{};
-    std::array<int, 2> last{};
-    ownSamples(heights, first, last);
-    this->Actor->GetTerrainMapper()->SetExtract(first.data(), last.data());
-  }
-  this->UpdateColors();
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainRepresentation::UpdateColors()
+void vtkTerrainRepresentation::SetNumberOfActors(std::size_t number)
+{
+  while (this->OtherActors.size() + 1 > std::max<std::size_t>(number, 1))
+  {
+    this->View->GetRenderer()->RemoveActor(this->OtherActors.back());
+    this->View->UnRegisterPropForHardwareSelection(this, this->OtherActors.back());
+    this->OtherActors.pop_back();
+  }
+  while (this->OtherActors.size() + 1 < number)
+  {
+    this->OtherActors.push_back(vtkSmartPointer<vtkTerrainActor>::New());
+    this->View->GetRenderer()->AddActor(this->OtherActors.back());
+    this->View->RegisterPropForHardwareSelection(this, this->OtherActors.back());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRepresentation::UpdateColors(vtkTerrainActor* actor)
 {
   vtkInformation* array = this->GetInputArrayInformation(ColorArray);
   const char* name = array && array->Has(vtkDataObject::FIELD_NAME())
     ? array->Get(vtkDataObject::FIELD_NAME())
     : nullptr;
-  vtkOpenGLTerrainMapper* mapper = this->Actor->GetTerrainMapper();
+  vtkOpenGLTerrainMapper* mapper = actor->GetTerrainMapper();
   const bool usesArray = mapper->GetColorSource() == vtkOpenGLTerrainMapper::ColorSources::Array;
   const bool hasArray = name && *name;
-  this->Actor->SetColorByHeight(hasArray || !usesArray);
+  actor->SetColorByHeight(hasArray || !usesArray);
+  actor->SetLookupTable(this->LookupTable);
   if (hasArray)
   {
     const bool isOfCells =
       array->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS &&
-      this->Actor->GetHeights()->GetCellData()->HasArray(name);
+      actor->GetHeights()->GetCellData()->HasArray(name);
     mapper->SetScalarMode(
       isOfCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
     mapper->SelectColorArray(name);
@@ -317,6 +313,7 @@ bool vtkTerrainRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
+  this->View = renderView;
   renderView->GetRenderer()->AddActor(this->Actor);
   renderView->RegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::AddToView(view);
@@ -330,6 +327,8 @@ bool vtkTerrainRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
+  this->SetNumberOfActors(1);
+  this->View = nullptr;
   renderView->GetRenderer()->RemoveActor(this->Actor);
   renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::RemoveFromView(view);
@@ -340,6 +339,10 @@ void vtkTerrainRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
   this->Actor->SetVisibility(visible && this->Actor->GetHeights());
+  for (vtkTerrainActor* actor : this->OtherActors)
+  {
+    actor->SetVisibility(visible);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -419,7 +422,7 @@ void vtkTerrainRepresentation::SetBlockBase(double height)
 //------------------------------------------------------------------------------
 void vtkTerrainRepresentation::SetLookupTable(vtkScalarsToColors* colors)
 {
-  this->Actor->SetLookupTable(colors);
+  this->LookupTable = colors;
 }
 
 //------------------------------------------------------------------------------

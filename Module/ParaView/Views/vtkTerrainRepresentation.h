@@ -4,9 +4,10 @@
  * @class   vtkTerrainRepresentation
  * @brief   the representation "Terrain" of images in ParaView
  *
- * Input: vtkImageData of W x H x 1 points, whose heights are a point or a cell array of one
- * component (SetInputArrayToProcess, index 1; the active point scalars without). Cell heights are
- * samples at the centres of the cells. Any array may colour the surface (index 0).
+ * Input: vtkImageData of W x H x 1 points, or a composite dataset of them (what else is in it is
+ * not drawn), whose heights are a point or a cell array of one component (SetInputArrayToProcess,
+ * index 1; the active point scalars without). Cell heights are samples at the centres of the cells.
+ * Any array may colour the surface (index 0).
  *
  * Distributed images are drawn where they are: each rank draws its piece, ParaView composites by
  * depth. One level of ghost cells is asked for, so that normals at the border of a piece are those
@@ -23,8 +24,14 @@
 #include "vtkPVDataRepresentation.h"
 #include "vtkSmartPointer.h"               // For members
 #include "vtkTerrainParaViewViewsModule.h" // For export macro
+#include "vtkWeakPointer.h"                // For members
+
+#include <cstddef> // For std::size_t
+#include <vector>  // For members
 
 class vtkImageData;
+class vtkMultiBlockDataSet;
+class vtkPVRenderView;
 class vtkScalarsToColors;
 class vtkTerrainActor;
 class vtkTexture;
@@ -103,14 +110,20 @@ protected:
   bool RemoveFromView(vtkView* view) override;
 
 private:
-  void PassPiece(vtkInformation* inInfo, vtkInformation* outInfo);
+  void AddPiece(vtkImageData* image);
+  void PassPieces(vtkInformation* inInfo, vtkInformation* outInfo);
   void GetOwnBounds(double bounds[6]);
-  void TakePiece(vtkInformation* inInfo);
-  void UpdateColors();
+  void TakePieces(vtkInformation* inInfo);
+  void SetNumberOfActors(std::size_t number);
+  void UpdateColors(vtkTerrainActor* actor);
 
+  /// Looks as the properties say, and draws the first piece; the others look like it.
   vtkNew<vtkTerrainActor> Actor;
-  /// The piece of this process; without points if it has none.
-  vtkSmartPointer<vtkImageData> Heights;
+  std::vector<vtkSmartPointer<vtkTerrainActor>> OtherActors;
+  /// The heights of this process.
+  vtkSmartPointer<vtkMultiBlockDataSet> Pieces;
+  vtkWeakPointer<vtkPVRenderView> View;
+  vtkSmartPointer<vtkScalarsToColors> LookupTable;
 };
 
 #endif

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainPieces.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cstddef>
+
+namespace vtkTerrainPieces
+{
+//------------------------------------------------------------------------------
+std::vector<vtkImageData*> FindImages(vtkDataObject* data)
+{
+  std::vector<vtkImageData*> images;
+  const auto add = [&images](vtkDataObject* object)
+  {
+    auto* image = vtkImageData::SafeDownCast(object);
+    if (image && image->GetNumberOfPoints() > 0)
+    {
+      images.push_back(image);
+    }
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    add(data);
+    return images;
+  }
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    add(iterator->GetCurrentDataObject());
+  }
+  return images;
+}
+
+//------------------------------------------------------------------------------
+bool HasCells(vtkImageData* heights)
+{
+  const int* dimensions = heights->GetDimensions();
+  return dimensions[0] > 1 && dimensions[1] > 1 && heights->GetPointData()->GetScalars();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> CellsAsSamples(vtkImageData* image)
+{
+  auto samples = vtkSmartPointer<vtkImageData>::New();
+  std::array<int, 6> extent{};
+  image->GetExtent(extent.data());
+  const double* origin = image->GetOrigin();
+  const double* spacing = image->GetSpacing();
+  samples->SetExtent(extent[0], extent[1] - 1, extent[2], extent[3] - 1, extent[4], extent[4]);
+  samples->SetSpacing(spacing[0], spacing[1], spacing[2]);
+  samples->SetOrigin(origin[0] + spacing[0] / 2.0, origin[1] + spacing[1] / 2.0, origin[2]);
+  samples->GetPointData()->ShallowCopy(image->GetCellData());
+  samples->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  return samples;
+}
+
+//------------------------------------------------------------------------------
+void OwnSamples(vtkImageData* image, std::array<int, 2>& first, std::array<int, 2>& last)
+{
+  const int* dimensions = image->GetDimensions();
+  first = { 0, 0 };
+  last = { dimensions[0] - 1, dimensions[1] - 1 };
+  vtkUnsignedCharArray* ghosts = image->GetCellGhostArray();
+  if (!ghosts)
+  {
+    return;
+  }
+  const vtkIdType columns = dimensions[0] - 1;
+  const auto isOwn = [ghosts](vtkIdType cell)
+  { return !(ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL); };
+  vtkIdType low = 0;
+  vtkIdType high = ghosts->GetNumberOfValues() - 1;
+  while (low < high && !isOwn(low))
+  {
+    ++low;
+  }
+  while (high > low && !isOwn(high))
+  {
+    --high;
+  }
+  first = { static_cast<int>(low % columns), static_cast<int>(low / columns) };
+  last = { static_cast<int>(high % columns) + 1, static_cast<int>(high / columns) + 1 };
+}
+
+//------------------------------------------------------------------------------
+void AddOwnBox(
+  vtkImageData* heights, double exaggeration, vtkMatrix4x4* toWorld, vtkBoundingBox& box)
+{
+  std::array<int, 2> first{};
+  std::array<int, 2> last{};
+  OwnSamples(heights, first, last);
+  const int* extent = heights->GetExtent();
+  const double* origin = heights->GetOrigin();
+  const double* spacing = heights->GetSpacing();
+  double range[2];
+  heights->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
+  if (range[0] > range[1])
+  {
+    return;
+  }
+  std::array<std::array<double, 2>, 3> ends{};
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    const double start = origin[axis] + extent[2 * axis] * spacing[axis];
+    ends[axis] = { start + first[axis] * spacing[axis], start + last[axis] * spacing[axis] };
+    ends[2][axis] = origin[2] + exaggeration * range[axis];
+  }
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    const double point[4] = { ends[0][corner & 1], ends[1][(corner >> 1) & 1], ends[2][corner >> 2],
+      1.0 };
+    double moved[4];
+    toWorld->MultiplyPoint(point, moved);
+    box.AddPoint(moved);
+  }
+}
+}

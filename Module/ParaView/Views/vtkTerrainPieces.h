@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The images of heights that a process of ParaView holds, and what of them is its own. Private.
+ */
+#ifndef vtkTerrainPieces_h
+#define vtkTerrainPieces_h
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <vector>
+
+class vtkBoundingBox;
+class vtkDataObject;
+class vtkImageData;
+class vtkMatrix4x4;
+
+namespace vtkTerrainPieces
+{
+/// The images with points in a dataset, which may be one itself, a composite one, or null.
+std::vector<vtkImageData*> FindImages(vtkDataObject* data);
+
+/// Whether there is a cell between samples.
+bool HasCells(vtkImageData* heights);
+
+/// Cells as samples at their centres, sharing the arrays.
+vtkSmartPointer<vtkImageData> CellsAsSamples(vtkImageData* image);
+
+/// First and last sample, counted from the first one of the image, of the cells that are not copies
+/// of another process's.
+void OwnSamples(vtkImageData* image, std::array<int, 2>& first, std::array<int, 2>& last);
+
+/// Adds to a box in world coordinates that of the own samples, if any has a height.
+void AddOwnBox(
+  vtkImageData* heights, double exaggeration, vtkMatrix4x4* toWorld, vtkBoundingBox& box);
+}
+
+#endif
