@@ -51,8 +51,8 @@ TEST(TerrainRasterReaderTiles, DirectoryIsOneTerrain)
   tile.EPSG = 32633;
   for (int k = 0; k < 3; ++k)
   {
-    tile.GeoTransform = { 500000.0 + 40.0 * (k % 2), 10.0, 0.0, 5000060.0 - 30.0 * (k / 2), 0.0,
-      -10.0 };
+    tile.GeoTransform = { 500000.0 + 40.0 * (k % 2), 10.0, 0.0, 5000060.0 - (k < 2 ? 0.0 : 30.0),
+      0.0, -10.0 };
     tile.Values = Count(12, 100.0 * (k + 1));
     tile.Write((folder / ("tile" + std::to_string(k) + ".tif")).string());
   }
