@@ -153,14 +153,16 @@ vec4 terrainOwnColor(TerrainSurface surface)
 uniform sampler2D terrainDrape;
 uniform vec4 terrainDrapeScale;    // texture coordinates = xy * position in cells + zw
 
-// Colour of the picture, multiplied by its alpha; 0 beside it.
+// Colour of the picture, multiplied by its alpha; 0 beside it, and as much of it at its border as the
+// pixel covers.
 vec4 terrainDrapeColor(vec2 pixel, TerrainSurface surface)
 {
   vec2 positionTC = terrainDrapeScale.xy * vec2(surface.cell) + terrainDrapeScale.zw +
     terrainDrapeScale.xy * surface.fraction;
   mat2 footprint = terrainFootprint(pixel, surface);
-  vec4 texel = textureGrad(terrainDrape, positionTC, terrainDrapeScale.xy * footprint[0],
-    terrainDrapeScale.xy * footprint[1]);
+  vec2 moveX = terrainDrapeScale.xy * footprint[0];
+  vec2 moveY = terrainDrapeScale.xy * footprint[1];
+  vec4 texel = textureGrad(terrainDrape, positionTC, moveX, moveY);
 #if TERRAIN_DRAPE == 1
   texel = vec4(texel.rrr, 1.0);
 #elif TERRAIN_DRAPE == 2
@@ -168,8 +170,9 @@ vec4 terrainDrapeColor(vec2 pixel, TerrainSurface surface)
 #elif TERRAIN_DRAPE == 3
   texel.a = 1.0;
 #endif
-  bool beside = any(lessThan(positionTC, vec2(0.0))) || any(greaterThan(positionTC, vec2(1.0)));
-  return beside ? vec4(0.0) : texel;
+  vec2 inside = (0.5 - abs(positionTC - 0.5)) / max(sqrt(moveX * moveX + moveY * moveY), 1e-30);
+  vec2 coverage = clamp(inside + 0.5, 0.0, 1.0);
+  return coverage.x * coverage.y * texel;
 }
 #endif
 

@@ -25,7 +25,6 @@
 
 #include <gtest/gtest.h>
 
-using vtkTerrainTesting::Demands;
 using vtkTerrainTesting::DrawsAsTheMesh;
 using vtkTerrainTesting::TerrainProp;
 using vtkTerrainTesting::TerrainScene;
@@ -78,9 +77,7 @@ TEST(OpenGLTerrainMapperPasses, ShadowMaps)
   {
     auto cast = [positional](TerrainScene& scene, const TerrainProp&)
     { castShadows(scene, positional); };
-    Demands demands;
-    demands.Share = 0.99; // a texel of the map is larger than a pixel
-    EXPECT_TRUE(DrawsAsTheMesh(cast, demands)) << positional;
+    EXPECT_TRUE(DrawsAsTheMesh(cast)) << positional;
   }
 }
 
@@ -96,9 +93,7 @@ TEST(OpenGLTerrainMapperPasses, AmbientOcclusion)
     pass->BlurOn();
     setPassOverSteps(scene, pass.Get());
   };
-  Demands demands;
-  demands.Share = 0.99; // silhouettes are blurred
-  EXPECT_TRUE(DrawsAsTheMesh(occlude, demands));
+  EXPECT_TRUE(DrawsAsTheMesh(occlude));
 }
 
 TEST(OpenGLTerrainMapperPasses, FastAntialiasing)
@@ -143,9 +138,7 @@ TEST(OpenGLTerrainMapperPasses, EyeDomeLighting)
     vtkNew<vtkEDLShading> pass;
     setPassOverSteps(scene, pass.Get());
   };
-  Demands demands;
-  demands.Share = 0.99; // silhouettes are wide
-  EXPECT_TRUE(DrawsAsTheMesh(light, demands));
+  EXPECT_TRUE(DrawsAsTheMesh(light));
 }
 
 TEST(OpenGLTerrainMapperPasses, Steps)

@@ -32,7 +32,6 @@ constexpr int Width = 200;
 constexpr int Height = 150;
 constexpr int Columns = 41;
 constexpr int Rows = 33;
-constexpr int Parts = 5; // of a cell's side in the fine mesh
 constexpr int Agreement = 8;
 
 //------------------------------------------------------------------------------
@@ -51,13 +50,13 @@ double Mixed(double a, double b, double t)
 //------------------------------------------------------------------------------
 /// An array of points at node (x, y) of the fine mesh, bilinearly; NaN where a corner that counts
 /// is.
-double FineValue(vtkImageData* image, vtkDataArray* array, int component, int x, int y)
+double FineValue(vtkImageData* image, vtkDataArray* array, int component, int x, int y, int parts)
 {
   const int* size = image->GetDimensions();
-  const int i = std::min(x / Parts, size[0] - 2);
-  const int j = std::min(y / Parts, size[1] - 2);
-  const double u = static_cast<double>(x) / Parts - i;
-  const double v = static_cast<double>(y) / Parts - j;
+  const int i = std::min(x / parts, size[0] - 2);
+  const int j = std::min(y / parts, size[1] - 2);
+  const double u = static_cast<double>(x) / parts - i;
+  const double v = static_cast<double>(y) / parts - j;
   auto at = [&](int di, int dj)
   { return array->GetComponent(i + di + vtkIdType{ size[0] } * (j + dj), component); };
   return Mixed(Mixed(at(0, 0), at(1, 0), u), Mixed(at(0, 1), at(1, 1), u), v);
@@ -65,7 +64,7 @@ double FineValue(vtkImageData* image, vtkDataArray* array, int component, int x,
 
 //------------------------------------------------------------------------------
 /// Adds the arrays of the image's points to the fine mesh.
-void AddPointArrays(vtkPolyData* mesh, vtkImageData* image, int width, int height)
+void AddPointArrays(vtkPolyData* mesh, vtkImageData* image, int width, int height, int parts)
 {
   for (int a = 0; a < image->GetPointData()->GetNumberOfArrays(); ++a)
   {
@@ -80,7 +79,7 @@ void AddPointArrays(vtkPolyData* mesh, vtkImageData* image, int width, int heigh
       {
         const auto x = static_cast<int>(i % width);
         const auto y = static_cast<int>(i / width);
-        fine->SetComponent(i, c, FineValue(image, array, c, x, y));
+        fine->SetComponent(i, c, FineValue(image, array, c, x, y, parts));
       }
     }
     mesh->GetPointData()->AddArray(fine);
@@ -90,12 +89,12 @@ void AddPointArrays(vtkPolyData* mesh, vtkImageData* image, int width, int heigh
 
 //------------------------------------------------------------------------------
 /// Slope and aspect, in degrees, in the middle of square (x, y) of the fine mesh.
-std::array<double, 2> SlopeAndAspect(vtkImageData* heights, int x, int y)
+std::array<double, 2> SlopeAndAspect(vtkImageData* heights, int x, int y, int parts)
 {
-  const int i = x / Parts;
-  const int j = y / Parts;
-  const double u = (x % Parts + 0.5) / Parts;
-  const double v = (y % Parts + 0.5) / Parts;
+  const int i = x / parts;
+  const int j = y / parts;
+  const double u = (x % parts + 0.5) / parts;
+  const double v = (y % parts + 0.5) / parts;
   const double southWest = HeightAt(heights, i, j);
   const double southEast = HeightAt(heights, i + 1, j);
   const double northWest = HeightAt(heights, i, j + 1);
@@ -252,13 +251,13 @@ vtkSmartPointer<vtkImageData> MakeHills(bool withHole)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeFineMesh(vtkImageData* heights)
+vtkSmartPointer<vtkPolyData> MakeFineMesh(vtkImageData* heights, int parts)
 {
   const int* size = heights->GetDimensions();
   const double* origin = heights->GetOrigin();
   const double* spacing = heights->GetSpacing();
-  const int width = Parts * (size[0] - 1) + 1;
-  const int height = Parts * (size[1] - 1) + 1;
+  const int width = parts * (size[0] - 1) + 1;
+  const int height = parts * (size[1] - 1) + 1;
   vtkDataArray* scalars = heights->GetPointData()->GetScalars();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -270,9 +269,9 @@ vtkSmartPointer<vtkPolyData> MakeFineMesh(vtkImageData* heights)
     for (int x = 0; x < width; ++x)
     {
       positions->InsertNextTuple2(x / (width - 1.0), y / (height - 1.0));
-      const double z = FineValue(heights, scalars, 0, x, y);
-      points->InsertNextPoint(origin[0] + spacing[0] * x / Parts,
-        origin[1] + spacing[1] * y / Parts, origin[2] + (std::isfinite(z) ? z : 0.0));
+      const double z = FineValue(heights, scalars, 0, x, y, parts);
+      points->InsertNextPoint(origin[0] + spacing[0] * x / parts,
+        origin[1] + spacing[1] * y / parts, origin[2] + (std::isfinite(z) ? z : 0.0));
     }
   }
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
@@ -287,19 +286,19 @@ vtkSmartPointer<vtkPolyData> MakeFineMesh(vtkImageData* heights)
   {
     for (int x = 0; x < width - 1; ++x)
     {
-      if (CellIsValid(heights, x / Parts, y / Parts))
+      if (CellIsValid(heights, x / parts, y / parts))
       {
         const vtkIdType corner = x + vtkIdType{ width } * y;
         triangles->InsertNextCell({ corner, corner + 1, corner + width + 1 });
         triangles->InsertNextCell({ corner, corner + width + 1, corner + width });
-        const std::array<double, 2> fall = SlopeAndAspect(heights, x, y);
+        const std::array<double, 2> fall = SlopeAndAspect(heights, x, y, parts);
         for (vtkIdType cell = triangles->GetNumberOfCells() - 2;
              cell < triangles->GetNumberOfCells(); ++cell)
         {
           slopes->InsertNextValue(fall[0]);
           aspects->InsertNextValue(fall[1]);
           mesh->GetCellData()->CopyData(
-            cellData, x / Parts + vtkIdType{ size[0] - 1 } * (y / Parts), cell);
+            cellData, x / parts + vtkIdType{ size[0] - 1 } * (y / parts), cell);
         }
       }
     }
@@ -307,7 +306,7 @@ vtkSmartPointer<vtkPolyData> MakeFineMesh(vtkImageData* heights)
   mesh->SetPoints(points);
   mesh->SetPolys(triangles);
   mesh->GetPointData()->SetTCoords(positions);
-  AddPointArrays(mesh, heights, width, height);
+  AddPointArrays(mesh, heights, width, height, parts);
   mesh->GetCellData()->AddArray(slopes);
   mesh->GetCellData()->AddArray(aspects);
   return mesh;
@@ -404,7 +403,7 @@ testing::AssertionResult DrawsAsThePlainMesh(
   auto replace = [&](TerrainScene&, const TerrainProp& prop)
   {
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(MakeFineMesh(prop.Mapper->GetHeights()));
+    mapper->SetInputData(MakeFineMesh(prop.Mapper->GetHeights(), demands.Parts));
     mapper->ScalarVisibilityOff();
     prop.Actor->SetMapper(mapper);
     prop.Actor->GetProperty()->LightingOff();

@@ -28,10 +28,10 @@ namespace vtkTerrainTesting
 /// hole of NaN around sample (22, 18) if asked.
 vtkSmartPointer<vtkImageData> MakeHills(bool withHole = false);
 
-/// The surface of heights as triangles, 5 x 5 x 2 in each cell, row by row from the south. With the
-/// image's arrays, those of points interpolated; texture coordinates 0..1 from the first to the
-/// last sample; and cell arrays "Slope" and "Aspect" in degrees, of the bilinear patch.
-vtkSmartPointer<vtkPolyData> MakeFineMesh(vtkImageData* heights);
+/// The surface of heights as triangles, parts x parts x 2 in each cell, row by row from the south.
+/// With the image's arrays, those of points interpolated; texture coordinates 0..1 from the first
+/// to the last sample; and cell arrays "Slope" and "Aspect" in degrees, of the bilinear patch.
+vtkSmartPointer<vtkPolyData> MakeFineMesh(vtkImageData* heights, int parts = 5);
 
 /// A terrain of a scene.
 struct TerrainProp
@@ -78,6 +78,8 @@ struct Demands
   double Share = 0.999;
   /// Share of the pixels that the scene function must change, lest nothing be tested.
   double Effect = 0.01;
+  /// Parts of a cell's side in the mesh that DrawsAsThePlainMesh() compares with.
+  int Parts = 5;
   /// Heights of the first terrain; null for MakeHills().
   vtkSmartPointer<vtkImageData> Heights;
 };
