@@ -192,7 +192,8 @@ uniform vec2 terrainContourScale;  // number of the contour = x * code + y
 uniform float terrainContourWidth; // pixels
 uniform vec4 terrainContourColor;  // alpha 0 for none
 
-// How much of a pixel contour lines cover. Lines closer than their width run into an even grey.
+// How much of a pixel contour lines cover. Lines closer than twice their width run into an even grey,
+// which fades where they are closer than their width: slopes that turn away have no dark border.
 float terrainContourCoverage(vec2 pixel, TerrainSurface surface)
 {
   mat2 footprint = terrainFootprint(pixel, surface);
@@ -202,7 +203,8 @@ float terrainContourCoverage(vec2 pixel, TerrainSurface surface)
   float distancePixels = abs(number - floor(number + 0.5)) / max(change, 1e-6);
   float line = clamp(0.5 * terrainContourWidth + 0.5 - distancePixels, 0.0, 1.0);
   float even = terrainContourWidth * change;
-  return change < 1e-6 ? 0.0 : mix(line, min(even, 1.0), clamp(2.0 * even - 1.0, 0.0, 1.0));
+  float grey = even / (1.0 + even * even);
+  return change < 1e-6 ? 0.0 : mix(line, grey, clamp(2.0 * even - 1.0, 0.0, 1.0));
 }
 
 TerrainPaint terrainPaintSurface(vec2 pixel, TerrainSurface surface)

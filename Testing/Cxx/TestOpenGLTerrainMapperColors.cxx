@@ -500,6 +500,33 @@ TEST(OpenGLTerrainMapperColors, ContoursLieAtTheirHeights)
   EXPECT_LE(wrong, compared / 20); // where slopes change within a pixel
 }
 
+// As where the surface turns away: lines closer than pixels must not leave it black.
+TEST(OpenGLTerrainMapperColors, ContoursTooCloseToTellFade)
+{
+  auto draw = [](TerrainScene&, const TerrainProp& terrain)
+  {
+    terrain.Actor->GetProperty()->LightingOff();
+    terrain.Actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+    terrain.Mapper->SetContours(true);
+    terrain.Mapper->SetContourInterval(0.2);
+  };
+  const auto picture = vtkTerrainTesting::DrawScene(draw);
+  int terrain = 0;
+  int dark = 0;
+  for (int y = 0; y < 150; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      const auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      const bool grey = pixel[0] == pixel[2]; // the background is blue
+      terrain += grey ? 1 : 0;
+      dark += grey && pixel[0] < 120 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(terrain, 5000);
+  EXPECT_LT(dark, terrain / 20); // level places show single lines
+}
+
 TEST(OpenGLTerrainMapperColors, AllTogether)
 {
   auto paint = [](TerrainScene&, const TerrainProp& terrain)
