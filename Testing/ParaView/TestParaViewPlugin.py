@@ -136,6 +136,20 @@ class TestPlugin(unittest.TestCase):
         drawn = picture(self.view, "ball")
         self.assertGreater((drawn != drawn[0, 0]).any(axis=2).mean(), 0.05)
 
+    def test_moved_views_are_allotted_little_time(self):
+        terrainScene.show_terrain(self.source, self.view)
+        actors = self.view.SMProxy.GetClientSideObject().GetRenderer().GetActors()
+        allotted = []
+        for render in (self.view.SMProxy.StillRender, self.view.SMProxy.InteractiveRender):
+            render()
+            actors.InitTraversal()
+            every = [actors.GetNextActor() for _ in range(actors.GetNumberOfItems())]
+            terrain, = [actor for actor in every if actor.GetClassName() == "vtkTerrainActor"]
+            allotted.append(terrain.GetAllocatedRenderTime())
+        longest = 1.0  # seconds, from which on vtkTerrainActor draws everything
+        self.assertGreater(allotted[0], longest)
+        self.assertLess(allotted[1], longest)
+
     def test_hidden_terrain_is_not_drawn(self):
         terrainScene.show_terrain(self.source, self.view)
         simple.Render(self.view)
