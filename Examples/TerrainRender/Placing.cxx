@@ -25,8 +25,6 @@ namespace
 using FrameType = vtkTerrainGeoreference::FrameType;
 using HeightType = vtkTerrainGeoreference::HeightType;
 
-/// Share of the progress bar.
-constexpr double kPlaceShare = 0.2;
 /// How far the scale of a file's own grid may be from 1.
 constexpr double kScaleError = 0.01;
 /// Largest drop of the earth, in metres, over an extent that the frame Plane is chosen for.

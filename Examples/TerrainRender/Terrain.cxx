@@ -5,6 +5,7 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "Options.h"
+#include "Placing.h"
 #include "Progress.h"
 #include "Statistics.h"
 
@@ -37,7 +38,6 @@ using Techniques = vtkOpenGLTerrainMapper::Techniques;
 
 /// Shares of the progress bar.
 constexpr double kReadShare = 0.5;
-constexpr double kPlaceShare = 0.2;
 constexpr double kMeshShare = 0.3;
 
 const char* const kNoSurface =
