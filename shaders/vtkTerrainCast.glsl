@@ -3,6 +3,8 @@
 //
 // What the ray of a pixel sees: clips the ray, traces it, passes by what is culled.
 // Needs vtkTerrainHeights.glsl, vtkTerrainRay.glsl, vtkTerrainView.glsl, vtkTerrainTrace.glsl.
+// Processors that run rays side by side run both sides of a branch: defines leave out what a scene does
+// not need.
 // Defines: TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels each way are there
 // (vtkTerrainBeamCS.glsl).
 
@@ -35,8 +37,10 @@ struct TerrainSighting
   bool front;        // seen from above
   int crossings;     // work done, see TerrainHit
   int wall;          // clipping plane at which a block is cut, or -1 for the surface
+  vec4 codes;        // of the cell's corners
 };
 
+#ifdef TERRAIN_CLIP_PLANES
 // The part of the distances [range.x, range.y] of a pixel's ray that no clipping plane cuts off, and
 // the plane at which it begins, or -1.
 vec2 terrainClipRange(vec2 pixel, vec2 range, out int begin)
@@ -53,16 +57,16 @@ vec2 terrainClipRange(vec2 pixel, vec2 range, out int begin)
   }
   return range;
 }
+#endif
 
 // Cells that a ray may be long before what float rounds along it counts: a ray whose hit lies
 // farther is traced again from near the hit.
 const float terrainLongRay = 256.0;
 
-// True if a ray meets the surface from above. Where a tolerance has ended the search before the
-// surface, the side of it tells.
-bool terrainSeesFront(TerrainRay ray, TerrainHit hit)
+// True if a ray meets the surface of a cell from above. Where a tolerance has ended the search before
+// the surface, the side of it tells.
+bool terrainSeesFront(TerrainRay ray, TerrainHit hit, vec4 codes)
 {
-  vec4 codes = terrainCellCodes(hit.cell);
 #ifdef TERRAIN_COLUMNS
   return terrainFindColumnFace(codes, hit.fraction, ray.directionGC).front;
 #else
@@ -78,15 +82,16 @@ bool terrainSeesFront(TerrainRay ray, TerrainHit hit)
 #endif
 }
 
-// The first hit of a pixel's ray between two distances; hit.s counts from range.x. The loop is there
-// so that the trace stands in the program once.
-TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front)
+// The first hit of a pixel's ray between two distances, and the codes of its cell; hit.s counts from
+// range.x. The loop is there so that the trace stands in the program once.
+TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front, out vec4 codes)
 {
   TerrainHit hit = terrainNoHit();
   float pace = length(terrainAtPixelGC(pixel).xy);
   float begin = 0.0;
   bool again = true;
   front = true;
+  codes = vec4(0.0);
   for (int attempt = 0; again && attempt < 2; ++attempt)
   {
     float start = range.x + begin;
@@ -97,7 +102,8 @@ TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front)
     {
       hit = next;
       hit.s += begin;
-      front = terrainSeesFront(ray, next);
+      codes = terrainCellCodes(next.cell);
+      front = terrainSeesFront(ray, next, codes);
     }
     again = hit.found && (hit.s - begin) * pace > terrainLongRay;
     begin = hit.s - 4.0 / max(pace, 1e-30);
@@ -107,13 +113,14 @@ TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front)
 
 #ifdef TERRAIN_BLOCK
 // True if a pixel's ray is below the surface at a distance: within the block.
-bool terrainIsWithinBlock(vec2 pixel, float distanceVC, out ivec2 cell, out vec2 fraction)
+bool terrainIsWithinBlock(
+  vec2 pixel, float distanceVC, out ivec2 cell, out vec2 fraction, out vec4 codes)
 {
   TerrainRay ray = terrainPixelRay(pixel, distanceVC, distanceVC);
   ivec2 step = ivec2(floor(ray.originGC.xy));
   cell = clamp(ray.anchorCell + step, ivec2(0), terrainSize - 2);
   fraction = clamp(ray.originGC.xy - vec2(cell - ray.anchorCell), vec2(0.0), vec2(1.0));
-  vec4 codes = terrainCellCodes(cell);
+  codes = terrainCellCodes(cell);
   return terrainCellValid(codes) && ray.originGC.z <= terrainPatchCode(codes, fraction);
 }
 #endif
@@ -123,15 +130,18 @@ TerrainSighting terrainCast(vec2 pixel, float entryDistance)
 {
   float start = max(max(entryDistance, terrainNear), terrainSafeStart(pixel));
   vec2 range = terrainEnterBox(pixel, vec2(start, terrainFar));
-  int wall;
+  int wall = -1;
+#ifdef TERRAIN_CLIP_PLANES
   range = terrainClipRange(pixel, range, wall);
+#endif
   TerrainSighting sighting;
   sighting.found = false;
   sighting.crossings = 0;
   int layer = terrainLayer;
 #ifdef TERRAIN_BLOCK
   if (wall >= 0 && range.x < range.y &&
-    terrainIsWithinBlock(pixel, range.x, sighting.cell, sighting.fraction))
+    terrainIsWithinBlock(
+      pixel, range.x, sighting.cell, sighting.fraction, sighting.codes))
   {
     if (layer == 0)
     {
@@ -147,9 +157,10 @@ TerrainSighting terrainCast(vec2 pixel, float entryDistance)
   while (range.x < range.y)
   {
     bool front;
-    TerrainHit hit = terrainTraceRange(pixel, range, front);
+    vec4 codes;
+    TerrainHit hit = terrainTraceRange(pixel, range, front, codes);
     sighting = TerrainSighting(hit.found, range.x + hit.s, hit.cell, hit.fraction, front,
-      sighting.crossings + hit.crossings, -1);
+      sighting.crossings + hit.crossings, -1, codes);
     bool culled = hit.found && (front ? terrainCulled.x : terrainCulled.y) == 1;
     if (!hit.found || (!culled && layer == 0))
     {

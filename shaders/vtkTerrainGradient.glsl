@@ -10,64 +10,31 @@ uniform float terrainMeansScale; // codes per unit of terrainMeans
 
 const float terrainFirstMeanLevel = 3.0;
 
-// Slope of a neighbouring cell, from the codes of its outer corners and of those it shares; the
-// cell's own slope if the neighbour has no heights.
-float terrainNextSlope(vec2 outer, vec2 inner, float across, float direction, float own)
+// Code of the texels' surface at a position relative to a cell of texels; negative where there is none.
+float terrainTexelHeight(ivec2 cell, vec2 position)
 {
-  bool valid = all(greaterThanEqual(outer, vec2(0.0)));
-  float slope = direction * (mix(outer.x, outer.y, across) - mix(inner.x, inner.y, across));
-  return valid ? slope : own;
+  ivec2 at = clamp(cell + ivec2(floor(position)), ivec2(0), textureSize(terrainHeights, 0) - 2);
+  vec4 codes = terrainTexelCodes(at);
+  return terrainCellValid(codes) ? terrainPatchCode(codes, position - vec2(at - cell)) : -1.0;
 }
 
-// Code of a sample, negative outside of the grid.
-float terrainCodeOrNone(ivec2 sampleIndex)
+// Gradient of the texels' surface at a position in a cell of texels, as the central difference over a
+// width in texels: the mean slope along it. Continuous everywhere, and for a width of 1 the gradient of
+// the patch at the centre of a cell. At the border, and where there are no heights, the difference
+// ends. Codes: of the cell's corners.
+vec2 terrainWideGradient(ivec2 cell, vec2 fraction, vec4 codes, float width)
 {
-  bool inside = all(greaterThanEqual(sampleIndex, ivec2(0))) &&
-    all(lessThan(sampleIndex, terrainSize));
-  return inside ? terrainCode(sampleIndex) : -1.0;
-}
-
-// Gradient as the central difference of the surface over the width of one cell: continuous
-// everywhere, and the gradient of the patch at the centre of a cell. At borders and next to cells
-// without heights the difference stays within the cell.
-vec2 terrainSmoothGradient(ivec2 cell, vec2 fraction, vec4 codes)
-{
-  vec2 own = terrainPatchGradient(codes, fraction);
-  bvec2 back = lessThan(fraction, vec2(0.5));
-  ivec2 outer = cell + ivec2(back.x ? -1 : 2, back.y ? -1 : 2);
-  vec2 column = vec2(terrainCodeOrNone(ivec2(outer.x, cell.y)),
-    terrainCodeOrNone(ivec2(outer.x, cell.y + 1)));
-  vec2 row = vec2(terrainCodeOrNone(ivec2(cell.x, outer.y)),
-    terrainCodeOrNone(ivec2(cell.x + 1, outer.y)));
-  vec2 next = vec2(
-    terrainNextSlope(column, back.x ? codes.xz : codes.yw, fraction.y, back.x ? -1.0 : 1.0, own.x),
-    terrainNextSlope(row, back.y ? codes.xy : codes.zw, fraction.x, back.y ? -1.0 : 1.0, own.y));
-  return mix(own, next, abs(fraction - 0.5));
-}
-
-// Code of the texels' surface at a position in texels; negative where there is none.
-float terrainTexelHeight(vec2 position)
-{
-  ivec2 cell = clamp(ivec2(position), ivec2(0), textureSize(terrainHeights, 0) - 2);
-  vec4 codes = terrainTexelCodes(cell);
-  return terrainCellValid(codes) ? terrainPatchCode(codes, position - vec2(cell)) : -1.0;
-}
-
-// Gradient of the texels' surface as the central difference over a width in texels: the mean slope
-// along it. Where there are no heights the difference ends at the position.
-vec2 terrainWideGradient(vec2 position, float width)
-{
-  vec2 last = vec2(textureSize(terrainHeights, 0) - 1);
-  vec2 low = max(position - 0.5 * width, vec2(0.0));
-  vec2 high = min(position + 0.5 * width, last);
-  float here = terrainTexelHeight(position);
-  vec2 atLow = vec2(terrainTexelHeight(vec2(low.x, position.y)),
-    terrainTexelHeight(vec2(position.x, low.y)));
-  vec2 atHigh = vec2(terrainTexelHeight(vec2(high.x, position.y)),
-    terrainTexelHeight(vec2(position.x, high.y)));
+  vec2 low = max(fraction - 0.5 * width, vec2(-cell));
+  vec2 high =
+    min(fraction + 0.5 * width, vec2(textureSize(terrainHeights, 0) - 1 - cell));
+  float here = terrainPatchCode(codes, fraction);
+  vec2 atLow = vec2(terrainTexelHeight(cell, vec2(low.x, fraction.y)),
+    terrainTexelHeight(cell, vec2(fraction.x, low.y)));
+  vec2 atHigh = vec2(terrainTexelHeight(cell, vec2(high.x, fraction.y)),
+    terrainTexelHeight(cell, vec2(fraction.x, high.y)));
   bvec2 noLow = lessThan(atLow, vec2(0.0));
   bvec2 noHigh = lessThan(atHigh, vec2(0.0));
-  vec2 apart = mix(high, position, noHigh) - mix(low, position, noLow);
+  vec2 apart = mix(high, fraction, noHigh) - mix(low, fraction, noLow);
   return (mix(atHigh, vec2(here), noHigh) - mix(atLow, vec2(here), noLow)) / max(apart, 1e-3);
 }
 
@@ -91,21 +58,14 @@ vec2 terrainMeanGradient(vec2 position, float level)
   return terrainMeansScale * difference / max(high - low, 1e-3);
 }
 
-// Gradient of the texels' surface over squares of 2^level texels a side; of one texel if level < 0.
-vec2 terrainTexelGradient(vec2 position, float level)
+// Gradient of the texels' surface at a position in a cell of texels over squares of 2^level texels a
+// side; of one texel if level < 0. Codes: of the cell's corners.
+vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
 {
-  vec2 gradient = vec2(0.0);
-  if (level < terrainFirstMeanLevel)
-  {
-    gradient = terrainWideGradient(position, exp2(max(level, 0.0)));
-  }
-  float means = clamp(level - terrainFirstMeanLevel + 1.0, 0.0, 1.0);
-  if (means > 0.0)
-  {
-    gradient = mix(gradient,
-      terrainMeanGradient(position, max(level, terrainFirstMeanLevel)), means);
-  }
-  return gradient;
+  float fine = clamp(level, 0.0, terrainFirstMeanLevel);
+  vec2 means = terrainMeanGradient(vec2(cell) + fraction, max(level, terrainFirstMeanLevel));
+  return mix(terrainWideGradient(cell, fraction, codes, exp2(fine)), means,
+    clamp(level - terrainFirstMeanLevel + 1.0, 0.0, 1.0));
 }
 
 #ifdef TERRAIN_DETAIL
@@ -138,21 +98,14 @@ vec2 terrainGradient(ivec2 cell, vec2 fraction, vec4 codes, float distanceVC)
 {
   float level = log2(max(terrainPixelCells(distanceVC), 1e-6));
 #ifdef TERRAIN_DETAIL
+  ivec2 texel = cell >> terrainDetailLevel;
   float texelWidth = 1.0 / float(1 << terrainDetailLevel);
-  vec2 position = (vec2(cell) + fraction) * texelWidth;
-  return texelWidth * terrainTexelGradient(position, level - float(terrainDetailLevel)) +
+  vec2 position = (vec2(cell - (texel << terrainDetailLevel)) + fraction) * texelWidth;
+  return texelWidth *
+    terrainTexelGradient(
+      texel, position, terrainTexelCodes(texel), level - float(terrainDetailLevel)) +
     terrainDetailGradient(cell, fraction, max(level, 0.0));
 #else
-  vec2 gradient = vec2(0.0);
-  if (level < 1.0)
-  {
-    gradient = terrainSmoothGradient(cell, fraction, codes);
-  }
-  if (level > 0.0)
-  {
-    gradient =
-      mix(gradient, terrainTexelGradient(vec2(cell) + fraction, level), min(level, 1.0));
-  }
-  return gradient;
+  return terrainTexelGradient(cell, fraction, codes, level);
 #endif
 }

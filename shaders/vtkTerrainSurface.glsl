@@ -23,9 +23,10 @@ struct TerrainSurface
   int crossings;   // work done, see TerrainHit
 };
 
-TerrainSurface terrainSurfaceAt(ivec2 cell, vec2 fraction, vec4 positionVC, bool front)
+// Codes: of the cell's corners.
+TerrainSurface terrainSurfaceAt(
+  ivec2 cell, vec2 fraction, vec4 codes, vec4 positionVC, bool front)
 {
-  vec4 codes = terrainCellCodes(cell);
   vec2 gradient = terrainPatchGradient(codes, fraction);
   vec3 normalVC = terrainNormalVC(
     terrainFlat == 1 ? gradient : terrainGradient(cell, fraction, codes, -positionVC.z));
@@ -109,11 +110,11 @@ TerrainSurface terrainSeen(vec2 pixel, vec4 proxyVC)
   surface.found = sighting.found;
   if (sighting.found)
   {
-    surface = terrainSurfaceAt(sighting.cell, sighting.fraction,
+    surface = terrainSurfaceAt(sighting.cell, sighting.fraction, sighting.codes,
       terrainPositionVC(pixel, sighting.distanceVC), sighting.front);
 #ifdef TERRAIN_COLUMNS
-    TerrainColumnFace face = terrainFindColumnFace(
-      terrainCellCodes(sighting.cell), sighting.fraction, terrainAtPixelGC(pixel));
+    TerrainColumnFace face =
+      terrainFindColumnFace(sighting.codes, sighting.fraction, terrainAtPixelGC(pixel));
     surface.normalVC =
       normalize(terrainNormalMatrix * (sighting.front ? face.normal : -face.normal));
     surface.code = face.code;
@@ -146,10 +147,12 @@ float terrainDepthSlope(vec2 pixel, TerrainSurface surface)
 bool terrainIsClipped(vec4 positionVC)
 {
   bool clipped = false;
+#ifdef TERRAIN_CLIP_PLANES
   for (int i = 0; i < terrainClipPlaneCount; ++i)
   {
     clipped = clipped || dot(terrainClipPlanesVC[i], positionVC) < 0.0;
   }
+#endif
   return clipped;
 }
 
@@ -161,7 +164,7 @@ TerrainSurface terrainBelow(vec4 positionVC, bool front)
 {
   vec2 positionGC = (terrainViewToGrid * positionVC).xy;
   ivec2 cell = clamp(ivec2(floor(positionGC)), ivec2(0), terrainSize - 2);
-  return terrainSurfaceAt(
-    cell, clamp(positionGC - vec2(cell), 0.0, 1.0), positionVC, front != (terrainMirrored == 1));
+  return terrainSurfaceAt(cell, clamp(positionGC - vec2(cell), 0.0, 1.0), terrainCellCodes(cell),
+    positionVC, front != (terrainMirrored == 1));
 }
 #endif

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // From the pixel to its ray and back to the view. Twin: src/core/PixelRays.h.
-// Needs vtkTerrainRay.glsl. Defines: TERRAIN_CLIP_PLANES, the most clipping planes. Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start
-// is then exact to 1e-9 of a cell at any distance; else to 1e-7 of the distance.
+// Needs vtkTerrainRay.glsl. Defines: TERRAIN_CLIP_PLANES, the most clipping planes, if there are any.
+// Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start is then exact to 1e-9 of a
+// cell at any distance; else to 1e-7 of the distance.
 
 // Vectors that depend on the pixel: [0] + x * [1] + y * [2]; [3..5] hold what float cuts off of
 // [0..2].
@@ -16,8 +17,10 @@ uniform vec4 terrainDepthRow;      // depth = 0.5 + 0.5 * dot(depth row, p) / do
 uniform vec4 terrainWeightRow;
 uniform vec3 terrainBoxMinimum;    // grid coordinates of the box of the terrain
 uniform vec3 terrainBoxMaximum;
+#ifdef TERRAIN_CLIP_PLANES
 uniform int terrainClipPlaneCount;
 uniform vec4 terrainClipPlanesVC[TERRAIN_CLIP_PLANES]; // kept is dot(plane, position) >= 0
+#endif
 uniform float terrainNear;         // distances of the clipping planes along the viewing direction
 uniform float terrainFar;
 uniform ivec2 terrainViewportOrigin; // lower left pixel of the viewport

@@ -23,6 +23,7 @@
 #include "vtkTerrainView.h"
 
 #include "vtkActor.h"
+#include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
@@ -47,6 +48,16 @@ const char* searchDefine(vtkOpenGLTerrainMapper::Techniques technique)
   }
 }
 
+/// Planes that cut the surface, a tenth of a frame on processors that run both sides of a branch.
+std::string cutDefines(vtkPlaneCollection* planes, const terrain::Cutting& cutting)
+{
+  std::string defines;
+  if ((planes && planes->GetNumberOfItems() > 0) || cutting.Cuts())
+  {
+    defines += "#define TERRAIN_CLIP_PLANES " + std::to_string(terrain::MaximumClipPlanes) + "\n";
+  }
+  return defines + (cutting.Block ? "#define TERRAIN_BLOCK\n" : "");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -65,8 +76,7 @@ void vtkTerrainSubstitute(
 std::string vtkOpenGLTerrainMapper::HeightDefines() const
 {
   const vtkTerrainHeightTexture& heights = this->Internals->Heights;
-  std::string defines =
-    "#define TERRAIN_CLIP_PLANES " + std::to_string(terrain::MaximumClipPlanes) + "\n";
+  std::string defines;
   if (heights.GetCodes().Format == terrain::HeightCodes::TexelFormat::UInt16)
   {
     defines += "#define TERRAIN_HEIGHTS_INTEGER\n";
@@ -84,8 +94,7 @@ std::string vtkOpenGLTerrainMapper::CastDefines() const
     defines += this->Surface == Surfaces::Columns ? "#define TERRAIN_COLUMNS\n" : "";
     defines += this->PixelTolerance > 0.0 ? "#define TERRAIN_WITHIN\n" : "";
   }
-  defines += this->Internals->Cutting.Block ? "#define TERRAIN_BLOCK\n" : "";
-  return defines;
+  return defines + cutDefines(this->ClippingPlanes, this->Internals->Cutting);
 }
 
 //------------------------------------------------------------------------------
@@ -105,7 +114,8 @@ std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act)
   }
   else
   {
-    defines = "#define TERRAIN_MESH\n" + this->HeightDefines();
+    defines = "#define TERRAIN_MESH\n" + this->HeightDefines() +
+      cutDefines(this->ClippingPlanes, this->Internals->Cutting);
   }
   defines += this->IsTextured(act) ? "#define TERRAIN_TEXTURED\n" : "";
   return defines + this->Internals->Coloring.Defines();

@@ -36,6 +36,12 @@ struct Cutting
   bool Block = false;
   double BlockBase = 0.0;
 
+  /// True if there are planes that bound what is drawn: PlanesGC().
+  bool Cuts() const
+  {
+    return this->Extracts || this->Block;
+  }
+
   /// The rectangle that is drawn of a grid of size samples, of which there are `cells` cells along
   /// one between First and Last.
   SampleRectangle Drawn(const glm::ivec2& size, int cells) const
@@ -58,7 +64,7 @@ struct Cutting
   std::vector<glm::dvec4> PlanesGC(const SampleRectangle& drawn, double baseCode) const
   {
     std::vector<glm::dvec4> planes;
-    if (this->Extracts || this->Block)
+    if (this->Cuts())
     {
       planes.emplace_back(1.0, 0.0, 0.0, -drawn.First.x);
       planes.emplace_back(-1.0, 0.0, 0.0, drawn.Last.x);
