@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the ray of a pixel sees: clips the ray, traces it, passes by what is culled.
-// Needs vtkTerrainHeights.glsl, vtkTerrainRay.glsl, vtkTerrainView.glsl, vtkTerrainTrace.glsl.
+// Needs vtkTerrainHeights.glsl, vtkTerrainRay.glsl, vtkTerrainView.glsl, vtkTerrainTrace.glsl and, for
+// columns, vtkTerrainColumns.glsl.
 // Processors that run rays side by side run both sides of a branch: defines leave out what a scene does
 // not need.
-// Defines: TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels each way are there
+// Defines: TERRAIN_COLUMNS for columns; TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels each
+// way are there
 // (vtkTerrainBeamCS.glsl).
 
 uniform int terrainLayer;    // surfaces that the ray passes by
@@ -121,7 +123,12 @@ bool terrainIsWithinBlock(
   cell = clamp(ray.anchorCell + step, ivec2(0), terrainSize - 2);
   fraction = clamp(ray.originGC.xy - vec2(cell - ray.anchorCell), vec2(0.0), vec2(1.0));
   codes = terrainCellCodes(cell);
-  return terrainCellValid(codes) && ray.originGC.z <= terrainPatchCode(codes, fraction);
+#ifdef TERRAIN_COLUMNS
+  float top = terrainColumnCode(codes, greaterThanEqual(fraction, vec2(0.5)));
+#else
+  float top = terrainPatchCode(codes, fraction);
+#endif
+  return terrainCellValid(codes) && ray.originGC.z <= top;
 }
 #endif
 

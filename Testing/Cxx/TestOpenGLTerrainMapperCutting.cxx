@@ -6,9 +6,11 @@
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkExtractVOI.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -207,6 +209,39 @@ TEST(OpenGLTerrainMapperCutting, BlockByAComputeShader)
     standOnBlock(scene, terrain);
   };
   EXPECT_TRUE(DrawsAsTheMesh(compute));
+}
+
+TEST(OpenGLTerrainMapperCutting, WallsFollowColumns)
+{
+  const auto heights = MakeHills();
+  const auto heightOf = [](int i) { return 60.0 + 20.0 * (7 * i % 5); };
+  for (vtkIdType k = 0; k < heights->GetNumberOfPoints(); ++k)
+  {
+    heights->GetPointData()->GetScalars()->SetComponent(k, 0, heightOf(k % 41));
+  }
+  auto draw = [](TerrainScene& scene, const TerrainProp& terrain)
+  {
+    terrain.Mapper->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Columns);
+    terrain.Mapper->SetBlock(true);
+    terrain.Mapper->SetBlockBase(Base);
+    scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+    scene.Renderer->GetActiveCamera()->SetParallelScale(150.0);
+    scene.Look({ 200.0, 900.0, 60.0 }, { 200.0, 190.0, 60.0 }); // from the north, head on
+  };
+  const auto picture = DrawScene(draw, Techniques::Pyramid, heights);
+  int wrong = 0;
+  for (int py = 0; py < 150; ++py)
+  {
+    for (int px = 0; px < 200; ++px)
+    {
+      const int x = 399 - 2 * px; // what the middle of the pixel shows
+      const double z = 2.0 * py - 89.0;
+      const bool expected = z > Base && z < heightOf((x + 5) / 10);
+      const bool drawn = picture->GetScalarComponentAsDouble(px, py, 0, 0) == 204.0;
+      wrong += x % 10 != 5 && drawn != expected ? 1 : 0; // there columns meet
+    }
+  }
+  EXPECT_EQ(wrong, 0);
 }
 
 TEST(OpenGLTerrainMapperCutting, BlockInParallelProjection)
