@@ -71,6 +71,7 @@ vtkTerrainActor::vtkTerrainActor()
   : TerrainMapper(vtkSmartPointer<vtkOpenGLTerrainMapper>::New())
   , CoarseMesh(vtkSmartPointer<vtkTerrainCoarseMesh>::New())
   , FullMesh(vtkSmartPointer<vtkTerrainCoarseMesh>::New())
+  , ReliefColors(vtkSmartPointer<vtkColorTransferFunction>::New())
 {
   this->FullMesh->SetSamplesPerQuad(1);
   this->FullMesh->PushUpOff();
@@ -274,10 +275,10 @@ void vtkTerrainActor::UpdateColors()
   }
   std::array<double, 2> range{};
   this->TerrainMapper->GetHeightRange(range.data());
-  vtkScalarsToColors* colors = this->ReliefColors;
-  if (!colors || colors->GetRange()[0] != range[0] || colors->GetRange()[1] != range[1])
+  const double* shown = this->ReliefColors->GetRange();
+  if (this->ReliefColors->GetSize() == 0 || shown[0] != range[0] || shown[1] != range[1])
   {
-    this->ReliefColors = MakeReliefColors(range[0], range[1]);
+    this->ReliefColors->DeepCopy(MakeReliefColors(range[0], range[1])); // scalar bars keep it
   }
   this->TerrainMapper->SetLookupTable(this->ReliefColors);
 }

@@ -91,7 +91,8 @@ public:
   /// Colours of the heights, over the table's own range; null, the default, for a relief map's over
   /// the range of the heights.
   void SetLookupTable(vtkScalarsToColors* colors);
-  /// The colours in use, for a scalar bar.
+  /// The colours in use, for a scalar bar: without a table of one's own, the same object for good,
+  /// which follows the heights.
   vtkScalarsToColors* GetLookupTable();
   ///@}
 
@@ -146,7 +147,7 @@ private:
   /// What is connected to the mapper's port 0: one of these, or null.
   vtkTerrainCoarseMesh* ConnectedMesh = nullptr;
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
-  vtkSmartPointer<vtkScalarsToColors> ReliefColors;
+  vtkSmartPointer<vtkColorTransferFunction> ReliefColors;
   bool ColorByHeight = true;
   bool LevelOfDetail = true;
   double InteractionTolerance = 0.0;

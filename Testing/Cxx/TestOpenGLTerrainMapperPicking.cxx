@@ -4,6 +4,7 @@
 // VTK's pickers and selection on a terrain, judged by vtkTerrainPicker.
 #include "vtkTerrainTestingScene.h"
 
+#include "vtkCellPicker.h"
 #include "vtkHardwareSelector.h"
 #include "vtkNew.h"
 #include "vtkPropPicker.h"
@@ -127,4 +128,24 @@ TEST(OpenGLTerrainMapperPicking, PropPicker)
   EXPECT_LE(countWrongPicks(scene, picker, pixels), pixels / 20);
   EXPECT_TRUE(picker->Pick(100.0, 60.0, 0.0, scene.Scene.Renderer));
   EXPECT_EQ(picker->GetActor(), scene.Terrain.Actor);
+}
+
+// It meets the mesh of port 0, which lies above the surface: vtkTerrainPicker is to replace it.
+TEST(OpenGLTerrainMapperPicking, CellPickerMeetsTheCoarseMesh)
+{
+  TerrainToPick scene;
+  vtkNew<vtkCellPicker> picker;
+  int below = 0;
+  int above = 0;
+  const int pixels = scene.ForTerrainPixels(
+    [&](int x, int y)
+    {
+      picker->Pick(x + 0.5, y + 0.5, 0.0, scene.Scene.Renderer);
+      const double rise = picker->GetPickPosition()[2] - scene.Exact->GetPickPosition()[2];
+      below += rise < -1e-3 ? 1 : 0;
+      above += rise > 1.0 ? 1 : 0;
+    });
+  EXPECT_GT(pixels, 100);
+  EXPECT_EQ(below, 0);
+  EXPECT_GT(above, pixels / 2);
 }

@@ -16,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkScalarBarActor.h"
 
 #include <gtest/gtest.h>
 
@@ -197,6 +198,41 @@ TEST_F(TerrainActor, ColoursFollowTheHeights)
   this->Terrain->SetLookupTable(nullptr);
   this->Terrain->SetColorByHeight(true);
   EXPECT_GT(vtkTerrainTesting::CountDifferentPixels(this->Draw(), picture, 30), 1000);
+}
+
+// A scalar bar has the colours of the terrain, also after the heights have changed.
+TEST_F(TerrainActor, ScalarBarHasItsColours)
+{
+  this->Draw();
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(this->Terrain->GetLookupTable());
+  bar->SetMaximumNumberOfColors(256);
+  this->Scene.Renderer->AddActor2D(bar);
+  for (const double factor : { 1.0, 3.0 })
+  {
+    scaleHeights(this->Heights, factor);
+    this->Draw(); // VTK makes the bar of the table that the frame before left
+    const auto picture = this->Draw();
+    int rectangle[4];
+    bar->GetScalarBarRect(rectangle, this->Scene.Renderer);
+    const auto place = [&rectangle](double share, int side)
+    { return static_cast<int>(rectangle[side] + share * rectangle[side + 2]); };
+    double range[2];
+    this->Heights->GetScalarRange(range);
+    for (const double share : { 0.1, 0.5, 0.9 })
+    {
+      double color[3];
+      vtkTerrainActor::MakeReliefColors(range[0], range[1])
+        ->GetColor(range[0] + share * (range[1] - range[0]), color);
+      const auto* pixel =
+        static_cast<unsigned char*>(picture->GetScalarPointer(place(0.5, 0), place(share, 1), 0));
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_NEAR(pixel[c], 255.0 * color[c], 6.0) << factor << " " << share;
+      }
+    }
+    EXPECT_NEAR(bar->GetLookupTable()->GetRange()[1], range[1], 1e-3 * range[1]);
+  }
 }
 
 TEST_F(TerrainActor, ReliefColorsAreBlueBelowTheSea)
