@@ -32,13 +32,14 @@
  * Precision: rays are set up in double precision relative to a cell near the hit; the distance of a
  * hit is right to 1e-6 relative where ARB_gpu_shader_fp64 is there, at any size of coordinates.
  *
- * Changes: colours and their sources, contours, hillshade, crossings, the shape of patches' normals
- * (flat), culling, clipping planes, extracts, exaggeration and searches' steps are uniforms: the
+ * Changes: colours and their sources, contours, hillshade, crossings, flat normals, culling, the
+ * places of clipping planes and extracts, exaggeration and the steps of searches are uniforms: the
  * next frame takes as long as any. Another program is built the first time that something needs
- * one: the first paint of any kind, drapes, textures and materials' kinds, other numbers and kinds
- * of lights, render passes, translucency, columns, a pixel tolerance, blocks, techniques. It takes
- * 0.9 s of one processor in software rendering (6 frames of 640 x 360 pixels and 4096 x 4096
- * samples), and is kept: from the second time on, such a change costs no more than a frame, either.
+ * one: the first paint of any kind, the first clipping plane or extract, drapes, textures and kinds
+ * of material, other numbers and kinds of lights, render passes, translucency, columns, a pixel
+ * tolerance, blocks, techniques. That takes 0.9 s of one processor in software rendering (6 frames
+ * of 640 x 360 pixels and 4096 x 4096 samples), and the program is kept: from the second time on,
+ * such a change costs no more than a frame, either.
  *
  * Limits: heights up to the largest texture of the driver (16384 samples a side on Mesa). A
  * direction matrix of the image is refused. Lines and points of port 0 are drawn as they are.
