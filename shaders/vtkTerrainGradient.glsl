@@ -73,7 +73,7 @@ vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
 vec2 terrainDetailGradient(ivec2 cell, vec2 fraction, float level)
 {
   vec2 period = vec2(terrainDetailPeriod);
-  vec2 at = (vec2(cell % terrainDetailPeriod) + fraction + 0.5) / period;
+  vec2 at = (vec2(terrainWrap(cell, terrainDetailPeriod)) + fraction + 0.5) / period;
   vec2 step = 0.5 * exp2(level) / period;
   vec2 difference = vec2(textureLod(terrainDetail, vec2(at.x + step.x, at.y), level).r -
       textureLod(terrainDetail, vec2(at.x - step.x, at.y), level).r,

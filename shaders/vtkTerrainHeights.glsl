@@ -62,10 +62,30 @@ uniform ivec2 terrainDetailPeriod; // its size, samples
 uniform int terrainDetailLevel;    // 2^level detail cells along a cell of texels
 uniform float terrainDetailScale;  // height codes per code of the detail
 
-// Scaled code of a sample of the repeated detail; sampleIndex >= 0.
-float terrainDetailCode(ivec2 sampleIndex)
+// index % period of 0 <= index < 2^24: exact, and on processors that divide integers one by one a
+// tenth of the work.
+ivec2 terrainWrap(ivec2 index, ivec2 period)
 {
-  return terrainDetailScale * texelFetch(terrainDetail, sampleIndex % terrainDetailPeriod, 0).r;
+  ivec2 rest = index - period * ivec2(vec2(index) / vec2(period));
+  rest += period * ivec2(lessThan(rest, ivec2(0)));
+  return rest - period * ivec2(greaterThanEqual(rest, period));
+}
+
+// Scaled codes of the repeated detail at the corners of a cell, in the order of terrainTexelCodes().
+vec4 terrainDetailCodes(ivec2 cell)
+{
+  ivec2 first = terrainWrap(cell, terrainDetailPeriod);
+#ifdef TERRAIN_GATHER
+  vec2 positionTC = (vec2(first) + 1.0) / vec2(terrainDetailPeriod); // the texture repeats
+  return terrainDetailScale * textureGather(terrainDetail, positionTC).wzxy;
+#else
+  ivec2 last = terrainWrap(first + 1, terrainDetailPeriod);
+  return terrainDetailScale *
+    vec4(texelFetch(terrainDetail, first, 0).r,
+      texelFetch(terrainDetail, ivec2(last.x, first.y), 0).r,
+      texelFetch(terrainDetail, ivec2(first.x, last.y), 0).r,
+      texelFetch(terrainDetail, last, 0).r);
+#endif
 }
 
 // The texels' codes at the corners of part (x, y) of 2^parts x 2^parts parts of a cell of texels,
@@ -86,9 +106,7 @@ vec4 terrainPartCodes(ivec2 part, int parts)
 vec4 terrainCellCodes(ivec2 cell)
 {
   vec4 codes = terrainPartCodes(cell, terrainDetailLevel);
-  vec4 detail = vec4(terrainDetailCode(cell), terrainDetailCode(cell + ivec2(1, 0)),
-    terrainDetailCode(cell + ivec2(0, 1)), terrainDetailCode(cell + ivec2(1, 1)));
-  return codes.x < 0.0 ? codes : codes + detail;
+  return codes.x < 0.0 ? codes : codes + terrainDetailCodes(cell);
 }
 
 // Code of a sample; negative if it has no height. 0 <= sampleIndex < terrainSize.

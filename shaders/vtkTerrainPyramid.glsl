@@ -99,7 +99,7 @@ vec2 terrainBaseExtremes(ivec2 node, int level)
 // Highest and lowest code of the detail in a node.
 vec2 terrainDetailExtremes(ivec2 node, int level)
 {
-  ivec2 texel = node % max(terrainDetailPeriod >> level, ivec2(1));
+  ivec2 texel = terrainWrap(node, max(terrainDetailPeriod >> level, ivec2(1)));
   return level > terrainDetailTop
     ? vec2(terrainDetailMaximum, 0.0)
     : terrainDetailScale * texelFetch(terrainDetailPyramid, texel, level - 1).rg;

@@ -10,6 +10,7 @@
 #include "vtkTerrainGL.h"
 #include "vtkTerrainMapperInternals.h"
 
+#include "core/DetailHeights.h"
 #include "core/HeightSearch.h"
 
 #include "vtkTerrainBeam.h"
@@ -191,7 +192,11 @@ void vtkOpenGLTerrainMapper::SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vt
   if (uniforms.Uses("terrainBeamStarts"))
   {
     uniforms.Set("terrainBeamStarts", internals.BeamStarts.GetTextureUnit());
-    uniforms.Set("terrainPyramidStart", std::min(internals.Heights.GetPyramidTop(), BeamLevel));
+    // with detail, beams stop farther off, counted in its cells: half of its levels higher
+    const int detail =
+      internals.Heights.HasDetail() ? terrain::LevelOfCells(this->DetailCells) / 2 : 0;
+    uniforms.Set(
+      "terrainPyramidStart", std::min(internals.Heights.GetPyramidTop(), BeamLevel) + detail);
   }
   if (uniforms.Uses("terrainSightings"))
   {

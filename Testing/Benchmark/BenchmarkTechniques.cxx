@@ -9,10 +9,11 @@
 //   BenchmarkTechniques SAMPLES WIDTH HEIGHT [FRAMES [SAMPLES_PER_QUAD [TECHNIQUE...]]]
 //
 // Techniques: coarse, equidistant, pyramid (in the fragment shader), pyramid-alone (the same
-// without beams), pyramid-within (with a tolerance of a pixel), compute (pyramid in a compute
-// shader), full (every cell two triangles).
+// without beams), pyramid-within (with a tolerance of a pixel), pyramid-detail (with 64 cells of
+// detail along a cell), compute (pyramid in a compute shader), full (every cell two triangles).
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainDetailSource.h"
 #include "vtkTerrainSource.h"
 
 #include "vtkActor.h"
@@ -124,6 +125,13 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
   mapper->SetComputeMode(compute ? Modes::On : Modes::Off);
   mapper->SetUseBeams(name != "pyramid-alone");
   mapper->SetPixelTolerance(name == "pyramid-within" ? 1.0 : 0.0);
+  if (name == "pyramid-detail")
+  {
+    vtkNew<vtkTerrainDetailSource> detail;
+    detail->Update();
+    mapper->SetDetailData(detail->GetOutput());
+    mapper->SetDetailCells(64);
+  }
   Entry entry;
   entry.Name = name;
   entry.Actor = vtkSmartPointer<vtkActor>::New();

@@ -79,7 +79,7 @@ struct DetailedHeights
   float maximumCode = 0.0f;
   int bias = 0;
 
-  /// Twin of terrainDetailCode(): the scaled code of a sample of the repeated detail; sample >= 0.
+  /// As in terrainDetailCodes(): the scaled code of a sample of the repeated detail; sample >= 0.
   float DetailCode(glm::ivec2 sample) const
   {
     const glm::ivec2 wrapped = sample % this->period;
