@@ -4,6 +4,7 @@
 
 #include "vtkTerrainGL.h"
 #include "vtkTerrainHeightTexture.h"
+#include "vtkTerrainParallelFor.h"
 #include "vtkTerrainUniforms.h"
 
 #include "vtkAbstractMapper.h"
@@ -261,11 +262,15 @@ void vtkTerrainColoring::UpdateValues(
   array->GetRange(range, component);
   this->ValueOffset = std::isfinite(range[0]) && range[0] <= range[1] ? range[0] : 0.0;
   std::vector<float> values(static_cast<std::size_t>(width) * height);
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    const double value = valueOf(array, i, component) - this->ValueOffset;
-    values[i] = std::isfinite(value) ? static_cast<float>(value) : NotANumber;
-  }
+  vtkTerrainParallelFor(array->GetNumberOfTuples(),
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        const double value = valueOf(array, i, component) - this->ValueOffset;
+        values[i] = std::isfinite(value) ? static_cast<float>(value) : NotANumber;
+      }
+    });
   this->Values.Texture->SetInternalFormat(GL_R32F);
   this->Values.Texture->SetFormat(GL_RED);
   this->Values.Texture->Create2DFromRaw(static_cast<unsigned int>(width),
