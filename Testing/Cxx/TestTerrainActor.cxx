@@ -164,7 +164,7 @@ TEST_F(TerrainActor, MakesMeshesOnlyWhereTheyAreNeeded)
 
 TEST_F(TerrainActor, ShowsTheCoarseMeshAsWireframe)
 {
-  this->Terrain->GetCoarseMesh()->SetSamplesPerQuad(16);
+  this->Terrain->GetCoarseMesh()->SetSamplesPerQuad(32);
   const int surface = countDrawn(this->Draw());
   this->Terrain->GetProperty()->SetRepresentationToWireframe();
   const int wires = countDrawn(this->Draw());
