@@ -28,9 +28,23 @@ uniform ivec2 terrainViewportOrigin; // lower left pixel of the viewport
 #ifdef GL_ARB_gpu_shader_fp64
 #define terrainReal double
 #define terrainReal3 dvec3
+
+// A number as two floats: its leading bits, and what those cut off. The bits are picked by hand:
+// compilers take a number for the same after its way to float and back, and the rest for 0.
+vec2 terrainSplit(double number)
+{
+  uvec2 bits = unpackDouble2x32(number);
+  double leading = packDouble2x32(uvec2(bits.x & 0xE0000000u, bits.y));
+  return vec2(leading, number - leading);
+}
 #else
 #define terrainReal float
 #define terrainReal3 vec3
+
+vec2 terrainSplit(float number)
+{
+  return vec2(number, 0.0);
+}
 #endif
 
 terrainReal3 terrainAtPixel(vec3 vector[6], vec2 pixel)
@@ -50,9 +64,9 @@ TerrainRay terrainPixelRay(vec2 pixel, float startDistance, float endDistance)
   terrainReal3 position =
     terrainAtPixel(terrainOriginGC, pixel) + terrainReal(startDistance) * direction;
   terrainReal3 anchor = floor(position);
-  float low = float(position.z - terrainReal(float(position.z)));
-  return TerrainRay(ivec2(anchor.xy), vec3(position.xy - anchor.xy, position.z), vec3(direction),
-    0.0, endDistance - startDistance, low);
+  vec2 height = terrainSplit(position.z);
+  return TerrainRay(ivec2(anchor.xy), vec3(position.xy - anchor.xy, height.x), vec3(direction), 0.0,
+    endDistance - startDistance, height.y);
 }
 
 // Direction of a pixel's ray in grid coordinates, per unit of distance along the viewing direction.
