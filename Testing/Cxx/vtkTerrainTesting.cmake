@@ -37,8 +37,6 @@ function (vtkterrain_add_test name)
     GDAL::GDAL GeographicLib::GeographicLib glm::glm)
   if (arg_CORE)
     target_link_libraries(${name} PRIVATE vtkTerrainCore)
-    # the reference ray caster is compiled here, and runs four times slower at -O1
-    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O2>)
   endif ()
   target_precompile_headers(${name} REUSE_FROM vtkTerrainTestSupport)
   vtk_module_autoinit(TARGETS ${name} MODULES ${vtkTerrain_test_modules})
