@@ -45,6 +45,7 @@ set(private_sources
   vtkTerrainRasterTiles
   vtkTerrainRayCaster
   vtkTerrainReprojectPlan
+  vtkTerrainStripsOutput
 )
 
 set(private_headers
@@ -87,6 +88,7 @@ set(shaders
 set(core
   CoarseMesh
   CoarseMeshSurface
+  DetailHierarchy
   DetailNoise
   Geodesics
   GeographicText
@@ -107,6 +109,7 @@ set(core
   ProceduralTerrain
   ReferenceRayCaster
   Refinement
+  RefinementDetail
   RoundNumbers
   SceneFrame
   StreamErosion

@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainStrips.h"
 
+#include "core/DetailHeights.h"
 #include "core/Refinement.h"
+#include "vtkTerrainHeightfield.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainHierarchyData.h"
+#include "vtkTerrainParallelFor.h"
+#include "vtkTerrainStripsOutput.h"
 
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkFloatArray.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTimeStamp.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <atomic>
@@ -37,12 +37,15 @@ namespace
 struct StripJob
 {
   std::shared_ptr<const vtkTerrainHierarchyData> Data;
+  /// None without detail.
+  std::shared_ptr<const terrain::DetailHierarchy> Detail;
   terrain::RefinementView View;
   terrain::RefinementOptions Options;
 
   bool operator==(const StripJob& other) const
   {
-    return this->Data == other.Data && this->View.Eye == other.View.Eye &&
+    return this->Data == other.Data && this->Detail == other.Detail &&
+      this->View.DetailScale == other.View.DetailScale && this->View.Eye == other.View.Eye &&
       this->View.PixelsPerUnit == other.View.PixelsPerUnit &&
       this->View.Parallel == other.View.Parallel &&
       this->View.Exaggeration == other.View.Exaggeration &&
@@ -61,16 +64,18 @@ class StripBuilder
 public:
   void Build(const StripJob& job, terrain::StripMesh& mesh)
   {
-    if (!this->Refiner || this->Data != job.Data)
+    if (!this->Refiner || this->Data != job.Data || this->Detail != job.Detail)
     {
-      this->Refiner = std::make_unique<terrain::Refiner>(job.Data->View());
+      this->Refiner = std::make_unique<terrain::Refiner>(job.Data->View(), job.Detail.get());
       this->Data = job.Data;
+      this->Detail = job.Detail;
     }
     this->Refiner->Refine(job.View, job.Options, mesh);
   }
 
 private:
   std::shared_ptr<const vtkTerrainHierarchyData> Data;
+  std::shared_ptr<const terrain::DetailHierarchy> Detail;
   std::unique_ptr<terrain::Refiner> Refiner;
 };
 
@@ -107,17 +112,25 @@ terrain::RefinementView ViewOf(vtkCamera* camera, const int size[2], double exag
   return view;
 }
 
-/// Colour of a depth: neighbouring depths differ clearly, hues repeat after twelve.
-void DepthColor(int depth, unsigned char* color)
+/// Heights of an image as float, none if a sample has no height.
+std::vector<float> HeightsOf(vtkImageData* image)
 {
-  double rgb[3];
-  const double hue = std::fmod(0.137 + 0.4166666667 * depth, 1.0);
-  vtkMath::HSVToRGB(
-    hue, (depth & 1) != 0 ? 0.55 : 0.85, (depth & 1) != 0 ? 1.0 : 0.8, rgb, rgb + 1, rgb + 2);
-  for (int i = 0; i < 3; ++i)
-  {
-    color[i] = static_cast<unsigned char>(std::lround(255.0 * rgb[i]));
-  }
+  std::vector<float> heights;
+  vtkTerrainHeightfield::Dispatch(image,
+    [&heights](const auto& view)
+    {
+      heights.reserve(static_cast<std::size_t>(view.Width * view.Height));
+      for (std::int64_t j = 0; j < view.Height; ++j)
+      {
+        for (std::int64_t i = 0; i < view.Width; ++i)
+        {
+          heights.push_back(static_cast<float>(view.At(i, j)));
+        }
+      }
+    });
+  const bool complete =
+    std::all_of(heights.begin(), heights.end(), [](float height) { return std::isfinite(height); });
+  return complete ? heights : std::vector<float>();
 }
 }
 
@@ -131,6 +144,9 @@ struct vtkTerrainStrips::Internals
   vtkSmartPointer<vtkTerrainHierarchy> Prepared;
   vtkTimeStamp PreparedTime;
   vtkImageData* PreparedImage = nullptr;
+  std::shared_ptr<const terrain::DetailHierarchy> Detail;
+  vtkTimeStamp DetailTime;
+  vtkImageData* DetailImage = nullptr;
 
   std::thread Worker;
   std::mutex Mutex;
@@ -211,6 +227,7 @@ struct vtkTerrainStrips::Internals
 vtkTerrainStrips::vtkTerrainStrips()
   : Private(std::make_unique<Internals>())
 {
+  this->SetNumberOfInputPorts(2);
 }
 
 vtkTerrainStrips::~vtkTerrainStrips() = default;
@@ -225,6 +242,8 @@ void vtkTerrainStrips::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "TriangleBudget: " << this->TriangleBudget << "\n"
      << indent << "Exaggeration: " << this->Exaggeration << "\n"
+     << indent << "DetailCells: " << this->DetailCells << "\n"
+     << indent << "DetailScale: " << this->DetailScale << "\n"
      << indent << "Morphing: " << this->Morphing << "\n"
      << indent << "Culling: " << static_cast<int>(this->Culling) << "\n"
      << indent << "PlainRefinement: " << this->PlainRefinement << "\n"
@@ -263,6 +282,33 @@ void vtkTerrainStrips::SetCamera(vtkCamera* camera)
 vtkCamera* vtkTerrainStrips::GetCamera()
 {
   return this->Camera;
+}
+
+void vtkTerrainStrips::SetDetailData(vtkImageData* detail)
+{
+  this->SetInputDataInternal(1, detail);
+}
+
+vtkImageData* vtkTerrainStrips::GetDetail()
+{
+  return this->GetNumberOfInputConnections(1) > 0
+    ? vtkImageData::SafeDownCast(this->GetExecutive()->GetInputData(1, 0))
+    : nullptr;
+}
+
+void vtkTerrainStrips::SetDetailCells(int cells)
+{
+  if (cells < 1 || cells > MostDetailCells || (cells & (cells - 1)) != 0)
+  {
+    vtkErrorMacro("DetailCells must be a power of two from 1 to " << MostDetailCells << ", not "
+                                                                  << cells << ".");
+    return;
+  }
+  if (this->DetailCells != cells)
+  {
+    this->DetailCells = cells;
+    this->Modified();
+  }
 }
 
 void vtkTerrainStrips::SetCulling(CullingMode mode)
@@ -337,147 +383,42 @@ bool vtkTerrainStrips::PrepareInput(vtkInformationVector* input)
   return true;
 }
 
-namespace
+/// Prepares the image of port 1, if there is one, unless that is done.
+bool vtkTerrainStrips::PrepareDetail(vtkInformationVector* input)
 {
-/// What the output has besides points and strip.
-struct OutputOptions
-{
-  double Exaggeration;
-  bool Normals;
-  bool TextureCoordinates;
-  bool LevelColors;
-  bool TriangleOutput;
-};
-
-void AddPoints(
-  const terrain::StripMesh& mesh, const terrain::GridGeometry& geometry, vtkPolyData* output)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Vertices.size()));
-  auto* positions = static_cast<double*>(points->GetVoidPointer(0));
-  for (const terrain::StripVertex& vertex : mesh.Vertices)
+  Internals& internals = *this->Private;
+  vtkImageData* image = vtkImageData::GetData(input);
+  const int level = terrain::LevelOfCells(this->DetailCells);
+  if (image && internals.Detail && image == internals.DetailImage &&
+    internals.Detail->Level() == level && internals.DetailTime.GetMTime() >= image->GetMTime())
   {
-    const glm::dvec3 position = geometry.ToModel(
-      { vertex.Column, vertex.Row }, static_cast<double>(vertex.Height) + vertex.Displacement);
-    positions = std::copy_n(&position.x, 3, positions);
+    return true;
   }
-  output->SetPoints(points);
-}
-
-/// Cells of the output: one strip, or its triangles that are not degenerate.
-void AddCells(const terrain::StripMesh& mesh, bool triangles, vtkPolyData* output)
-{
-  vtkNew<vtkCellArray> cells;
-  const std::vector<std::uint32_t>& strip = mesh.Strip;
-  if (!triangles && strip.size() >= 3)
+  internals.Detail.reset();
+  internals.DetailImage = nullptr;
+  if (!image)
   {
-    cells->AllocateExact(1, static_cast<vtkIdType>(strip.size()));
-    cells->InsertNextCell(static_cast<int>(strip.size()));
-    for (const std::uint32_t index : strip)
-    {
-      cells->InsertCellPoint(index);
-    }
+    return true;
   }
-  if (triangles)
+  auto detail = std::make_shared<terrain::DetailHierarchy>();
+  std::string error = vtkTerrainHeightfield::WhyNotHeights(image);
+  if (error.empty())
   {
-    cells->AllocateExact(mesh.Triangles, 3 * mesh.Triangles);
-    for (std::size_t i = 2; i < strip.size(); ++i)
-    {
-      vtkIdType corners[3] = { strip[i - 2], strip[i - 1], strip[i] };
-      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[0] != corners[2])
-      {
-        if ((i & 1) != 0)
-        {
-          std::swap(corners[0], corners[1]);
-        }
-        cells->InsertNextCell(3, corners);
-      }
-    }
-    output->SetPolys(cells);
-    return;
+    const std::vector<float> heights = HeightsOf(image);
+    error = heights.empty()
+      ? "every sample needs a height"
+      : detail->Build(heights.data(), { image->GetDimensions()[0], image->GetDimensions()[1] },
+          level, vtkTerrainParallelFor);
   }
-  output->SetStrips(cells);
-}
-
-void AddNormals(const terrain::StripMesh& mesh, const terrain::HierarchyView& hierarchy,
-  double exaggeration, vtkPolyData* output)
-{
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(static_cast<vtkIdType>(mesh.Vertices.size()));
-  float* out = normals->GetPointer(0);
-  for (const terrain::StripVertex& vertex : mesh.Vertices)
+  if (!error.empty())
   {
-    const terrain::HierarchyGradient gradient = vertex.Record >= terrain::StripVertex::NoRecord
-      ? hierarchy.Summary.CornerGradients[vertex.Record - terrain::StripVertex::NoRecord]
-      : hierarchy.Gradients[vertex.Record];
-    const glm::dvec3 normal =
-      glm::normalize(glm::dvec3(-exaggeration * gradient.X(), -exaggeration * gradient.Y(), 1.0));
-    for (int i = 0; i < 3; ++i)
-    {
-      *out++ = static_cast<float>(normal[i]);
-    }
+    vtkErrorMacro("detail: " << error << ".");
+    return false;
   }
-  output->GetPointData()->SetNormals(normals);
-}
-
-void AddTextureCoordinates(
-  const terrain::StripMesh& mesh, const terrain::HierarchyLayout& layout, vtkPolyData* output)
-{
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetName("TextureCoordinates");
-  coordinates->SetNumberOfComponents(2);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(mesh.Vertices.size()));
-  float* out = coordinates->GetPointer(0);
-  const double width = std::max<double>(1.0, static_cast<double>(layout.Width() - 1));
-  const double height = std::max<double>(1.0, static_cast<double>(layout.Height() - 1));
-  for (const terrain::StripVertex& vertex : mesh.Vertices)
-  {
-    *out++ = static_cast<float>(vertex.Column / width);
-    *out++ = static_cast<float>(vertex.Row / height);
-  }
-  output->GetPointData()->SetTCoords(coordinates);
-}
-
-void AddDepthColors(
-  const terrain::StripMesh& mesh, const terrain::HierarchyLayout& layout, vtkPolyData* output)
-{
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("Depth");
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(static_cast<vtkIdType>(mesh.Vertices.size()));
-  unsigned char* out = colors->GetPointer(0);
-  for (const terrain::StripVertex& vertex : mesh.Vertices)
-  {
-    const bool isCorner = vertex.Record >= terrain::StripVertex::NoRecord;
-    DepthColor(isCorner ? 0 : layout.DepthOf(vertex.Record), out);
-    out += 3;
-  }
-  output->GetPointData()->SetScalars(colors);
-}
-
-void FillOutput(const terrain::StripMesh& mesh, const terrain::HierarchyView& hierarchy,
-  const OutputOptions& options, vtkPolyData* output)
-{
-  terrain::GridGeometry geometry = hierarchy.Geometry;
-  geometry.Exaggeration = options.Exaggeration;
-  AddPoints(mesh, geometry, output);
-  AddCells(mesh, options.TriangleOutput, output);
-  if (options.Normals)
-  {
-    AddNormals(mesh, hierarchy, options.Exaggeration, output);
-  }
-  if (options.TextureCoordinates)
-  {
-    AddTextureCoordinates(mesh, *hierarchy.Layout, output);
-  }
-  if (options.LevelColors)
-  {
-    AddDepthColors(mesh, *hierarchy.Layout, output);
-  }
-}
+  internals.Detail = detail;
+  internals.DetailImage = image;
+  internals.DetailTime.Modified();
+  return true;
 }
 
 int vtkTerrainStrips::RequestData(
@@ -495,7 +436,7 @@ int vtkTerrainStrips::RequestData(
                                                            << this->ViewportSize[1] << ".");
     return 0;
   }
-  if (!this->PrepareInput(inputVector[0]))
+  if (!this->PrepareInput(inputVector[0]) || !this->PrepareDetail(inputVector[1]))
   {
     return 0;
   }
@@ -507,7 +448,9 @@ int vtkTerrainStrips::RequestData(
     vtkErrorMacro("The hierarchy is empty.");
     return 0;
   }
+  job.Detail = internals.Detail;
   job.View = ViewOf(this->Camera, this->ViewportSize, this->Exaggeration);
+  job.View.DetailScale = this->DetailScale;
   job.Options.Tolerance = this->Tolerance;
   job.Options.TriangleBudget = this->TriangleBudget;
   job.Options.Morphing = this->Morphing;
@@ -534,9 +477,10 @@ int vtkTerrainStrips::RequestData(
   {
     return 1;
   }
-  FillOutput(internals.Mesh, internals.MeshJob.Data->View(),
-    { internals.MeshJob.View.Exaggeration, this->Normals, this->TextureCoordinates,
-      this->LevelColors, this->TriangleOutput },
+  vtkTerrainStripsFill(internals.Mesh,
+    { internals.MeshJob.Data->View(), internals.MeshJob.Detail.get() },
+    { internals.MeshJob.View.Exaggeration, internals.MeshJob.View.DetailScale, this->Normals,
+      this->TextureCoordinates, this->LevelColors, this->TriangleOutput },
     vtkPolyData::GetData(outputVector));
   if (internals.MeshJob.Data->IsDamaged())
   {

@@ -19,6 +19,14 @@
  * Points are double, in model coordinates (those of the heights), z = origin z + Exaggeration *
  * height.
  *
+ * With detail (port 1) the surface is the heights plus DetailScale times the detail, repeated all
+ * over them as vtkOpenGLTerrainMapper does. Refinement runs on below the samples of the heights,
+ * where the errors of the detail say so, without a seam; memory is taken for the heights and one
+ * period, never for their product. Texture coordinates stay those of the heights, normals are the
+ * slopes of both, added. Where the period does not divide by four detail cells, all triangles of a
+ * depth below the samples have one error; larger powers of two are better, see
+ * core/DetailHierarchy.h.
+ *
  * Every triangle larger than half a cell is within the tolerance: rho = error * lambda / d <=
  * Tolerance, d from the eye to the nearest point of a sphere round the triangles, error the largest
  * vertical distance to the bilinear surface of the heights. So no point of the surface is drawn
@@ -58,6 +66,7 @@
 #include <memory>
 
 class vtkCamera;
+class vtkImageData;
 class vtkTerrainHierarchy;
 
 class VTKTERRAIN_EXPORT vtkTerrainStrips : public vtkPolyDataAlgorithm
@@ -79,6 +88,32 @@ public:
   /// The prepared heightfield; default none.
   void SetHierarchy(vtkTerrainHierarchy* hierarchy);
   vtkTerrainHierarchy* GetHierarchy();
+  ///@}
+  ///@{
+  /// One period of detail heights, port 1; optional. The same as in vtkOpenGLTerrainMapper:
+  /// repeated from sample (0, 0) on, with DetailCells cells along a cell of the heights; every
+  /// sample needs a height; its spacing does not count.
+  void SetDetailConnection(vtkAlgorithmOutput* port)
+  {
+    this->SetInputConnection(1, port);
+  }
+  void SetDetailData(vtkImageData* detail);
+  vtkImageData* GetDetail();
+  ///@}
+  ///@{
+  /// Detail cells along a cell of the heights: a power of two from 1 to MostDetailCells, default
+  /// 16. Changing it prepares the detail anew.
+  void SetDetailCells(int cells);
+  int GetDetailCells() const
+  {
+    return this->DetailCells;
+  }
+  static constexpr int MostDetailCells = 1024;
+  ///@}
+  ///@{
+  /// Factor of the detail's heights, >= 0; default 1. Changing it prepares nothing.
+  vtkSetMacro(DetailScale, double);
+  vtkGetMacro(DetailScale, double);
   ///@}
   ///@{
   /// The camera; required, default none. Its view angle or parallel scale, position and direction
@@ -190,6 +225,7 @@ protected:
 private:
   struct Internals;
   bool PrepareInput(vtkInformationVector* input);
+  bool PrepareDetail(vtkInformationVector* input);
 
   std::unique_ptr<Internals> Private;
   vtkSmartPointer<vtkTerrainHierarchy> Hierarchy;
@@ -197,6 +233,8 @@ private:
   int ViewportSize[2] = { 300, 300 };
   double Tolerance = 1.0;
   double Exaggeration = 1.0;
+  int DetailCells = 16;
+  double DetailScale = 1.0;
   vtkIdType TriangleBudget = 0;
   CullingMode Culling = CullingMode::Nested;
   bool Morphing = false;

@@ -81,12 +81,23 @@ void DetailArguments::Interpret(DetailOptions& options) const
 }
 
 //------------------------------------------------------------------------------
-void AddDetail(vtkOpenGLTerrainMapper* mapper, vtkImageData* heights, const DetailOptions& options,
-  Statistics& statistics)
+std::array<double, 2> PreparedDetail::Range() const
+{
+  std::array<double, 2> range{};
+  if (this->Image)
+  {
+    this->Image->GetScalarRange(range.data());
+  }
+  return { this->Scale * range[0], this->Scale * range[1] };
+}
+
+//------------------------------------------------------------------------------
+PreparedDetail PrepareDetail(
+  vtkImageData* heights, const DetailOptions& options, Statistics& statistics)
 {
   if (options.File.empty())
   {
-    return;
+    return {};
   }
   const vtkSmartPointer<vtkImageData> detail = ReadDetail(options);
   double range[2];
@@ -94,12 +105,10 @@ void AddDetail(vtkOpenGLTerrainMapper* mapper, vtkImageData* heights, const Deta
   const double relief = range[1] - range[0];
   double height = options.File == kBuiltIn ? 0.5 * heights->GetSpacing()[0] : relief;
   height = options.Height.value_or(height);
-  mapper->SetDetailData(detail);
-  mapper->SetDetailCells(options.Cells);
-  mapper->SetDetailScale(relief > 0.0 ? height / relief : 0.0);
   const int* size = heights->GetDimensions();
   statistics.SetCount("detail_cells", options.Cells);
   statistics.SetCount("effective_samples",
     ((std::int64_t{ size[0] } - 1) * options.Cells + 1) *
       ((std::int64_t{ size[1] } - 1) * options.Cells + 1));
+  return { detail, options.Cells, relief > 0.0 ? height / relief : 0.0 };
 }

@@ -7,6 +7,10 @@
 #ifndef terrain_render_Detail_h
 #define terrain_render_Detail_h
 
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
 #include <optional>
 #include <string>
 
@@ -15,8 +19,6 @@ namespace CLI
 class App;
 }
 class Statistics;
-class vtkImageData;
-class vtkOpenGLTerrainMapper;
 
 /// What the command line asks for.
 struct DetailOptions
@@ -42,8 +44,31 @@ private:
   std::string Height;
 };
 
-/// Gives the mapper of the heights their detail, if any is asked for. Throws a Failure.
-void AddDetail(vtkOpenGLTerrainMapper* mapper, vtkImageData* heights, const DetailOptions& options,
-  Statistics& statistics);
+/// Detail as the mapper and the strips take it; nothing if none is asked for.
+struct PreparedDetail
+{
+  vtkSmartPointer<vtkImageData> Image;
+  int Cells = 1;
+  double Scale = 0.0;
+
+  /// Lowest and highest of the scaled heights.
+  std::array<double, 2> Range() const;
+
+  /// Gives it to a vtkOpenGLTerrainMapper or vtkTerrainStrips.
+  template <typename Target>
+  void AddTo(Target* target) const
+  {
+    if (this->Image)
+    {
+      target->SetDetailData(this->Image);
+      target->SetDetailCells(this->Cells);
+      target->SetDetailScale(this->Scale);
+    }
+  }
+};
+
+/// Reads or makes the detail for some heights. Throws a Failure.
+PreparedDetail PrepareDetail(
+  vtkImageData* heights, const DetailOptions& options, Statistics& statistics);
 
 #endif

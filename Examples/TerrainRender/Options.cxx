@@ -163,10 +163,6 @@ void Interpret(const Texts& texts, Options& options)
   }
   texts.Place.Interpret(options.Place);
   texts.Detail.Interpret(options.Detail);
-  if (!options.Detail.File.empty() && options.Search == Technique::Strips)
-  {
-    Refuse("--detail", "is not drawn by strips");
-  }
   if (options.View && !options.Place.LookFrom.empty())
   {
     Refuse("--look-from", "--camera says where the eye is already");

@@ -108,7 +108,7 @@ Terrain PrepareRays(
   actor->GetTerrainMapper()->SetShowCrossings(options.Crossings);
   actor->GetCoarseMesh()->SetSamplesPerQuad(options.MeshCells);
   ColorByPlaceHeight(actor, heights);
-  AddDetail(actor->GetTerrainMapper(), heights, options.Detail, statistics);
+  PrepareDetail(heights, options.Detail, statistics).AddTo(actor->GetTerrainMapper());
   Terrain terrain;
   terrain.Actor = actor;
   if (vtkTerrainCoarseMesh* mesh = actor->GetUsedMesh())
@@ -158,7 +158,8 @@ vtkSmartPointer<vtkActor> MakeStripsActor(
 }
 
 /// For the technique Strips: a hierarchy that is refined for the camera later.
-Terrain PrepareStrips(vtkImageData* heights, const Options& options, ProgressBar& progress)
+Terrain PrepareStrips(
+  vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics)
 {
   const vtkNew<vtkTerrainHierarchy> hierarchy;
   const auto show = [&progress](double done)
@@ -177,8 +178,10 @@ Terrain PrepareStrips(vtkImageData* heights, const Options& options, ProgressBar
     throw Failure(HeightsName(options), kNoSurface);
   }
   const double base = heights->GetOrigin()[2];
-  const double lowest = bounds[4] - base;
-  const double highest = bounds[5] - base;
+  const PreparedDetail detail = PrepareDetail(heights, options.Detail, statistics);
+  const std::array<double, 2> range = detail.Range();
+  const double lowest = bounds[4] - base + range[0];
+  const double highest = bounds[5] - base + range[1];
   bounds[4] = base + options.Exaggeration * lowest;
   bounds[5] = base + options.Exaggeration * highest;
 
@@ -186,6 +189,7 @@ Terrain PrepareStrips(vtkImageData* heights, const Options& options, ProgressBar
   terrain.Bounds.SetBounds(bounds.data());
   terrain.Strips = vtkSmartPointer<vtkTerrainStrips>::New();
   terrain.Strips->SetHierarchy(hierarchy);
+  detail.AddTo(terrain.Strips.Get());
   terrain.Strips->SetExaggeration(options.Exaggeration);
   terrain.Strips->SetTolerance(options.PixelTolerance.value_or(1.0));
   terrain.Strips->NormalsOn();
@@ -234,7 +238,7 @@ Terrain PrepareTerrain(
 {
   const Stopwatch watch;
   Terrain terrain = options.Search == Technique::Strips
-    ? PrepareStrips(heights, options, progress)
+    ? PrepareStrips(heights, options, progress, statistics)
     : PrepareRays(heights, options, progress, statistics);
   vtkProperty* property = terrain.Actor->GetProperty();
   property->SetAmbient(0.0);

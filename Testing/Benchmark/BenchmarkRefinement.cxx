@@ -10,11 +10,13 @@
 #include "core/HierarchyFile.h"
 #include "core/ProceduralTerrain.h"
 #include "core/Refinement.h"
+#include "vtkTerrainDetailSource.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainHierarchyData.h"
 #include "vtkTerrainParallelFor.h"
 #include "vtkTerrainRasterReader.h"
 
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 
@@ -165,6 +167,49 @@ void MeasureRefinement(const std::string& name, const terrain::HierarchyView& hi
   Measure(name, "error, lazy culling, morph", refine);
 }
 
+/// The same base with detail: 1024 x 1024 samples, 64 cells along a base cell, as high as a
+/// sixteenth of a base cell is wide.
+void MeasureDetail(const std::string& name, const terrain::HierarchyView& hierarchy)
+{
+  vtkNew<vtkTerrainDetailSource> source;
+  source->SetSize(1024);
+  source->SetRelief(hierarchy.Geometry.Spacing.x / 16.0);
+  source->Update();
+  const auto* heights = static_cast<float*>(source->GetOutput()->GetScalarPointer());
+  terrain::DetailHierarchy detail;
+  const std::string error = detail.Build(heights, { 1024, 1024 }, 6, vtkTerrainParallelFor);
+  if (!error.empty())
+  {
+    std::fprintf(stderr, "detail: %s\n", error.c_str());
+    return;
+  }
+  terrain::Refiner refiner(hierarchy, &detail);
+  terrain::RefinementOptions options;
+  terrain::StripMesh mesh;
+  for (const double above : { 5.0, 500.0 })
+  {
+    terrain::RefinementView view = MakeView(hierarchy, 0.0);
+    const glm::dvec2 position =
+      (glm::dvec2(view.Eye) - glm::dvec2(hierarchy.Geometry.Origin)) / hierarchy.Geometry.Spacing;
+    view.Eye.z = hierarchy.Geometry.Origin.z + above +
+      hierarchy.HeightAt(std::lround(position.x), std::lround(position.y));
+    const auto refine = [&](RefinementMethod method)
+    {
+      options.Method = method;
+      refiner.Refine(view, options, mesh);
+      return Counts{ mesh.Triangles, mesh.Strip.size() };
+    };
+    const std::string row = name + ", eye at " + std::to_string(std::lround(above));
+    options.Morphing = false;
+    options.Culling = terrain::CullingMethod::Nested;
+    Measure(row, "detail, nested culling", refine);
+    options.Culling = terrain::CullingMethod::Lazy;
+    Measure(row, "detail, lazy culling", refine);
+    options.Morphing = true;
+    Measure(row, "detail, lazy culling, morph", refine);
+  }
+}
+
 int MeasureProcedural(std::int64_t size)
 {
   terrain::ProceduralTerrainParameters parameters;
@@ -187,6 +232,7 @@ int MeasureProcedural(std::int64_t size)
     return 1;
   }
   MeasureRefinement("procedural " + std::to_string(size), hierarchy.View());
+  MeasureDetail("procedural " + std::to_string(size), hierarchy.View());
   return 0;
 }
 

@@ -4,6 +4,7 @@
 // files, refusals. Geometry itself is tested in UnitTestRefinement.
 #include "vtkTerrainStrips.h"
 
+#include "vtkTerrainDetailSource.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainTesting.h"
 
@@ -168,6 +169,77 @@ TEST(TerrainStrips, PointsAreSamplesWithTheirAttributes)
       EXPECT_NEAR(-n[0] / n[2], 2.0 * slope, 0.01 * std::abs(2.0 * slope) + 1.0e-6);
     }
   }
+}
+
+TEST(TerrainStrips, WithDetailPointsAreSamplesOfTheSum)
+{
+  Pipeline pipeline;
+  vtkNew<vtkTerrainDetailSource> source;
+  source->SetSize(32);
+  source->SetRelief(8.0);
+  source->Update();
+  vtkImageData* detail = source->GetOutput();
+  pipeline.Strips->SetDetailData(detail);
+  pipeline.Strips->SetDetailCells(4);
+  pipeline.Strips->SetDetailScale(1.5);
+  pipeline.Strips->SetTolerance(0.5);
+  pipeline.Strips->NormalsOn();
+  pipeline.Strips->TextureCoordinatesOn();
+  pipeline.Strips->LevelColorsOn();
+  EXPECT_EQ(pipeline.Strips->GetDetail(), detail);
+  vtkPolyData* output = pipeline.Update();
+  vtkIdType below = 0;
+  for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
+  {
+    const double* p = output->GetPoint(id);
+    const int i = static_cast<int>(std::lround((p[0] - 412345.5) / 7.5));
+    const int j = static_cast<int>(std::lround((p[1] - 4123456.25) / 6.25));
+    const int x = std::min(i / 4, 127);
+    const int y = std::min(j / 4, 98);
+    const double u = 0.25 * i - x;
+    const double v = 0.25 * j - y;
+    const auto at = [&](int dx, int dy)
+    { return pipeline.Heights->GetScalarComponentAsDouble(x + dx, y + dy, 0, 0); };
+    const double base =
+      (1 - v) * ((1 - u) * at(0, 0) + u * at(1, 0)) + v * ((1 - u) * at(0, 1) + u * at(1, 1));
+    EXPECT_NEAR(
+      p[2], 10.0 + base + 1.5 * detail->GetScalarComponentAsDouble(i % 32, j % 32, 0, 0), 1.0e-4);
+    EXPECT_FLOAT_EQ(output->GetPointData()->GetTCoords()->GetComponent(id, 0), i / 512.0);
+    below += i % 4 != 0 || j % 4 != 0 ? 1 : 0;
+  }
+  EXPECT_GT(below, 100);
+  // Other scales prepare nothing, other cells do; without detail it is as if there never was any.
+  pipeline.Strips->SetDetailScale(0.0);
+  EXPECT_LT(pipeline.Update()->GetNumberOfPoints(), below);
+  pipeline.Strips->SetDetailData(nullptr);
+  const vtkIdType bare = pipeline.Update()->GetNumberOfPoints();
+  Pipeline other;
+  other.Strips->SetTolerance(0.5);
+  EXPECT_EQ(bare, other.Update()->GetNumberOfPoints());
+}
+
+TEST(TerrainStrips, RefusesBadDetail)
+{
+  Pipeline pipeline;
+  for (const int cells : { 0, -2, 3, 2048 })
+  {
+    pipeline.Errors->Clear();
+    pipeline.Strips->SetDetailCells(cells);
+    EXPECT_TRUE(pipeline.Errors->GetError());
+  }
+  EXPECT_EQ(pipeline.Strips->GetDetailCells(), 16);
+  const vtkNew<vtkImageData> holed = MakeHeights(8, 8);
+  pipeline.Strips->SetDetailData(holed);
+  EXPECT_FALSE(pipeline.Fails());
+  for (const double scale : { -1.0, std::nan("") })
+  {
+    pipeline.Strips->SetDetailScale(scale);
+    EXPECT_TRUE(pipeline.Fails());
+  }
+  pipeline.Strips->SetDetailScale(1.0);
+  holed->SetScalarComponentFromDouble(3, 3, 0, 0, std::nan(""));
+  holed->Modified();
+  EXPECT_TRUE(pipeline.Fails());
 }
 
 TEST(TerrainStrips, FollowsTheCamera)

@@ -3,6 +3,7 @@
 // Strips drawn by VTK's own mapper: at each of three tolerances the depths stay within the
 // tolerance of the full mesh, and the pictures are known.
 #include "vtkOpenGLTerrainMapper.h"
+#include "vtkTerrainDetailSource.h"
 #include "vtkTerrainSource.h"
 #include "vtkTerrainStrips.h"
 #include "vtkTerrainTesting.h"
@@ -204,4 +205,44 @@ TEST(TerrainStripsDrawing, TheTerrainMapperShadesThemByTheHeights)
     static_cast<long long>(shadedByHeights), static_cast<long long>(shadedByPoints));
   // The strips leave the surface by up to 3 pixels, so some differ in either case.
   EXPECT_LT(2 * shadedByHeights, shadedByPoints);
+}
+
+TEST(TerrainStripsDrawing, WithDetailTheyAreTheSurfaceOfTheRays)
+{
+  Picture picture;
+  vtkNew<vtkTerrainDetailSource> detail;
+  detail->SetSize(64);
+  detail->SetRelief(30.0);
+  vtkNew<vtkOpenGLTerrainMapper> rays;
+  rays->SetHeightsConnection(picture.Source->GetOutputPort());
+  rays->SetDetailConnection(detail->GetOutputPort());
+  rays->SetDetailCells(8);
+  rays->SetDetailScale(1.5);
+  picture.Actor->SetMapper(rays);
+  vtkCamera* camera = picture.Scene.Renderer->GetActiveCamera();
+  double bounds[6];
+  picture.Source->Update();
+  picture.Source->GetOutput()->GetBounds(bounds);
+  const double size = bounds[1] - bounds[0];
+  camera->SetFocalPoint(bounds[0] + 0.6 * size, bounds[2] + 0.6 * size, 0.0);
+  camera->SetPosition(bounds[0] + 0.45 * size, bounds[2] + 0.4 * size,
+    picture.Source->GetOutput()->GetScalarRange()[1] + 100.0);
+  camera->SetClippingRange(0.002 * size, 2.0 * size);
+  const std::vector<double> reference = picture.Depths();
+
+  picture.Actor->SetMapper(picture.Mapper);
+  picture.Strips->SetDetailConnection(detail->GetOutputPort());
+  picture.Strips->SetDetailCells(8);
+  picture.Strips->SetDetailScale(1.5);
+  picture.Strips->SetTolerance(1.0);
+  const double beyond = PartBeyond(picture.Depths(), reference, 1);
+  std::printf("%g of the pixels beyond, %lld triangles\n", beyond,
+    static_cast<long long>(picture.Strips->GetNumberOfTriangles()));
+  EXPECT_LE(beyond, 0.001);
+  EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(
+    vtkTerrainTesting::Render(picture.Scene.Window), "TerrainStripsDetail"));
+
+  // Without the detail they are another surface: the comparison can fail.
+  picture.Strips->SetDetailScale(0.0);
+  EXPECT_GT(PartBeyond(picture.Depths(), reference, 1), 0.01);
 }

@@ -40,6 +40,34 @@ struct HierarchyView
   const HierarchyGradient* Gradients = nullptr;
   GridGeometry Geometry;
   HierarchySummary Summary;
+
+  /// Number of the record of sample (x, y), which must not be a corner of the square.
+  std::int64_t RecordOf(std::int64_t x, std::int64_t y) const
+  {
+    const int pair = this->Layout->PairOf(x, y);
+    const int shift = this->Layout->Shift(pair);
+    return this->Layout->Index(pair, x >> shift, y >> shift);
+  }
+  /// Number of the corner of the square at sample (x, y), in the order of the summary; -1 if there
+  /// is none.
+  int CornerOf(std::int64_t x, std::int64_t y) const
+  {
+    const std::int64_t inside = this->Layout->Cells() - 1;
+    return ((x | y) & inside) != 0 ? -1 : (x != 0 ? 1 : 0) + (y != 0 ? 2 : 0);
+  }
+  /// Height of sample (x, y).
+  float HeightAt(std::int64_t x, std::int64_t y) const
+  {
+    const int corner = this->CornerOf(x, y);
+    return corner >= 0 ? this->Summary.Corners[corner] : this->Records[this->RecordOf(x, y)].Height;
+  }
+  /// Slopes at sample (x, y).
+  const HierarchyGradient& GradientAt(std::int64_t x, std::int64_t y) const
+  {
+    const int corner = this->CornerOf(x, y);
+    return corner >= 0 ? this->Summary.CornerGradients[corner]
+                       : this->Gradients[this->RecordOf(x, y)];
+  }
 };
 
 /// A hierarchy in main memory.

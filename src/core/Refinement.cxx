@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/Refinement.h"
 
+#include "core/RefinementDetail.h"
 #include "core/RefinementKernel.h"
 #include "core/RefinementSinks.h"
 
@@ -9,17 +10,19 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <type_traits>
 
 namespace terrain
 {
 namespace
 {
-template <bool UseDistance, bool UseCulling, bool UseHoles>
+template <bool UseDistance, bool UseCulling, bool UseHoles, bool UseDetail>
 struct Switches
 {
   static constexpr bool Distance = UseDistance;
   static constexpr bool Culling = UseCulling;
   static constexpr bool Holes = UseHoles;
+  static constexpr bool Detail = UseDetail;
 };
 
 /// Counting stops at this many times the budget, and starts again with a larger tolerance.
@@ -28,6 +31,8 @@ constexpr std::int64_t kCountLimit = 8;
 constexpr double kToleranceStep = 4.0;
 /// Beyond this tolerance only spheres around the eye are refined.
 constexpr double kLargestTolerance = 1.0e30;
+/// Rounding of the base's heights between samples, which are float, in units of the largest one.
+constexpr double kHeightRounding = 1.0e-6;
 
 bool IsFinite(const glm::dvec3& v)
 {
@@ -44,13 +49,21 @@ void StripMesh::Clear()
 
 struct Refiner::Work
 {
-  explicit Work(const HierarchyView& hierarchy)
+  Work(const HierarchyView& hierarchy, const DetailHierarchy* detail)
     : Hierarchy(hierarchy)
+    , Detail(detail)
   {
     this->Tabulate();
+    if (detail)
+    {
+      this->Steepness = MeasureSteepness(hierarchy);
+      this->TabulateDetail();
+    }
   }
 
   HierarchyView Hierarchy;
+  const DetailHierarchy* Detail;
+  BaseSteepness Steepness;
   RefinementFrame Frame;
   std::array<std::vector<AxisEntry>, 2> Axes;
   /// First and last column, first and last row of the square.
@@ -62,19 +75,35 @@ struct Refiner::Work
   SampleSink Samples;
 
   void Tabulate();
+  void TabulateDetail();
+  void SetDetailView(const RefinementView& view, const glm::dvec3& eye);
+  void SetDetailTolerance(const RefinementView& view);
   void SetDepths(int count);
   void SetView(const RefinementView& view);
   void SetTolerance(const RefinementView& view, double tolerance);
   void SetPlanes(const RefinementView& view, CullingMethod culling);
 
+  int Level() const
+  {
+    return this->Detail ? this->Detail->Level() : 0;
+  }
+  int Depths() const
+  {
+    return this->Hierarchy.Layout->Depths() + 2 * this->Level();
+  }
+  double DetailRange() const
+  {
+    return static_cast<double>(this->Detail->Maximum()) - this->Detail->Minimum();
+  }
   std::uint64_t Centre() const
   {
-    const auto half = static_cast<std::uint64_t>(this->Hierarchy.Layout->Cells() / 2);
+    const auto half = static_cast<std::uint64_t>(this->Hierarchy.Layout->Cells() / 2)
+      << this->Level();
     return half | (half << 32);
   }
   VertexSite CentreSite() const;
 
-  template <bool Distance, typename Sink>
+  template <typename Sink>
   std::int64_t Run(Sink& sink, RefinementMethod method, std::uint32_t centre,
     const std::array<std::uint32_t, 4>& corners);
   template <typename Switch, typename Sink>
@@ -108,7 +137,7 @@ void Refiner::Work::Tabulate()
   {
     const int pair = depth / 2;
     DepthTable& table = this->Frame.Depths[depth];
-    table.Shift = layout.Shift(pair);
+    table.Shift = layout.Shift(pair) + this->Level();
     table.Columns = &this->Axes[0][begin[0]];
     table.Rows = &this->Axes[1][begin[1]];
     table.IsOdd = (depth & 1) != 0;
@@ -123,6 +152,94 @@ void Refiner::Work::Tabulate()
   this->Frame.LastRow = static_cast<std::uint32_t>(last[1]);
 }
 
+/// Tables of the depths below the base's samples.
+void Refiner::Work::TabulateDetail()
+{
+  const auto maskOf = [](glm::uvec2 size)
+  {
+    return glm::uvec2(
+      (size.x & (size.x - 1)) == 0 ? size.x - 1 : 0, (size.y & (size.y - 1)) == 0 ? size.y - 1 : 0);
+  };
+  const int level = this->Level();
+  const int first = this->Hierarchy.Layout->Depths();
+  for (int depth = 0; depth < 2 * level; ++depth)
+  {
+    DepthTable& table = this->Frame.Depths[first + depth];
+    const int pair = depth / 2;
+    table.Shift = level - 1 - pair;
+    table.IsOdd = (depth & 1) != 0;
+    const DetailHierarchy::Pair& records = this->Detail->PairAt(pair);
+    table.Detail.Records = records.Records;
+    table.Detail.Shift = records.Shift;
+    table.Detail.Count = records.Count;
+    table.Detail.Mask = maskOf(table.Detail.Count);
+    const double step = std::ldexp(1.0, -1 - pair);
+    table.Detail.Bend = (table.IsOdd ? 0.25 : 1.0) * step * step;
+  }
+  this->Frame.FirstDetail = &this->Frame.Depths[first];
+  DetailFrame& frame = this->Frame.Detail;
+  frame.Base = &this->Hierarchy;
+  frame.Heights = this->Detail->Heights();
+  frame.Period = this->Detail->Period();
+  frame.Mask = maskOf(frame.Period);
+  frame.Level = level;
+  frame.Corners = this->Hierarchy.Summary.Corners;
+  frame.Centre = this->CentreSite().Record.Height;
+}
+
+/// Circles and spheres of the view; RefinementDetail.h says what they hold.
+void Refiner::Work::SetDetailView(const RefinementView& view, const glm::dvec3& eye)
+{
+  DetailFrame& frame = this->Frame.Detail;
+  const double heightUnit = this->Frame.Step.z;
+  const double ends = double(this->Detail->Maximum()) + this->Detail->Minimum();
+  frame.Scale = static_cast<float>(view.DetailScale);
+  frame.Middle = 0.5 * view.DetailScale * ends;
+  frame.PlaneStep = glm::dvec2(this->Frame.Step) * std::ldexp(1.0, -this->Level());
+  frame.Step = view.Parallel ? glm::dvec2(0.0) : frame.PlaneStep;
+  frame.Eye = view.Parallel ? glm::dvec2(std::sqrt(0.5)) : glm::dvec2(eye);
+  this->Frame.EyeHeight -= frame.Middle * this->Frame.DistanceScale;
+
+  DetailRelief relief;
+  relief.Slant = std::hypot(1.0, this->Steepness.Slope * heightUnit / this->Scale);
+  relief.Half = 0.5 * view.DetailScale * heightUnit * this->DetailRange();
+  relief.Rounding = kHeightRounding * heightUnit *
+    std::max(std::abs(this->Hierarchy.Summary.MinimumHeight),
+      std::abs(this->Hierarchy.Summary.MaximumHeight));
+  const int first = this->Hierarchy.Layout->Depths();
+  double length = std::max(frame.PlaneStep.x, frame.PlaneStep.y) * std::sqrt(0.5);
+  for (int depth = this->Depths() - 1; depth >= first; --depth)
+  {
+    const DetailRadii radii = DetailRadiiOf(length, this->Depths() - depth, relief);
+    DetailDepth& table = this->Frame.Depths[depth].Detail;
+    table.Radius = radii.Sphere;
+    table.RadiusReach = radii.Sphere * this->Frame.RadiusScale;
+    table.CircleReach = radii.Circle * this->Frame.RadiusScale;
+    length *= std::sqrt(2.0);
+  }
+  // A sample of the last depth is as far from its children as the vertices one depth above them.
+  frame.Radius = DetailRadiiOf(length, this->Depths() - first + 1, relief).Sphere;
+  frame.RadiusReach = frame.Radius * this->Frame.RadiusScale;
+}
+
+/// Reaches of errors; Frame.ErrorScale is that of a unit of height.
+void Refiner::Work::SetDetailTolerance(const RefinementView& view)
+{
+  DetailFrame& frame = this->Frame.Detail;
+  const double scale = this->Frame.ErrorScale;
+  frame.ErrorScale = view.DetailScale * scale;
+  frame.RangeReach = frame.ErrorScale * this->DetailRange();
+  frame.FloorReach = 0.0;
+  const int first = this->Hierarchy.Layout->Depths();
+  for (int depth = first; depth < this->Depths(); ++depth)
+  {
+    DetailDepth& table = this->Frame.Depths[depth].Detail;
+    table.TwistReach = table.Bend * this->Steepness.Twist * scale;
+    frame.FloorReach = std::max(
+      frame.FloorReach, frame.ErrorScale * this->Detail->LargestError() + table.TwistReach);
+  }
+}
+
 void Refiner::Work::SetView(const RefinementView& view)
 {
   this->Scale = 1.0 / std::max(1.0, view.Exaggeration);
@@ -131,7 +248,7 @@ void Refiner::Work::SetView(const RefinementView& view)
   this->Frame.DistanceScale = view.Parallel ? 0.0 : this->Frame.Step.z;
   this->Frame.EyeHeight = view.Parallel ? 0.0 : eye.z;
   this->Frame.RadiusScale = view.Parallel ? 0.0 : 1.0;
-  this->SetDepths(this->Hierarchy.Layout->Depths());
+  this->SetDepths(this->Depths());
   for (int axis = 0; axis < 2; ++axis)
   {
     for (AxisEntry& entry : this->Axes[axis])
@@ -139,6 +256,10 @@ void Refiner::Work::SetView(const RefinementView& view)
       const double distance = entry.Sample * this->Frame.Step[axis] - eye[axis];
       entry.Distance2 = view.Parallel ? 0.5 : distance * distance;
     }
+  }
+  if (this->Detail)
+  {
+    this->SetDetailView(view, eye);
   }
 }
 
@@ -156,6 +277,10 @@ void Refiner::Work::SetTolerance(const RefinementView& view, double tolerance)
     this->Hierarchy.Summary.HasHoles ? std::max(1.0, view.Exaggeration) : view.Exaggeration;
   const double unit = view.Parallel ? 1.0 : this->Scale;
   this->Frame.ErrorScale = stretch * unit * view.PixelsPerUnit / tolerance;
+  if (this->Detail)
+  {
+    this->SetDetailTolerance(view);
+  }
 }
 
 void Refiner::Work::SetPlanes(const RefinementView& view, CullingMethod culling)
@@ -213,26 +338,27 @@ std::int64_t Refiner::Work::RunKernel(Sink& sink, RefinementMethod method, std::
   return kernel.Triangles();
 }
 
-template <bool Distance, typename Sink>
+/// By the screen-space error.
+template <typename Sink>
 std::int64_t Refiner::Work::Run(Sink& sink, RefinementMethod method, std::uint32_t centre,
   const std::array<std::uint32_t, 4>& corners)
 {
-  const bool culls = this->Frame.PlaneCount > 0;
-  const bool holes = this->Hierarchy.Summary.HasHoles;
-  if constexpr (Distance)
+  const auto run = [&](auto culls, auto holes, auto detail)
   {
-    return this->RunKernel<Switches<true, false, false>>(sink, method, centre, corners);
-  }
-  else if (culls)
+    return this->RunKernel<Switches<false, culls.value, holes.value, detail.value>>(
+      sink, method, centre, corners);
+  };
+  const auto withDetail = [&](auto culls, auto holes)
   {
-    return holes ? this->RunKernel<Switches<false, true, true>>(sink, method, centre, corners)
-                 : this->RunKernel<Switches<false, true, false>>(sink, method, centre, corners);
-  }
-  else
+    return this->Detail ? run(culls, holes, std::true_type())
+                        : run(culls, holes, std::false_type());
+  };
+  const auto withHoles = [&](auto culls)
   {
-    return holes ? this->RunKernel<Switches<false, false, true>>(sink, method, centre, corners)
-                 : this->RunKernel<Switches<false, false, false>>(sink, method, centre, corners);
-  }
+    return this->Hierarchy.Summary.HasHoles ? withDetail(culls, std::true_type())
+                                            : withDetail(culls, std::false_type());
+  };
+  return this->Frame.PlaneCount > 0 ? withHoles(std::true_type()) : withHoles(std::false_type());
 }
 
 /// The tolerance of the options, raised until the budget suffices: counts how many triangles each
@@ -246,7 +372,7 @@ double Refiner::Work::ToleranceFor(const RefinementView& view, const RefinementO
   {
     CountSink sink(kCountLimit * (budget + 4) + 64);
     this->SetTolerance(view, share * tolerance);
-    this->Run<false>(sink, RefinementMethod::Improved, 0, { { 0, 0, 0, 0 } });
+    this->Run(sink, RefinementMethod::Improved, 0, { { 0, 0, 0, 0 } });
     return sink;
   };
   double tolerance = options.Tolerance;
@@ -273,7 +399,12 @@ double Refiner::Work::ToleranceFor(const RefinementView& view, const RefinementO
 }
 
 Refiner::Refiner(const HierarchyView& hierarchy)
-  : Private(std::make_unique<Work>(hierarchy))
+  : Refiner(hierarchy, nullptr)
+{
+}
+
+Refiner::Refiner(const HierarchyView& hierarchy, const DetailHierarchy* detail)
+  : Private(std::make_unique<Work>(hierarchy, detail))
 {
 }
 
@@ -302,6 +433,11 @@ std::string Refiner::WhyNotRefine(const RefinementView& view, const RefinementOp
   if (!std::isfinite(view.Exaggeration) || view.Exaggeration <= 0.0)
   {
     return "the exaggeration must be positive, not " + std::to_string(view.Exaggeration);
+  }
+  if (!std::isfinite(view.DetailScale) || view.DetailScale < 0.0)
+  {
+    return "the factor of the detail must not be negative, it is " +
+      std::to_string(view.DetailScale);
   }
   for (const glm::dvec4& plane : view.Planes)
   {
@@ -340,12 +476,12 @@ void Refiner::Refine(const RefinementView& view, const RefinementOptions& option
   std::array<std::uint32_t, 4> corners{};
   for (int corner = 0; corner < 4; ++corner)
   {
-    corners[corner] = sink.Corner(work.Ends[0][corner & 1], work.Ends[1][corner >> 1], corner,
-      work.Hierarchy.Summary.Corners[corner]);
+    corners[corner] = sink.Corner(work.Frame, work.Ends[0][corner & 1], work.Ends[1][corner >> 1],
+      corner, work.Hierarchy.Summary.Corners[corner]);
   }
   const std::uint32_t centre = sink.Vertex(work.Frame, work.CentreSite(), 0, 0);
   sink.Morphing = options.Morphing;
-  mesh.Triangles = work.Run<false>(sink, options.Method, centre, corners);
+  mesh.Triangles = work.Run(sink, options.Method, centre, corners);
   sink.Finish(mesh);
 }
 
@@ -354,6 +490,7 @@ std::int64_t Refiner::RefineByDistance(const RefinementView& view, double range,
 {
   Work& work = *this->Private;
   work.SetView(view);
+  work.SetDepths(work.Hierarchy.Layout->Depths());
   work.SetPlanes(view, CullingMethod::None);
   const HierarchyLayout& layout = *work.Hierarchy.Layout;
   const glm::dvec2 spacing = work.Hierarchy.Geometry.Spacing;
@@ -374,7 +511,8 @@ std::int64_t Refiner::RefineByDistance(const RefinementView& view, double range,
     corners[corner] = work.Ends[0][corner & 1].Sample | (work.Ends[1][corner >> 1].Sample << 16);
   }
   const std::uint32_t centre = sink.Vertex(work.Frame, work.CentreSite(), 0, 0);
-  const std::int64_t triangles = work.Run<true>(sink, method, centre, corners);
+  const std::int64_t triangles =
+    work.RunKernel<Switches<true, false, false, false>>(sink, method, centre, corners);
   sink.Strip.Finish(strip);
   return triangles;
 }

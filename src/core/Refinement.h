@@ -35,6 +35,7 @@
 #ifndef terrain_Refinement_h
 #define terrain_Refinement_h
 
+#include "core/DetailHierarchy.h"
 #include "core/Hierarchy.h"
 
 #include <memory>
@@ -68,6 +69,8 @@ struct RefinementView
   bool Parallel = false;
   /// Vertical exaggeration, > 0, about height 0 of the grid; see GridGeometry.
   double Exaggeration = 1.0;
+  /// Factor of the detail's heights, if there is detail, >= 0.
+  double DetailScale = 1.0;
   /// Half spaces n . p + d >= 0 that are seen; at most 8.
   std::vector<glm::dvec4> Planes;
 };
@@ -97,18 +100,21 @@ struct RefinementOptions
   bool Morphing = false;
 };
 
-/// One vertex of a refined mesh: a sample of the raster.
+/// One vertex of a refined mesh: a sample of the raster, or with detail of the sum.
 struct StripVertex
 {
-  std::uint16_t Column = 0;
-  std::uint16_t Row = 0;
+  /// In cells; with detail in detail cells.
+  std::uint32_t Column = 0;
+  std::uint32_t Row = 0;
   /// Height of the sample, and what the morph adds to it, both without exaggeration.
   float Height = 0.0f;
   float Displacement = 0.0f;
-  /// Record of the vertex, or NoRecord + corner for the corners of the square.
+  /// Record of the vertex; NoRecord + corner for the corners of the square, BelowSamples for
+  /// vertices that are no samples of the base.
   std::uint32_t Record = 0;
 
   static constexpr std::uint32_t NoRecord = 0xfffffff0u;
+  static constexpr std::uint32_t BelowSamples = 0xfffffff8u;
 };
 
 /// A generalized triangle strip: each index makes a triangle with the two before it, every second
@@ -131,6 +137,10 @@ class Refiner
 {
 public:
   explicit Refiner(const HierarchyView& hierarchy);
+  /// With detail, which must stay valid too: the mesh is one of the sum of both, in detail cells,
+  /// and refinement runs on below the base's samples (RefinementDetail.h). Looks at all of the
+  /// base's cells once.
+  Refiner(const HierarchyView& hierarchy, const DetailHierarchy* detail);
   ~Refiner();
   Refiner(const Refiner&) = delete;
   Refiner& operator=(const Refiner&) = delete;
@@ -144,7 +154,8 @@ public:
   /// Only the strip, by the distance to the eye in place of errors, of samples as column +
   /// 65536 row; for measuring the refinement alone. A vertex of depth i is active nearer than
   /// `range` times the circle r_i = l_i / (1 - 1 / sqrt 2) (Balogh, section 6.3), l_i its distance
-  /// to its children. Nothing is culled or left out. Returns the number of triangles.
+  /// to its children. Nothing is culled or left out, and detail plays no role. Returns the number
+  /// of triangles.
   std::int64_t RefineByDistance(const RefinementView& view, double range, RefinementMethod method,
     std::vector<std::uint32_t>& strip);
 

@@ -2,102 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The inner loops of Refinement.h. Positions are columns + 2^32 rows, in cells.
+ * The inner loops of Refinement.h. Positions are columns + 2^32 rows, in cells; with detail
+ * (RefinementDetail.h) in detail cells.
  */
 #ifndef terrain_RefinementKernel_h
 #define terrain_RefinementKernel_h
 
-#include "core/Refinement.h"
+#include "core/RefinementSites.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
-
-/// The compiler's own choice leaves the small functions of the inner loop as calls, and takes rare
-/// work into it.
-#define TERRAIN_INLINE [[gnu::always_inline]] inline
-#define TERRAIN_NO_INLINE [[gnu::noinline]]
+#include <type_traits>
+#include <utility>
 
 namespace terrain
 {
-/// A column or row of vertices of a pair of depths.
-struct AxisEntry
-{
-  /// Its part of the squared distance to the eye, in scaled space; its term of the record index.
-  double Distance2;
-  std::uint32_t Term;
-  /// Column or row of the sample that it is drawn at.
-  std::uint32_t Sample;
-};
-
-/// What all vertices of a depth share.
-struct DepthTable
-{
-  const AxisEntry* Columns = nullptr;
-  const AxisEntry* Rows = nullptr;
-  int Shift = 0;
-  /// Planes that vertices of this depth are tested against: all, or none (lazy culling).
-  std::uint32_t PlaneMask = 0;
-  /// Hypotenuses of this depth's triangles lie along the axes.
-  bool IsOdd = false;
-  /// Squared distance below which a vertex is active (RefineByDistance).
-  double Range2 = 0.0;
-};
-
-/// One refinement: the view in scaled space, which is model space relative to the grid's origin,
-/// times 1 / max(1, exaggeration): the radii hold in it whatever the exaggeration.
-struct RefinementFrame
-{
-  std::array<DepthTable, 32> Depths;
-  /// The deepest one that vertices are looked at.
-  const DepthTable* Deepest = nullptr;
-  const HierarchyRecord* Records = nullptr;
-  /// Height of the eye and height unit, for distances; both 0 in parallel projection.
-  double EyeHeight = 0.0;
-  double DistanceScale = 1.0;
-  /// Active: Error ErrorScale + Radius RadiusScale > d. In perspective that is
-  /// Error lambda / tolerance > d - Radius, in parallel projection, where d is 1 and RadiusScale 0,
-  /// Error lambda / tolerance > 1.
-  double ErrorScale = 0.0;
-  double RadiusScale = 1.0;
-  /// Planes, and the size of a cell and of the height unit in their space.
-  std::array<glm::dvec4, 8> Planes{};
-  int PlaneCount = 0;
-  glm::dvec3 Step{ 1.0 };
-  std::uint32_t LastColumn = 0;
-  std::uint32_t LastRow = 0;
-};
-
-/// A vertex that is looked at. Reach and Distance2 are compared to decide.
-struct VertexSite
-{
-  const AxisEntry* Column;
-  const AxisEntry* Row;
-  const DepthTable* Depth;
-  std::uint64_t Position;
-  double Reach;
-  double Distance2;
-  HierarchyRecord Record;
-  std::uint32_t Index;
-};
-
-/// A triangle of the hierarchy: the ends of its hypotenuse and its apex as indices of the sink, the
-/// vertex that halves it, and from there the ways to the apex and to the left end.
-struct TriangleSite
-{
-  std::uint64_t Position;
-  std::int64_t ToApex;
-  std::int64_t ToLeft;
-  const DepthTable* Depth;
-  std::uint32_t Left;
-  std::uint32_t Apex;
-  std::uint32_t Right;
-  std::uint32_t Middle;
-  std::uint32_t PlaneMask;
-  /// Only with holes: the triangle's direction, and the drawn bits of the vertex.
-  std::uint32_t Direction;
-  std::uint32_t Drawn;
-};
-
 /// Where the strip crosses a triangle's outline.
 enum class StripEdge
 {
@@ -114,15 +33,18 @@ constexpr StripEdge Flip(StripEdge edge)
  *   Distance   by distance alone, no records are read; else by the screen-space error
  *   Culling    against the frame's planes
  *   Holes      some triangles are not drawn
+ *   Detail     refines on below the base's samples; not with Distance
  * Sink gives active vertices an index and takes the strip:
- *   std::uint32_t Vertex(const RefinementFrame&, const VertexSite&, left, right)
- *   void Prefetch(record), ahead of Vertex
- *   void Append(index); void Reserve(); std::uint32_t Count(); std::uint32_t Last();
- *   void RepeatThird(); bool Stopped()
+ *   std::uint32_t Vertex(const RefinementFrame&, const VertexSite& or DetailVertexSite&, left,
+ * right) void Prefetch(record), ahead of Vertex void Append(index); void Reserve(); std::uint32_t
+ * Count(); std::uint32_t Last(); void RepeatThird(); bool Stopped()
  */
 template <typename Traits, typename Sink>
 class RefinementKernel
 {
+  using Triangle = std::conditional_t<Traits::Detail, DetailTriangleSite, TriangleSite>;
+  using Vertex = std::conditional_t<Traits::Detail, DetailVertexSite, VertexSite>;
+
 public:
   RefinementKernel(const RefinementFrame& frame, Sink& sink)
     : Frame(frame)
@@ -150,7 +72,7 @@ public:
     }
     for (int side = 0; side < 4; ++side)
     {
-      TriangleSite triangle = this->BaseTriangle(centre, centreIndex, corners, side);
+      Triangle triangle = this->BaseTriangle(centre, centreIndex, corners, side);
       if (triangle.Depth <= this->Frame.Deepest && this->Visit(triangle))
       {
         this->template General<StripEdge::Side, StripEdge::Side, true>(triangle);
@@ -181,7 +103,7 @@ public:
     }
     for (int side = 0; side < 4; ++side)
     {
-      TriangleSite triangle = this->BaseTriangle(centre, centreIndex, corners, side);
+      Triangle triangle = this->BaseTriangle(centre, centreIndex, corners, side);
       this->PlainTriangle(triangle, HalfDrawn(drawn, triangle.Direction));
       if (!Traits::Holes)
       {
@@ -196,13 +118,13 @@ private:
     return !Traits::Holes || ((drawn >> (direction >> 1)) & 1u) != 0;
   }
 
-  TriangleSite BaseTriangle(std::uint64_t centre, std::uint32_t centreIndex,
+  Triangle BaseTriangle(std::uint64_t centre, std::uint32_t centreIndex,
     const std::array<std::uint32_t, 4>& corners, int side) const
   {
     static constexpr std::array<int, 5> round{ { 0, 1, 3, 2, 0 } };
     const int direction = (2 + 2 * side) & 7;
     const std::int64_t half = std::int64_t(1) << this->Frame.Depths[0].Shift;
-    TriangleSite triangle{};
+    Triangle triangle{};
     triangle.Depth = &this->Frame.Depths[1];
     triangle.PlaneMask = (1u << this->Frame.PlaneCount) - 1u;
     triangle.Direction = static_cast<std::uint32_t>(direction);
@@ -212,6 +134,12 @@ private:
     triangle.Left = corners[round[side]];
     triangle.Right = corners[round[side + 1]];
     triangle.Apex = centreIndex;
+    if constexpr (Traits::Detail)
+    {
+      triangle.LeftBase = this->Frame.Detail.Corners[round[side]];
+      triangle.RightBase = this->Frame.Detail.Corners[round[side + 1]];
+      triangle.ApexBase = this->Frame.Detail.Centre;
+    }
     return triangle;
   }
 
@@ -225,11 +153,11 @@ private:
   /// Half of a triangle that is split: side 0 left, 1 right. It has the triangle's vertex as apex
   /// and a leg as hypotenuse. Sums and differences of the two ways are even until the deepest
   /// depth, so halving them halves both of their coordinates.
-  TERRAIN_INLINE TriangleSite Half(const TriangleSite& triangle, int side) const
+  TERRAIN_INLINE Triangle Half(const Triangle& triangle, int side) const
   {
     const std::int64_t sum = (triangle.ToLeft + triangle.ToApex) >> 1;
     const std::int64_t difference = (triangle.ToLeft - triangle.ToApex) >> 1;
-    TriangleSite half;
+    Triangle half;
     half.Depth = triangle.Depth + 1;
     half.ToApex = side == 0 ? -sum : difference;
     half.ToLeft = side == 0 ? difference : sum;
@@ -243,16 +171,47 @@ private:
       half.Direction = static_cast<std::uint32_t>(HierarchyLayout::ChildDirection(
         triangle.Depth->IsOdd ? 1 : 0, static_cast<int>(triangle.Direction), side));
     }
+    if constexpr (Traits::Detail)
+    {
+      this->SetBase(triangle, side, half);
+    }
     return half;
   }
 
+  bool IsBelowSamples(const Triangle& triangle) const
+  {
+    return Traits::Detail && triangle.Depth >= this->Frame.FirstDetail;
+  }
+
+  /// What a half has of the base.
+  TERRAIN_INLINE void SetBase(const Triangle& triangle, int side, Triangle& half) const
+  {
+    half.LeftBase = side == 0 ? triangle.LeftBase : triangle.ApexBase;
+    half.RightBase = side == 0 ? triangle.ApexBase : triangle.RightBase;
+    half.ApexBase = triangle.MiddleBase;
+    half.Twist = half.Depth->IsOdd ? triangle.Twist : 0.25f * triangle.Twist;
+    if constexpr (Traits::Holes)
+    {
+      half.IsDrawn = HalfDrawn(triangle.Drawn, half.Direction);
+    }
+    if (half.Depth == this->Frame.FirstDetail && half.Depth <= this->Frame.Deepest &&
+      !this->IsHole(half))
+    {
+      EnterCell(this->Frame, half);
+    }
+  }
+
   /// The vertex that halves the triangle.
-  TERRAIN_INLINE VertexSite Site(const TriangleSite& triangle) const
+  TERRAIN_INLINE Vertex Site(const Triangle& triangle) const
   {
     const DepthTable& depth = *triangle.Depth;
-    VertexSite site;
+    Vertex site;
     site.Depth = &depth;
     site.Position = triangle.Position;
+    if (this->IsBelowSamples(triangle))
+    {
+      return site;
+    }
     site.Column = &depth.Columns[static_cast<std::uint32_t>(triangle.Position) >> depth.Shift];
     site.Row = &depth.Rows[static_cast<std::uint32_t>(triangle.Position >> 32) >> depth.Shift];
     site.Index = site.Column->Term + site.Row->Term;
@@ -262,11 +221,11 @@ private:
   /// Fetches what is known of the vertices that halve the triangle's halves. Most of them are
   /// looked at soon, and whether they take part is hard to predict: the answer should not wait for
   /// memory.
-  TERRAIN_INLINE void Prefetch(const TriangleSite& triangle) const
+  TERRAIN_INLINE void Prefetch(const Triangle& triangle) const
   {
     if constexpr (!Traits::Distance)
     {
-      if (!this->IsFinest(triangle))
+      if (!this->IsFinest(triangle) && !this->IsBelowSamples(triangle))
       {
         for (const int side : { 0, 1 })
         {
@@ -279,7 +238,7 @@ private:
   }
 
   /// True if the vertex takes part, culling aside: its error is too large to leave it out.
-  TERRAIN_INLINE bool IsNeeded(VertexSite& site) const
+  TERRAIN_INLINE bool IsNeeded(Vertex& site) const
   {
     site.Distance2 = site.Column->Distance2 + site.Row->Distance2;
     if constexpr (Traits::Distance)
@@ -290,16 +249,23 @@ private:
     {
       site.Record = this->Frame.Records[site.Index];
       const double dz = site.Record.Height * this->Frame.DistanceScale - this->Frame.EyeHeight;
-      site.Reach = site.Record.Error() * this->Frame.ErrorScale +
-        site.Record.Radius() * this->Frame.RadiusScale;
+      site.ErrorReach = site.Record.Error() * this->Frame.ErrorScale;
+      site.RadiusReach = site.Record.Radius() * this->Frame.RadiusScale;
       site.Distance2 += dz * dz;
+      bool hasError = site.Record.HasError();
+      if constexpr (Traits::Detail)
+      {
+        AddDetail(this->Frame, site);
+        hasError = hasError || site.Record.Drawn() != 0;
+      }
+      const double reach = site.ErrorReach + site.RadiusReach;
       // Both tests at once: the second alone decides too seldom for a branch of its own.
-      return (int(site.Reach * site.Reach > site.Distance2) & int(site.Record.HasError())) != 0;
+      return (int(reach * reach > site.Distance2) & int(hasError)) != 0;
     }
   }
 
   /// Completes a triangle whose vertex is needed; false if the vertex is culled.
-  TERRAIN_INLINE bool Split(TriangleSite& triangle, const VertexSite& site)
+  TERRAIN_INLINE bool Split(Triangle& triangle, const Vertex& site)
   {
     if constexpr (Traits::Culling)
     {
@@ -313,27 +279,58 @@ private:
     {
       return false;
     }
+    if constexpr (Traits::Detail)
+    {
+      triangle.MiddleBase = site.BaseHeight;
+    }
     if constexpr (Traits::Holes)
     {
-      triangle.Drawn = site.Record.Drawn();
+      // Only drawn triangles are split below the samples.
+      triangle.Drawn =
+        this->IsBelowSamples(triangle) ? HierarchyRecord::DrawnBits : site.Record.Drawn();
     }
     triangle.Middle = this->Out.Vertex(this->Frame, site, triangle.Left, triangle.Right);
     return true;
   }
 
   /// True if the vertex that halves the triangle is active; completes the triangle then.
-  TERRAIN_INLINE bool Visit(TriangleSite& triangle)
+  TERRAIN_INLINE bool Visit(Triangle& triangle)
   {
-    VertexSite site = this->Site(triangle);
+    Vertex site = this->Site(triangle);
+    if constexpr (Traits::Detail)
+    {
+      if (this->IsBelowSamples(triangle))
+      {
+        return this->VisitBelow(triangle, site);
+      }
+    }
     return this->IsNeeded(site) && this->Split(triangle, site);
   }
 
-  /// True if the sphere is outside some plane of the mask; planes that it is inside of leave it.
-  TERRAIN_NO_INLINE bool IsCulled(const VertexSite& site, std::uint32_t& mask) const
+  /// The same below the samples. Not inline: the procedures stay small.
+  TERRAIN_NO_INLINE bool VisitBelow(Triangle& triangle, Vertex& site)
   {
-    const glm::dvec3 centre =
-      this->Frame.Step * glm::dvec3(site.Column->Sample, site.Row->Sample, site.Record.Height);
-    const double radius = site.Record.Radius();
+    return !this->IsHole(triangle) && IsDetailNeeded(this->Frame, triangle, site) &&
+      this->Split(triangle, site);
+  }
+
+  /// True if the triangle is part of a base cell that is not drawn.
+  bool IsHole(const Triangle& triangle) const
+  {
+    if constexpr (Traits::Detail && Traits::Holes)
+    {
+      return this->IsBelowSamples(triangle) && !triangle.IsDrawn;
+    }
+    else
+    {
+      return false;
+    }
+  }
+
+  /// True if the sphere is outside some plane of the mask; planes that it is inside of leave it.
+  TERRAIN_NO_INLINE bool IsCulled(const Vertex& site, std::uint32_t& mask) const
+  {
+    const auto [centre, radius] = SphereOf(this->Frame, site);
     for (int i = 0; i < this->Frame.PlaneCount; ++i)
     {
       if ((mask & (1u << i)) != 0)
@@ -357,7 +354,7 @@ private:
   /// A triangle that is not split. Last: the left end of its hypotenuse is the strip's last index;
   /// otherwise it is the other end of the entering edge.
   template <StripEdge In, StripEdge Exit, bool Last>
-  void Leaf(const TriangleSite& triangle, bool drawn)
+  void Leaf(const Triangle& triangle, bool drawn)
   {
     constexpr bool sides = In == StripEdge::Side && Exit == StripEdge::Side;
     constexpr bool leavesBottom = Exit == StripEdge::Bottom;
@@ -407,34 +404,34 @@ private:
   }
 
   template <StripEdge In, StripEdge Exit, bool Last>
-  void BothLeaves(const TriangleSite& triangle)
+  void BothLeaves(const Triangle& triangle)
   {
     this->template LeftLeaf<In, Last>(triangle, this->Half(triangle, 0));
     this->template RightLeaf<Exit, In == StripEdge::Bottom>(triangle, this->Half(triangle, 1));
   }
 
   template <StripEdge In, bool Last>
-  void LeftLeaf(const TriangleSite& triangle, const TriangleSite& left)
+  void LeftLeaf(const Triangle& triangle, const Triangle& left)
   {
     this->template Leaf<Flip(In), StripEdge::Side, Last>(
       left, HalfDrawn(triangle.Drawn, left.Direction));
   }
 
   template <StripEdge Exit, bool Last>
-  void RightLeaf(const TriangleSite& triangle, const TriangleSite& right)
+  void RightLeaf(const Triangle& triangle, const Triangle& right)
   {
     this->template Leaf<StripEdge::Side, Flip(Exit), Last>(
       right, HalfDrawn(triangle.Drawn, right.Direction));
   }
 
-  bool IsFinest(const TriangleSite& triangle) const
+  bool IsFinest(const Triangle& triangle) const
   {
     return triangle.Depth >= this->Frame.Deepest;
   }
 
   /// A triangle that is split, and whose halves may both be.
   template <StripEdge In, StripEdge Exit, bool Last>
-  void General(const TriangleSite& triangle)
+  void General(const Triangle& triangle)
   {
     this->Out.Reserve();
     if (this->IsFinest(triangle))
@@ -442,8 +439,8 @@ private:
       this->template BothLeaves<In, Exit, Last>(triangle);
       return;
     }
-    TriangleSite left = this->Half(triangle, 0);
-    TriangleSite right = this->Half(triangle, 1);
+    Triangle left = this->Half(triangle, 0);
+    Triangle right = this->Half(triangle, 1);
     this->Prefetch(left);
     this->Prefetch(right);
     const bool isLeftActive = this->Visit(left);
@@ -455,7 +452,7 @@ private:
     }
     else if (isLeftActive)
     {
-      this->template LeftOnly<Flip(In), StripEdge::Side, Last>(left);
+      this->template LeftBeside<Flip(In), Last>(left, right);
       this->template RightLeaf<Exit, true>(triangle, right);
     }
     else
@@ -463,7 +460,7 @@ private:
       this->template LeftLeaf<In, Last>(triangle, left);
       if (isRightActive)
       {
-        this->template RightOnly<StripEdge::Side, Flip(Exit), In == StripEdge::Bottom>(right);
+        this->template RightBeside<Flip(Exit), In == StripEdge::Bottom>(right, left);
       }
       else
       {
@@ -472,9 +469,34 @@ private:
     }
   }
 
+  /// A left half beside a right one that is not split: that forbids to split the edge between them,
+  /// unless nothing is drawn there.
+  template <StripEdge In, bool Last>
+  void LeftBeside(const Triangle& left, const Triangle& right)
+  {
+    if (this->IsHole(right))
+    {
+      this->template General<In, StripEdge::Side, Last>(left);
+      return;
+    }
+    this->template LeftOnly<In, StripEdge::Side, Last>(left);
+  }
+
+  /// The same with sides changed.
+  template <StripEdge Exit, bool Last>
+  void RightBeside(const Triangle& right, const Triangle& left)
+  {
+    if (this->IsHole(left))
+    {
+      this->template General<StripEdge::Side, Exit, Last>(right);
+      return;
+    }
+    this->template RightOnly<StripEdge::Side, Exit, Last>(right);
+  }
+
   /// A triangle that is split, and whose right half cannot be.
   template <StripEdge In, StripEdge Exit, bool Last>
-  void LeftOnly(const TriangleSite& triangle)
+  void LeftOnly(const Triangle& triangle)
   {
     this->Out.Reserve();
     if (this->IsFinest(triangle))
@@ -482,10 +504,10 @@ private:
       this->template BothLeaves<In, Exit, Last>(triangle);
       return;
     }
-    TriangleSite left = this->Half(triangle, 0);
+    Triangle left = this->Half(triangle, 0);
     if (this->Visit(left))
     {
-      this->template LeftOnly<Flip(In), StripEdge::Side, Last>(left);
+      this->template LeftBeside<Flip(In), Last>(left, this->Half(triangle, 1));
       this->template RightLeaf<Exit, true>(triangle, this->Half(triangle, 1));
       return;
     }
@@ -495,7 +517,7 @@ private:
 
   /// A triangle that is split, and whose left half cannot be.
   template <StripEdge In, StripEdge Exit, bool Last>
-  void RightOnly(const TriangleSite& triangle)
+  void RightOnly(const Triangle& triangle)
   {
     this->Out.Reserve();
     if (this->IsFinest(triangle))
@@ -504,22 +526,23 @@ private:
       return;
     }
     this->template LeftLeaf<In, Last>(triangle, this->Half(triangle, 0));
-    TriangleSite right = this->Half(triangle, 1);
+    Triangle right = this->Half(triangle, 1);
     if (this->Visit(right))
     {
-      this->template RightOnly<StripEdge::Side, Flip(Exit), In == StripEdge::Bottom>(right);
+      this->template RightBeside<Flip(Exit), In == StripEdge::Bottom>(
+        right, this->Half(triangle, 0));
       return;
     }
     this->template RightLeaf<Exit, In == StripEdge::Bottom>(triangle, right);
   }
 
-  void PlainTriangle(TriangleSite& triangle, bool drawn)
+  void PlainTriangle(Triangle& triangle, bool drawn)
   {
     this->Out.Reserve();
     const bool isActive = triangle.Depth <= this->Frame.Deepest && this->Visit(triangle);
     if (isActive)
     {
-      TriangleSite left = this->Half(triangle, 0);
+      Triangle left = this->Half(triangle, 0);
       this->PlainTriangle(left, HalfDrawn(triangle.Drawn, left.Direction));
     }
     else if (drawn)
@@ -537,7 +560,7 @@ private:
     }
     if (isActive)
     {
-      TriangleSite right = this->Half(triangle, 1);
+      Triangle right = this->Half(triangle, 1);
       this->PlainTriangle(right, HalfDrawn(triangle.Drawn, right.Direction));
     }
   }

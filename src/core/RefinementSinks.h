@@ -7,12 +7,12 @@
 #ifndef terrain_RefinementSinks_h
 #define terrain_RefinementSinks_h
 
+#include "core/RefinementIndex.h"
 #include "core/RefinementKernel.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
-#include <memory>
+#include <type_traits>
 #include <unordered_map>
 
 namespace terrain
@@ -128,6 +128,17 @@ public:
   }
 };
 
+/// Length from the eye to the vertex's sphere, or circle if that is further.
+TERRAIN_INLINE double GapOf(const VertexSite& site)
+{
+  return std::max(std::sqrt(site.Distance2) - site.RadiusReach, 1.0e-300);
+}
+TERRAIN_INLINE double GapOf(const DetailVertexSite& site)
+{
+  return std::max(
+    GapOf(static_cast<const VertexSite&>(site)), std::sqrt(site.FlatDistance2) - site.CircleReach);
+}
+
 /// No strip: counts triangles by the tolerance, relative to the frame's, at which they would
 /// appear.
 class CountSink
@@ -142,12 +153,10 @@ public:
   {
   }
 
-  std::uint32_t Vertex(
-    const RefinementFrame& frame, const VertexSite& site, std::uint32_t, std::uint32_t)
+  template <typename Site>
+  std::uint32_t Vertex(const RefinementFrame&, const Site& site, std::uint32_t, std::uint32_t)
   {
-    const double gap = std::sqrt(site.Distance2) - site.Record.Radius() * frame.RadiusScale;
-    const double ratio = site.Record.Error() * frame.ErrorScale / std::max(gap, 1.0e-300);
-    ++this->Buckets[BucketOf(ratio)];
+    ++this->Buckets[BucketOf(site.ErrorReach / GapOf(site))];
     ++this->Total;
     return 0;
   }
@@ -218,62 +227,6 @@ private:
   std::vector<std::int64_t> Buckets;
 };
 
-/// Index of the vertex of each record, of this mesh alone: entries of meshes before are known by
-/// their number and need not be cleared.
-class VertexIndex
-{
-public:
-  /// Makes room for a hierarchy's records; false if there is no memory. Memory that is never
-  /// touched is not taken.
-  bool Allocate(std::int64_t recordCount)
-  {
-    if (!this->Entries)
-    {
-      this->RecordCount = static_cast<std::size_t>(recordCount);
-      this->Entries.reset(
-        static_cast<std::uint32_t*>(std::calloc(this->RecordCount, sizeof(std::uint32_t))));
-      this->First = 1;
-    }
-    return this->Entries != nullptr;
-  }
-  /// Forgets the vertices of a mesh; `count` were numbered.
-  void Forget(std::uint32_t count)
-  {
-    this->First += count;
-    // As many again must fit: a mesh has fewer than 2^31 vertices.
-    if (this->First > (1u << 31))
-    {
-      std::fill_n(this->Entries.get(), this->RecordCount, 0u);
-      this->First = 1;
-    }
-  }
-  /// Index of the record's vertex, or a number that is no index below `count`.
-  std::uint32_t Find(std::uint32_t record) const
-  {
-    return this->Entries.get()[record] - this->First;
-  }
-  TERRAIN_INLINE void Prefetch(std::uint32_t record) const
-  {
-    __builtin_prefetch(this->Entries.get() + record);
-  }
-  void Set(std::uint32_t record, std::uint32_t index)
-  {
-    this->Entries.get()[record] = this->First + index;
-  }
-
-private:
-  struct FreeMemory
-  {
-    void operator()(std::uint32_t* memory) const
-    {
-      std::free(memory);
-    }
-  };
-  std::unique_ptr<std::uint32_t, FreeMemory> Entries;
-  std::size_t RecordCount = 0;
-  std::uint32_t First = 1;
-};
-
 /// Makes a mesh in which every sample is one vertex.
 class MeshSink : public StripSink
 {
@@ -281,6 +234,8 @@ public:
   AppendBuffer<StripVertex> Vertices;
   /// Vertices inside the raster, by record.
   VertexIndex Inside;
+  /// Vertices below the samples.
+  PositionIndex Below;
   bool Morphing = false;
 
   TERRAIN_INLINE void Prefetch(std::uint32_t record) const
@@ -295,6 +250,7 @@ public:
     this->Vertices.Begin(mesh.Vertices);
     this->Strip.Begin(mesh.Strip);
     this->Border.clear();
+    this->Below.Clear();
     this->Reserve();
   }
   void Finish(StripMesh& mesh)
@@ -310,16 +266,27 @@ public:
   }
 
   /// Adds a corner of the square.
-  std::uint32_t Corner(const AxisEntry& column, const AxisEntry& row, int corner, float height)
+  std::uint32_t Corner(const RefinementFrame& frame, const AxisEntry& column, const AxisEntry& row,
+    int corner, float height)
   {
-    return this->OnBorder(column.Sample, row.Sample,
-      { static_cast<std::uint16_t>(column.Sample), static_cast<std::uint16_t>(row.Sample), height,
-        0.0f, StripVertex::NoRecord + static_cast<std::uint32_t>(corner) });
+    StripVertex vertex;
+    vertex.Record = StripVertex::NoRecord + static_cast<std::uint32_t>(corner);
+    PlaceSample(frame, column.Sample, row.Sample, height, vertex);
+    return this->OnBorder(column.Sample, row.Sample, vertex);
   }
 
+  /// A sample of the base, or with detail a vertex below them.
+  template <typename Site>
   TERRAIN_INLINE std::uint32_t Vertex(
-    const RefinementFrame& frame, const VertexSite& site, std::uint32_t left, std::uint32_t right)
+    const RefinementFrame& frame, const Site& site, std::uint32_t left, std::uint32_t right)
   {
+    if constexpr (std::is_same_v<Site, DetailVertexSite>)
+    {
+      if (site.Depth >= frame.FirstDetail)
+      {
+        return this->BelowSamples(frame, site, left, right);
+      }
+    }
     if (site.Column->Sample == frame.LastColumn || site.Row->Sample == frame.LastRow)
     {
       return this->BorderVertex(frame, site, left, right);
@@ -339,15 +306,51 @@ private:
   /// Index of vertices that no drawn triangle uses: below all counts, never looked at.
   static constexpr std::uint32_t Beyond = 0;
 
+  template <typename Site>
   TERRAIN_NO_INLINE void Add(
-    const RefinementFrame& frame, const VertexSite& site, std::uint32_t left, std::uint32_t right)
+    const RefinementFrame& frame, const Site& site, std::uint32_t left, std::uint32_t right)
   {
     this->Vertices.Append(this->Make(frame, site, left, right));
   }
 
+  TERRAIN_INLINE std::uint32_t BelowSamples(const RefinementFrame& frame,
+    const DetailVertexSite& site, std::uint32_t left, std::uint32_t right)
+  {
+    const std::uint32_t next = this->Vertices.Count();
+    const std::uint32_t index = this->Below.FindOrAdd(site.Position, site.Depth->Shift, next);
+    if (index == next)
+    {
+      StripVertex vertex;
+      vertex.Column = static_cast<std::uint32_t>(site.Position);
+      vertex.Row = static_cast<std::uint32_t>(site.Position >> 32);
+      vertex.Height = site.BaseHeight + frame.Detail.Scale * site.Record.Height;
+      vertex.Record = StripVertex::BelowSamples;
+      if (this->Morphing)
+      {
+        this->Displace(site, left, right, vertex);
+      }
+      this->Vertices.Append(vertex);
+    }
+    return index;
+  }
+
+  /// Places a vertex on a sample of the base of a given height.
+  TERRAIN_INLINE static void PlaceSample(const RefinementFrame& frame, std::uint32_t column,
+    std::uint32_t row, float height, StripVertex& vertex)
+  {
+    vertex.Column = column << frame.Detail.Level;
+    vertex.Row = row << frame.Detail.Level;
+    vertex.Height = height;
+    if (frame.FirstDetail)
+    {
+      vertex.Height += frame.Detail.DetailHeight(vertex.Column, vertex.Row);
+    }
+  }
+
   /// On the last row and column several vertices of the hierarchy share a sample, and are one.
+  template <typename Site>
   TERRAIN_NO_INLINE std::uint32_t BorderVertex(
-    const RefinementFrame& frame, const VertexSite& site, std::uint32_t left, std::uint32_t right)
+    const RefinementFrame& frame, const Site& site, std::uint32_t left, std::uint32_t right)
   {
     return IsBeyond(frame, site)
       ? Beyond
@@ -365,30 +368,36 @@ private:
     return entry->second;
   }
 
-  TERRAIN_INLINE StripVertex Make(const RefinementFrame& frame, const VertexSite& site,
-    std::uint32_t left, std::uint32_t right) const
+  template <typename Site>
+  TERRAIN_INLINE StripVertex Make(
+    const RefinementFrame& frame, const Site& site, std::uint32_t left, std::uint32_t right) const
   {
     StripVertex vertex;
-    vertex.Column = static_cast<std::uint16_t>(site.Column->Sample);
-    vertex.Row = static_cast<std::uint16_t>(site.Row->Sample);
-    vertex.Height = site.Record.Height;
+    PlaceSample(frame, site.Column->Sample, site.Row->Sample, site.Record.Height, vertex);
     vertex.Record = site.Index;
     if (this->Morphing && !site.Record.IsRough())
     {
-      const StripVertex& a = this->Vertices[left];
-      const StripVertex& b = this->Vertices[right];
-      vertex.Displacement = 0.5f * (a.Displacement + b.Displacement) -
-        Morph(frame, site) * (vertex.Height - 0.5f * (a.Height + b.Height));
+      this->Displace(site, left, right, vertex);
     }
     return vertex;
   }
 
-  /// How far a vertex is from its own height: 1 to 0. See Refinement.h.
-  static float Morph(const RefinementFrame& frame, const VertexSite& site)
+  /// Morphs a vertex between the ends of its hypotenuse.
+  template <typename Site>
+  TERRAIN_INLINE void Displace(
+    const Site& site, std::uint32_t left, std::uint32_t right, StripVertex& vertex) const
+  {
+    const StripVertex& a = this->Vertices[left];
+    const StripVertex& b = this->Vertices[right];
+    vertex.Displacement = 0.5f * (a.Displacement + b.Displacement) -
+      Morph(site.ErrorReach / GapOf(site)) * (vertex.Height - 0.5f * (a.Height + b.Height));
+  }
+
+  /// How far a vertex is from its own height, 1 to 0; `ratio` of its projected error to that from
+  /// which it is active. See Refinement.h.
+  static float Morph(double ratio)
   {
     constexpr double end = kMorphEnd / kMorphBegin;
-    const double gap = std::sqrt(site.Distance2) - site.Record.Radius() * frame.RadiusScale;
-    const double ratio = site.Record.Error() * frame.ErrorScale / std::max(gap, 1.0e-300);
     // Not std::clamp, whose branches would wait for the division.
     return static_cast<float>(std::min(std::max((end - ratio) * (1.0 / (end - 1.0)), 0.0), 1.0));
   }
@@ -396,9 +405,10 @@ private:
   /// True if the diamond of a vertex beyond the raster does not touch it.
   static bool IsBeyond(const RefinementFrame& frame, const VertexSite& site)
   {
-    const auto x = static_cast<std::uint32_t>(site.Position);
-    const auto y = static_cast<std::uint32_t>(site.Position >> 32);
-    const std::uint32_t step = 1u << site.Depth->Shift;
+    const int level = frame.Detail.Level;
+    const std::uint32_t x = static_cast<std::uint32_t>(site.Position) >> level;
+    const std::uint32_t y = static_cast<std::uint32_t>(site.Position >> 32) >> level;
+    const std::uint32_t step = (1u << site.Depth->Shift) >> level;
     return x >= frame.LastColumn + step || y >= frame.LastRow + step;
   }
 

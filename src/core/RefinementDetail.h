@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Refinement below the samples of a base, over repeated detail (DetailHierarchy.h).
+ *
+ * Bounds. Let s be the step of a vertex of the detail in base cells, S the base's largest slope, K
+ * the largest |h00 + h11 - h10 - h01| of its cells, a half the detail's range, all as scaled.
+ *   Circle (Balogh, section 6.3): all descendants of a vertex at depth i are within r_i =
+ * l_i / (1 - 1 / sqrt 2) of it, horizontally, l_i = l_0 (1 / sqrt 2)^i its distance to its
+ * children.
+ *   Sphere: around the base's surface over the vertex, R_i = sqrt(1 + S^2) r_i + a; it holds the
+ * sum over the vertex's diamond and the spheres of all its descendants.
+ *   Error: that of the detail, plus K s^2 (even depths) or K s^2 / 4 (odd ones), the most that a
+ * patch of the base bends over such triangles.
+ * A sample of the base keeps its sphere, inflated by the sphere of a vertex of the detail and the
+ * way to it; its error is at least its own plus the detail's range, and that of any vertex of the
+ * detail. So both stay nested throughout.
+ *
+ * Departure. Balogh projects errors of the detail by the horizontal distance to the circle alone,
+ * and that of base vertices by the nearer one of sphere and circle. Here a vertex of the detail is
+ * active only if its error is too large at the distance of its circle and at that of its sphere,
+ * which are both nested. So an eye high above the ground refines no detail below it, and vertices
+ * of the base need their sphere alone.
+ */
+#ifndef terrain_RefinementDetail_h
+#define terrain_RefinementDetail_h
+
+#include "core/DetailHierarchy.h"
+#include "core/Hierarchy.h"
+
+#include <array>
+
+namespace terrain
+{
+/// Position modulo the size of a table; `mask` is size - 1 for powers of two, else 0.
+inline std::uint32_t Wrapped(std::uint32_t position, std::uint32_t size, std::uint32_t mask)
+{
+  return mask + 1 == size ? position & mask : position % size;
+}
+
+/// What the vertices of a depth below the base's samples share. Lengths in scaled space.
+struct DetailDepth
+{
+  const HierarchyRecord* Records = nullptr;
+  int Shift = 0;
+  glm::uvec2 Count{ 1, 1 };
+  glm::uvec2 Mask{ 0, 0 };
+  /// The sphere's radius; what it and that of the circle are for distances: 0 in parallel
+  /// projection.
+  double Radius = 0.0;
+  double RadiusReach = 0.0;
+  double CircleReach = 0.0;
+  /// Part of the error that is the base's, in units of its K, and its reach.
+  double Bend = 0.0;
+  double TwistReach = 0.0;
+
+  /// Record of the vertex at detail cell (x, y).
+  const HierarchyRecord& Record(std::uint32_t x, std::uint32_t y) const
+  {
+    const std::uint32_t column = Wrapped(x >> this->Shift, this->Count.x, this->Mask.x);
+    const std::uint32_t row = Wrapped(y >> this->Shift, this->Count.y, this->Mask.y);
+    return this->Records[column + this->Count.x * row];
+  }
+};
+
+/// What all vertices of a terrain with detail share.
+struct DetailFrame
+{
+  const HierarchyView* Base = nullptr;
+  const float* Heights = nullptr;
+  glm::uvec2 Period{ 1, 1 };
+  glm::uvec2 Mask{ 0, 0 };
+  /// log2 of the detail cells along a base cell.
+  int Level = 0;
+  /// Factor of the detail's heights, and the middle of their range, scaled.
+  float Scale = 1.0f;
+  double Middle = 0.0;
+  /// Heights of the base: corners of the square as in the summary, and its centre.
+  std::array<float, 4> Corners{};
+  float Centre = 0.0f;
+  /// A detail cell and the eye, in scaled space, for distances; and a detail cell for planes.
+  glm::dvec2 Step{ 1.0 };
+  glm::dvec2 Eye{ 0.0 };
+  glm::dvec2 PlaneStep{ 1.0 };
+  /// Reach of an error of 1 in the detail's own heights.
+  double ErrorScale = 0.0;
+  /// What is added to errors of the base's samples, and the least that they are then, as reaches.
+  double RangeReach = 0.0;
+  double FloorReach = 0.0;
+  /// What is added to their radii, and its reach.
+  double Radius = 0.0;
+  double RadiusReach = 0.0;
+
+  /// Height of the base's sample at detail cell (x, y).
+  float BaseHeight(std::uint32_t x, std::uint32_t y) const
+  {
+    return this->Base->HeightAt(x >> this->Level, y >> this->Level);
+  }
+  /// Scaled height of the detail at detail cell (x, y).
+  float DetailHeight(std::uint32_t x, std::uint32_t y) const
+  {
+    const std::uint32_t column = Wrapped(x, this->Period.x, this->Mask.x);
+    const std::uint32_t row = Wrapped(y, this->Period.y, this->Mask.y);
+    return this->Scale * this->Heights[column + static_cast<std::size_t>(this->Period.x) * row];
+  }
+};
+
+/// How steep a base is where it is drawn.
+struct BaseSteepness
+{
+  /// Largest slope of a patch, in height units over model units.
+  double Slope = 0.0;
+  /// Largest |h00 + h11 - h10 - h01| of a cell, in height units.
+  double Twist = 0.0;
+};
+
+/// What the radii of the detail's vertices are made of, in one space.
+struct DetailRelief
+{
+  /// sqrt(1 + S^2), S the base's largest slope.
+  double Slant = 1.0;
+  /// Half the detail's range.
+  double Half = 0.0;
+  /// Rounding of a height between the base's samples.
+  double Rounding = 0.0;
+};
+
+/// Radii of the circle and of the sphere of a vertex.
+struct DetailRadii
+{
+  double Circle = 0.0;
+  double Sphere = 0.0;
+};
+
+/// Radii of a vertex that is `length` from its children; `depths` depths, its own included, are
+/// left.
+DetailRadii DetailRadiiOf(double length, int depths, const DetailRelief& relief);
+
+/// Looks at all cells of a hierarchy; of a mapped file that reads all of it.
+BaseSteepness MeasureSteepness(const HierarchyView& hierarchy);
+}
+
+#endif

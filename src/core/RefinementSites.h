@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the inner loops (RefinementKernel.h) ask of vertices and triangles with detail.
+ */
+#ifndef terrain_RefinementSites_h
+#define terrain_RefinementSites_h
+
+#include "core/RefinementFrame.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace terrain
+{
+/// True if a diagonal hypotenuse rises to the east.
+inline bool IsRising(const DetailTriangleSite& triangle)
+{
+  const auto east = static_cast<std::int32_t>(triangle.ToLeft);
+  return (east > 0) == (triangle.ToLeft - east > 0);
+}
+
+/// Completes a half of a base cell.
+TERRAIN_NO_INLINE inline void EnterCell(const RefinementFrame& frame, DetailTriangleSite& triangle)
+{
+  const std::uint64_t opposite = triangle.Position - static_cast<std::uint64_t>(triangle.ToApex);
+  const float height = frame.Detail.BaseHeight(
+    static_cast<std::uint32_t>(opposite), static_cast<std::uint32_t>(opposite >> 32));
+  const float twist = 0.25f * (triangle.LeftBase + triangle.RightBase - triangle.ApexBase - height);
+  triangle.Twist = IsRising(triangle) ? twist : -twist;
+}
+
+/// Height of the base at the vertex that halves a triangle below the samples: the mean of its
+/// hypotenuse's ends, and between two diagonal ones the patch's bend.
+TERRAIN_INLINE float BaseAt(const DetailTriangleSite& triangle)
+{
+  const float mean = 0.5f * (triangle.LeftBase + triangle.RightBase);
+  if (triangle.Depth->IsOdd)
+  {
+    return mean;
+  }
+  return IsRising(triangle) ? mean - triangle.Twist : mean + triangle.Twist;
+}
+
+/// Makes error and sphere of a sample of the base hold for what is below it.
+TERRAIN_INLINE void AddDetail(const RefinementFrame& frame, DetailVertexSite& site)
+{
+  const DetailFrame& detail = frame.Detail;
+  site.BaseHeight = site.Record.Height;
+  site.ErrorReach = std::max(site.ErrorReach + detail.RangeReach, detail.FloorReach);
+  site.RadiusReach += detail.RadiusReach;
+  site.FlatDistance2 = 0.0;
+  site.CircleReach = 0.0;
+}
+
+/// True if a vertex below the samples takes part, culling aside.
+TERRAIN_INLINE bool IsDetailNeeded(
+  const RefinementFrame& frame, const DetailTriangleSite& triangle, DetailVertexSite& site)
+{
+  const DetailFrame& detail = frame.Detail;
+  const DetailDepth& depth = site.Depth->Detail;
+  const auto x = static_cast<std::uint32_t>(site.Position);
+  const auto y = static_cast<std::uint32_t>(site.Position >> 32);
+  site.Record = depth.Record(x, y);
+  site.BaseHeight = BaseAt(triangle);
+  const double dx = x * detail.Step.x - detail.Eye.x;
+  const double dy = y * detail.Step.y - detail.Eye.y;
+  const double dz = site.BaseHeight * frame.DistanceScale - frame.EyeHeight;
+  site.FlatDistance2 = dx * dx + dy * dy;
+  site.Distance2 = site.FlatDistance2 + dz * dz;
+  site.ErrorReach = site.Record.Error() * detail.ErrorScale + depth.TwistReach;
+  site.RadiusReach = depth.RadiusReach;
+  site.CircleReach = depth.CircleReach;
+  const double reach = site.ErrorReach + site.RadiusReach;
+  const double circle = site.ErrorReach + site.CircleReach;
+  return (int(reach * reach > site.Distance2) & int(circle * circle > site.FlatDistance2) &
+           int(site.ErrorReach > 0.0)) != 0;
+}
+
+/// Centre and radius of the sphere of a vertex, in the planes' space.
+inline std::pair<glm::dvec3, double> SphereOf(const RefinementFrame& frame, const VertexSite& site)
+{
+  return { frame.Step * glm::dvec3(site.Column->Sample, site.Row->Sample, site.Record.Height),
+    site.Record.Radius() };
+}
+inline std::pair<glm::dvec3, double> SphereOf(
+  const RefinementFrame& frame, const DetailVertexSite& site)
+{
+  const DetailFrame& detail = frame.Detail;
+  const double height = frame.Step.z * (site.BaseHeight + detail.Middle);
+  if (site.Depth >= frame.FirstDetail)
+  {
+    const glm::dvec2 position(static_cast<std::uint32_t>(site.Position), site.Position >> 32);
+    return { glm::dvec3(detail.PlaneStep * position, height), site.Depth->Detail.Radius };
+  }
+  return { glm::dvec3(frame.Step.x * site.Column->Sample, frame.Step.y * site.Row->Sample, height),
+    site.Record.Radius() + detail.Radius };
+}
+}
+
+#endif
