@@ -247,9 +247,11 @@ void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkTerrainUniforms& uniforms)
   uniforms.Set("terrainExaggeration",
     glm::vec2(glm::dvec2(factor, (1.0 - factor) * (origin - shift) * scale)));
 
-  // the coarse mesh bounds the heights without their detail: its top goes up, its floor down
+  // the coarse mesh bounds the heights without their detail: its top goes up, its floor down; the
+  // box bounds them with it
   const glm::dvec2 detail = this->Internals->Heights.GetDetailRange();
-  const bool lifts = this->Technique != Techniques::Mesh;
+  const bool lifts = this->Technique != Techniques::Mesh &&
+    this->CurrentInput->GetPoints() != this->Internals->Box->GetPoints();
   const double floor = origin + this->Internals->Heights.GetFloorThreshold();
   const std::array<glm::vec3, 1> lift{ glm::vec3(lifts
       ? glm::dvec3(factor * detail.y * scale, factor * detail.x * scale, (floor - shift) * scale)

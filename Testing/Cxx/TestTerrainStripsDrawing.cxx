@@ -217,7 +217,7 @@ TEST(TerrainStripsDrawing, WithDetailTheyAreTheSurfaceOfTheRays)
   rays->SetHeightsConnection(picture.Source->GetOutputPort());
   rays->SetDetailConnection(detail->GetOutputPort());
   rays->SetDetailCells(8);
-  rays->SetDetailScale(1.5);
+  rays->SetDetailScale(2.0); // the box of the terrain ends 40 m below the eye
   picture.Actor->SetMapper(rays);
   vtkCamera* camera = picture.Scene.Renderer->GetActiveCamera();
   double bounds[6];
@@ -233,7 +233,7 @@ TEST(TerrainStripsDrawing, WithDetailTheyAreTheSurfaceOfTheRays)
   picture.Actor->SetMapper(picture.Mapper);
   picture.Strips->SetDetailConnection(detail->GetOutputPort());
   picture.Strips->SetDetailCells(8);
-  picture.Strips->SetDetailScale(1.5);
+  picture.Strips->SetDetailScale(2.0);
   picture.Strips->SetTolerance(1.0);
   const double beyond = PartBeyond(picture.Depths(), reference, 1);
   std::printf("%g of the pixels beyond, %lld triangles\n", beyond,
