@@ -19,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
@@ -421,6 +422,24 @@ bool vtkTerrainStrips::PrepareDetail(vtkInformationVector* input)
   return true;
 }
 
+// Base and detail are images of different sizes, and both are needed whole.
+int vtkTerrainStrips::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    vtkInformation* input = inputVector[port]->GetInformationObject(0);
+    if (input && input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+    {
+      int extent[6];
+      input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+      input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkTerrainStrips::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
