@@ -75,7 +75,6 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--detail", "builtin", "--detail-cells", "0" }, "--detail-cells" },
   { { "--detail", "builtin", "--detail-cells", "1e9" }, "--detail-cells" },
   { { "--detail", "builtin", "--detail-height", "-1" }, "--detail-height" },
-  { { "--detail", "builtin", "--technique", "strips" }, "strips" },
   { { "--detail", "a.png", "--output", "a.png" }, "a.png" } };
 }
 
