@@ -7,8 +7,10 @@ build_dir=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."
 passed=$build_dir/lint-passed
 mkdir -p "$passed"
-# clang cannot read the headers that GCC has precompiled
-sed 's/-Winvalid-pch -include [^ ]*cmake_pch\.hxx//g' "$build_dir/compile_commands.json" \
+# Every file by itself, and without the headers that GCC has precompiled, which clang cannot read.
+cmake -G Ninja -S . -B "$passed/separate" -DCMAKE_UNITY_BUILD=OFF \
+  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >"$passed/configured.log"
+sed "s|$passed/separate/|$build_dir/|g" "$passed/separate/compile_commands.json" \
   >"$passed/compile_commands.json"
 
 common=$(cat .clang-tidy $(git ls-files '*.h') | cksum | tr -d ' ')

@@ -23,7 +23,7 @@ namespace
 // Length of the longer side when no spacing is given, in metres.
 constexpr double kDefaultLength = 40960.0;
 // Samples between two looks at the abort flag.
-constexpr std::int64_t kBlockSamples = std::int64_t{ 1 } << 22;
+constexpr std::int64_t kPieceSamples = std::int64_t{ 1 } << 22;
 
 template <typename T>
 void RoundHeights(const std::vector<float>& heights, std::int64_t count, T* rounded)
@@ -156,7 +156,7 @@ int vtkTerrainSource::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   this->PrepareLandscape();
-  const std::int64_t blockRows = std::clamp<std::int64_t>(kBlockSamples / width, 1, height);
+  const std::int64_t blockRows = std::clamp<std::int64_t>(kPieceSamples / width, 1, height);
   const bool rounds = this->OutputScalarType != VTK_FLOAT;
   std::vector<float> block(rounds ? static_cast<std::size_t>(width * blockRows) : 0);
   for (std::int64_t row = 0; row < height && !this->GetAbortExecute(); row += blockRows)

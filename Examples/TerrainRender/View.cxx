@@ -113,10 +113,9 @@ void SetClippingRange(vtkCamera* camera, const vtkBoundingBox& box)
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
-  constexpr double kMargin = 0.01;
-  const double nearPlane =
-    std::max((1.0 - kMargin) * nearest, kNearPlane * box.GetDiagonalLength());
-  camera->SetClippingRange(nearPlane, std::max((1.0 + kMargin) * farthest, 2.0 * nearPlane));
+  constexpr double kSlack = 0.01;
+  const double nearPlane = std::max((1.0 - kSlack) * nearest, kNearPlane * box.GetDiagonalLength());
+  camera->SetClippingRange(nearPlane, std::max((1.0 + kSlack) * farthest, 2.0 * nearPlane));
 }
 
 /// Throws a Failure about an option if there is a reason.

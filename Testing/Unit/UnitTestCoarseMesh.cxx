@@ -5,6 +5,8 @@
 #include "core/CoarseMesh.h"
 #include "core/CoarseMeshSurface.h"
 
+#include "UnitTestFields.h"
+
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
@@ -56,15 +58,6 @@ Field<T> MakeField(std::int64_t width, std::int64_t height, Function&& heightAt)
     }
   }
   return field;
-}
-
-/// Splits every range into single indices and takes them from the last to the first.
-void BackwardFor(std::int64_t count, const terrain::RangeBody& body)
-{
-  for (std::int64_t index = count; index-- > 0;)
-  {
-    body(index, index + 1);
-  }
 }
 
 /// Kinds of adversarial fields, by number.
@@ -520,7 +513,7 @@ TEST(CoarseMesh, SameHoweverRangesAreSplit)
   terrain::CoarseMeshOptions options;
   options.CellsPerQuad = 5;
   const auto once = terrain::BuildCoarseMesh(field.View(), options, terrain::SerialFor);
-  const auto split = terrain::BuildCoarseMesh(field.View(), options, BackwardFor);
+  const auto split = terrain::BuildCoarseMesh(field.View(), options, terrain::BackwardFor);
   EXPECT_EQ(once.LargestGap, split.LargestGap);
   EXPECT_EQ(once.QuadKept, split.QuadKept);
   EXPECT_EQ(once.MinimumHeight, split.MinimumHeight);

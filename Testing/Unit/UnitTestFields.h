@@ -9,8 +9,10 @@
 
 #include "core/HeightCodes.h"
 #include "core/MinMaxPyramid.h"
+#include "core/ParallelFor.h"
 #include "core/PyramidTraversal.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -21,6 +23,15 @@
 
 namespace terrain
 {
+/// Splits every range into pieces of three, and takes them from the last to the first.
+inline void BackwardFor(std::int64_t count, const RangeBody& body)
+{
+  for (std::int64_t end = count; end > 0; end -= 3)
+  {
+    body(std::max<std::int64_t>(end - 3, 0), end);
+  }
+}
+
 /// Samples with NaN for no data.
 struct TestField
 {

@@ -18,7 +18,7 @@ terrain::HeightfieldView<double> View(const std::vector<double>& samples, std::i
   return view;
 }
 
-std::vector<double> Field(std::int64_t width, std::int64_t height, double (*h)(double, double))
+std::vector<double> SamplesOf(std::int64_t width, std::int64_t height, double (*h)(double, double))
 {
   std::vector<double> samples;
   for (std::int64_t j = 0; j < height; ++j)
@@ -35,7 +35,7 @@ std::vector<double> Field(std::int64_t width, std::int64_t height, double (*h)(d
 TEST(HeightSampling, BilinearIsThePatch)
 {
   const std::vector<double> samples =
-    Field(5, 4, [](double x, double y) { return 3.0 + 2.0 * x - y + 0.5 * x * y; });
+    SamplesOf(5, 4, [](double x, double y) { return 3.0 + 2.0 * x - y + 0.5 * x * y; });
   const auto view = View(samples, 5);
   for (double y = 0.0; y <= 3.0; y += 0.125)
   {
@@ -49,7 +49,7 @@ TEST(HeightSampling, BilinearIsThePatch)
 TEST(HeightSampling, CubicIsExactForQuadratics)
 {
   const std::vector<double> samples =
-    Field(8, 7, [](double x, double y) { return x * x - 0.3 * y * y + x * y; });
+    SamplesOf(8, 7, [](double x, double y) { return x * x - 0.3 * y * y + x * y; });
   const auto view = View(samples, 8);
   for (double y = 1.0; y < 5.0; y += 0.25)
   {
@@ -64,7 +64,8 @@ TEST(HeightSampling, CubicIsExactForQuadratics)
 
 TEST(HeightSampling, BorderAndOutside)
 {
-  const std::vector<double> samples = Field(3, 3, [](double x, double y) { return x + 10.0 * y; });
+  const std::vector<double> samples =
+    SamplesOf(3, 3, [](double x, double y) { return x + 10.0 * y; });
   const auto view = View(samples, 3);
   EXPECT_EQ(terrain::SampleBilinear(view, 2.0, 2.0), 22.0);
   EXPECT_EQ(terrain::SampleBilinear(view, 2.0 + 1e-7, -1e-7), 2.0);
@@ -75,7 +76,7 @@ TEST(HeightSampling, BorderAndOutside)
 
 TEST(HeightSampling, NoDataSpreadsOverItsCellsOnly)
 {
-  std::vector<double> samples = Field(6, 6, [](double x, double y) { return x + 10.0 * y; });
+  std::vector<double> samples = SamplesOf(6, 6, [](double x, double y) { return x + 10.0 * y; });
   samples[2 + 6 * 2] = std::nan("");
   const auto view = View(samples, 6);
   EXPECT_TRUE(std::isnan(terrain::SampleBilinear(view, 1.5, 1.5)));

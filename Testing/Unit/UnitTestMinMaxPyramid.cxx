@@ -17,15 +17,6 @@ using terrain::GridRectangle;
 using terrain::HeightfieldView;
 using terrain::MinMaxPyramid;
 
-// Splits a range in pieces of 3, backwards.
-void BackwardFor(std::int64_t count, const terrain::RangeBody& body)
-{
-  for (std::int64_t end = count; end > 0; end -= 3)
-  {
-    body(std::max<std::int64_t>(end - 3, 0), end);
-  }
-}
-
 // Bounds of all cells with a surface under node (x, y), straight from the definition.
 template <typename T>
 terrain::PyramidNode<T> Expected(
@@ -154,7 +145,7 @@ TEST(MinMaxPyramid, DoesNotDependOnHowWorkIsSplit)
     MinMaxPyramid<double> serial;
     serial.Build(field.View(), terrain::SerialFor);
     MinMaxPyramid<double> split;
-    split.Build(field.View(), BackwardFor);
+    split.Build(field.View(), terrain::BackwardFor);
     ASSERT_EQ(serial.MemorySize(), split.MemorySize());
     EXPECT_EQ(std::memcmp(serial.LevelNodes(1), split.LevelNodes(1), serial.MemorySize()), 0);
   }

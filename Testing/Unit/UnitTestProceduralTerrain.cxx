@@ -3,6 +3,8 @@
 #include "core/LatticeNoise.h"
 #include "core/ProceduralTerrain.h"
 
+#include "UnitTestFields.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,15 +48,6 @@ std::uint32_t HashBits(const std::vector<float>& values)
     }
   }
   return hash;
-}
-
-// Ranges of three rows, the last first.
-void BackwardFor(std::int64_t count, const terrain::RangeBody& body)
-{
-  for (std::int64_t end = count; end > 0; end -= 3)
-  {
-    body(std::max<std::int64_t>(end - 3, 0), end);
-  }
 }
 }
 
@@ -106,7 +99,7 @@ TEST(ProceduralTerrain, IsTheSameHoweverTheRowsAreSplit)
   const terrain::ProceduralTerrainParameters parameters = MakeParameters(64, 50);
   const terrain::ProceduralTerrain landscape(parameters);
   std::vector<float> heights(3200);
-  landscape.Sample(0, 0, 64, 50, heights.data(), BackwardFor);
+  landscape.Sample(0, 0, 64, 50, heights.data(), terrain::BackwardFor);
   EXPECT_EQ(heights, SampleWhole(parameters));
 }
 

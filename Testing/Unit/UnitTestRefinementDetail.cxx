@@ -121,7 +121,7 @@ Raster MakeDetail(std::int64_t width, std::int64_t height, unsigned seed = 5)
   return detail;
 }
 
-RefinementOptions WithTolerance(double tolerance)
+RefinementOptions DetailWithin(double tolerance)
 {
   RefinementOptions options;
   options.Tolerance = tolerance;
@@ -207,7 +207,7 @@ TEST(RefinementDetail, IsConformingAndOfTheSumsHeights)
     {
       for (const bool morphing : { false, true })
       {
-        RefinementOptions options = WithTolerance(tolerance);
+        RefinementOptions options = DetailWithin(tolerance);
         options.Morphing = morphing;
         const StripMesh mesh = sum.Refine(sum.View(0.3, 0.2, 20.0), options);
         EXPECT_EQ(WhyNotConforming(mesh), "")
@@ -234,7 +234,7 @@ TEST(RefinementDetail, KeepsEveryTriangleWithinTheTolerance)
       for (const bool morphing : { false, true })
       {
         const RefinementView view = sum.View(0.4, -0.5, 30.0);
-        RefinementOptions options = WithTolerance(tolerance);
+        RefinementOptions options = DetailWithin(tolerance);
         options.Morphing = morphing;
         EXPECT_LE(LargestError(sum, sum.Refine(view, options), view), tolerance + 0.01)
           << sum.Whole.Width << " x " << sum.Whole.Height << (morphing ? " morphing" : "");
@@ -248,7 +248,7 @@ TEST(RefinementDetail, ReachesEverySampleOfTheSumAtSmallTolerance)
   for (const Sum& sum : MakeSums())
   {
     const bool isFlat = sum.Scale == 0.0 || sum.Detail.Heights.size() == 1;
-    const StripMesh mesh = sum.Refine(sum.View(0.3, 0.2, 5.0), WithTolerance(1.0e-6));
+    const StripMesh mesh = sum.Refine(sum.View(0.3, 0.2, 5.0), DetailWithin(1.0e-6));
     std::int64_t area = 0;
     for (const Triangle& t : Triangles(mesh))
     {
@@ -257,7 +257,7 @@ TEST(RefinementDetail, ReachesEverySampleOfTheSumAtSmallTolerance)
     }
     EXPECT_EQ(area, 2 * sum.Whole.ValidCells());
     // Far away it is coarse.
-    EXPECT_LE(sum.Refine(sum.View(0.3, 0.2, 1.0e7), WithTolerance(1.0)).Triangles,
+    EXPECT_LE(sum.Refine(sum.View(0.3, 0.2, 1.0e7), DetailWithin(1.0)).Triangles,
       sum.Hierarchy.Summary.HasHoles ? mesh.Triangles : 8);
   }
 }
@@ -399,7 +399,7 @@ TEST(RefinementDetail, PlainAndImprovedMakeTheSameTriangles)
 {
   for (const Sum& sum : MakeSums())
   {
-    RefinementOptions options = WithTolerance(3.0);
+    RefinementOptions options = DetailWithin(3.0);
     const RefinementView view = sum.View(0.7, 0.6, 10.0);
     const StripMesh improved = sum.Refine(view, options);
     options.Method = RefinementMethod::Plain;
@@ -413,7 +413,7 @@ TEST(RefinementDetail, CullingLosesNothingThatIsSeen)
 {
   const Sum sum(MakeHills(17, 14), MakeDetail(16, 16), 3, 1.0);
   RefinementView view = sum.View(0.5, 0.4, 15.0);
-  const std::set<Triangle> whole = TriangleSet(sum.Refine(view, WithTolerance(2.0)));
+  const std::set<Triangle> whole = TriangleSet(sum.Refine(view, DetailWithin(2.0)));
   for (int turn = 0; turn < 6; ++turn)
   {
     const double angle = 1.0471975511965976 * turn;
@@ -423,7 +423,7 @@ TEST(RefinementDetail, CullingLosesNothingThatIsSeen)
       glm::dvec4(right, -glm::dot(right, view.Eye)) };
     for (const CullingMethod culling : { CullingMethod::Nested, CullingMethod::Lazy })
     {
-      RefinementOptions options = WithTolerance(2.0);
+      RefinementOptions options = DetailWithin(2.0);
       options.Culling = culling;
       const StripMesh mesh = sum.Refine(view, options);
       EXPECT_LT(mesh.Triangles, static_cast<std::int64_t>(whole.size()));
@@ -453,7 +453,7 @@ TEST(RefinementDetail, KeepsTheTriangleBudgetAndParallelProjection)
     RefinementView view = sum.View(0.3, 0.2, 20.0);
     view.Parallel = parallel;
     view.PixelsPerUnit = parallel ? 10.0 : view.PixelsPerUnit;
-    RefinementOptions options = WithTolerance(0.5);
+    RefinementOptions options = DetailWithin(0.5);
     const std::int64_t free = sum.Refine(view, options).Triangles;
     EXPECT_GT(free, 2000);
     for (const std::int64_t budget : { 4, 100, 1000 })

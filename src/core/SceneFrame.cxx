@@ -5,6 +5,8 @@
 // through GeographicLib.
 #include "core/SceneFrame.h"
 
+#include "core/Angles.h"
+
 #include <GeographicLib/Constants.hpp>
 #include <GeographicLib/Geocentric.hpp>
 #include <GeographicLib/PolarStereographic.hpp>
@@ -15,7 +17,8 @@
 
 namespace
 {
-constexpr double kDegree = 0.017453292519943295769236907684886;
+using terrain::kDegree;
+
 // WGS84: semi-axes in metres, squared eccentricities.
 constexpr double kA = 6378137.0;
 constexpr double kFlattening = 1.0 / 298.257223563;
@@ -32,7 +35,7 @@ constexpr double kUpsEasting = 2000000.0;
 
 const glm::dvec3 kNowhere(std::numeric_limits<double>::quiet_NaN());
 
-double Wrapped(double longitude)
+double WrapLongitude(double longitude)
 {
   return longitude >= -180.0 && longitude <= 180.0 ? longitude : std::remainder(longitude, 360.0);
 }
@@ -73,7 +76,7 @@ glm::dvec3 PlaceToGeocentric(const glm::dvec3& place, double longitudeOfX)
   {
     return kNowhere;
   }
-  const double longitude = Wrapped(place.x - longitudeOfX) * kDegree;
+  const double longitude = WrapLongitude(place.x - longitudeOfX) * kDegree;
   const double sinLatitude = std::sin(place.y * kDegree);
   // Exactly on the axis at the poles, whatever the rounding of pi.
   const double cosLatitude = std::abs(place.y) == 90.0 ? 0.0 : std::cos(place.y * kDegree);
@@ -96,7 +99,7 @@ glm::dvec3 GeocentricToPlace(const glm::dvec3& position, double longitudeOfX)
     glm::dvec3 place;
     GeographicLib::Geocentric::WGS84().Reverse(
       position.x, position.y, position.z, place.y, place.x, place.z);
-    place.x = Wrapped(place.x + longitudeOfX);
+    place.x = WrapLongitude(place.x + longitudeOfX);
     return place;
   }
   // Reduced latitude (sine, cosine), exact on the ellipsoid to begin with.
@@ -120,8 +123,8 @@ glm::dvec3 GeocentricToPlace(const glm::dvec3& position, double longitudeOfX)
   cosLatitude *= length;
   const double height = p * cosLatitude + position.z * sinLatitude -
     kA * std::sqrt(1.0 - kE2 * sinLatitude * sinLatitude);
-  return { Wrapped(std::atan2(position.y, position.x) / kDegree + longitudeOfX), latitude / kDegree,
-    height };
+  return { WrapLongitude(std::atan2(position.y, position.x) / kDegree + longitudeOfX),
+    latitude / kDegree, height };
 }
 
 SceneFrame SceneFrame::AtOrigin(SceneKind kind, const glm::dvec3& origin)
@@ -212,7 +215,7 @@ glm::dvec3 SceneFrame::PlaneToPlace(const glm::dvec3& scene) const
   }
   const glm::dvec3 foot = start - (c / (b + std::sqrt(discriminant))) * up;
   const double p = std::sqrt(foot.x * foot.x + foot.y * foot.y);
-  return { Wrapped(std::atan2(foot.y, foot.x) / kDegree + this->TheOrigin.x),
+  return { WrapLongitude(std::atan2(foot.y, foot.x) / kDegree + this->TheOrigin.x),
     std::atan2(foot.z, (1.0 - kE2) * p) / kDegree, scene.z + this->TheOrigin.z };
 }
 

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/SunPosition.h"
 
+#include "core/Angles.h"
+
 #include <array>
 #include <cmath>
 #include <regex>
 
 namespace
 {
-constexpr double kDegree = 0.017453292519943295769236907684886;
+using terrain::kDegree;
 
 bool IsLeap(int year)
 {
