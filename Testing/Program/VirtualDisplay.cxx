@@ -8,8 +8,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <set>
+#include <string>
+#include <system_error>
 #include <thread>
 
 #include <X11/XKBlib.h>
@@ -40,6 +44,25 @@ bool WaitUntil(const std::function<bool()>& condition)
       return false;
     }
     std::this_thread::sleep_for(kBetweenLooks);
+  }
+  return true;
+}
+
+/// Whether all threads of a process wait for something: none computes, or would if it had a core.
+bool IsAtRest(pid_t process)
+{
+  std::error_code gone;
+  const std::filesystem::path threads = "/proc/" + std::to_string(process) + "/task";
+  for (const auto& thread : std::filesystem::directory_iterator(threads, gone))
+  {
+    std::ifstream stream(thread.path() / "stat");
+    std::string words;
+    std::getline(stream, words); // the state follows the name, which is in parentheses
+    const std::size_t nameEnd = words.rfind(')');
+    if (nameEnd != std::string::npos && words.compare(nameEnd, 3, ") S") != 0)
+    {
+      return false;
+    }
   }
   return true;
 }
@@ -344,7 +367,7 @@ Screenshot VirtualDisplay::CaptureStill()
     [&]
     {
       Screenshot now = this->Capture();
-      looks = now == last ? looks + 1 : 0;
+      looks = now == last && IsAtRest(this->Program) ? looks + 1 : 0;
       last = std::move(now);
       return looks >= kStillLooks;
     });

@@ -72,7 +72,7 @@ public:
 
   /// The window as it is.
   Screenshot Capture();
-  /// The window once it has stopped changing.
+  /// The window once it has stopped changing, and its program computes nothing more.
   Screenshot CaptureStill();
   /// The window once it differs from a picture, and has stopped changing; that picture if it never
   /// does.
