@@ -4,6 +4,7 @@
 
 #include "vtkTerrainGL.h"
 #include "vtkTerrainMapperInternals.h"
+#include "vtkTerrainUniforms.h"
 
 #include "core/DetailHeights.h"
 
@@ -21,6 +22,8 @@
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -45,6 +48,47 @@ glm::dmat4 toGlm(vtkMatrix4x4* matrix)
   }
   return result;
 }
+
+/// A matrix of the camera's, which VTK keeps transposed, for OpenGL.
+glm::dmat4 cameraMatrix(vtkMatrix4x4* matrix)
+{
+  return glm::transpose(toGlm(matrix));
+}
+
+/// Matrix from the coordinates of a vertex buffer, which VTK may shift and scale, to model
+/// coordinates.
+glm::dmat4 modelFromBuffer(vtkOpenGLVertexBufferObject* vertices)
+{
+  glm::dmat4 matrix(1.0);
+  if (vertices && vertices->GetCoordShiftAndScaleEnabled())
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      matrix[axis][axis] = 1.0 / vertices->GetScale()[axis];
+      matrix[3][axis] = vertices->GetShift()[axis];
+    }
+  }
+  return matrix;
+}
+
+/// World to view coordinates, and these to display coordinates.
+struct ViewMatrices
+{
+  glm::dmat4 ViewFromWorld;
+  glm::dmat4 DisplayFromView;
+
+  explicit ViewMatrices(vtkRenderer* ren)
+  {
+    vtkMatrix4x4* worldToView = nullptr;
+    vtkMatrix4x4* viewToDisplay = nullptr;
+    vtkMatrix4x4* worldToDisplay = nullptr;
+    vtkMatrix3x3* normals = nullptr;
+    static_cast<vtkOpenGLCamera*>(ren->GetActiveCamera())
+      ->GetKeyMatrices(ren, worldToView, normals, viewToDisplay, worldToDisplay);
+    this->ViewFromWorld = cameraMatrix(worldToView);
+    this->DisplayFromView = cameraMatrix(viewToDisplay);
+  }
+};
 
 /// Matrix from grid to model coordinates; z of grid coordinates are height codes.
 glm::dmat4 gridToModel(
@@ -430,16 +474,8 @@ void vtkOpenGLTerrainMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
 void vtkOpenGLTerrainMapper::UpdateView(vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& internals = *this->Internals;
-  vtkMatrix4x4* worldToView = nullptr;
-  vtkMatrix4x4* viewToDisplay = nullptr;
-  vtkMatrix4x4* worldToDisplay = nullptr;
-  vtkMatrix3x3* normals = nullptr;
-  static_cast<vtkOpenGLCamera*>(ren->GetActiveCamera())
-    ->GetKeyMatrices(ren, worldToView, normals, viewToDisplay, worldToDisplay);
-  // VTK keeps these matrices transposed, for OpenGL
-  const glm::dmat4 viewFromWorld = glm::transpose(toGlm(worldToView));
-  const glm::dmat4 displayFromView = glm::transpose(toGlm(viewToDisplay));
-  const glm::dmat4 viewFromModel = viewFromWorld * toGlm(act->GetMatrix());
+  const ViewMatrices matrices(ren);
+  const glm::dmat4 viewFromModel = matrices.ViewFromWorld * toGlm(act->GetMatrix());
   const glm::dmat4 viewFromGrid = viewFromModel *
     gridToModel(
       internals.Heights.GetGeometry(), internals.Heights.GetCodes(), this->VerticalExaggeration);
@@ -450,7 +486,7 @@ void vtkOpenGLTerrainMapper::UpdateView(vtkRenderer* ren, vtkActor* act)
     ->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
   internals.Viewport = { viewport[0], viewport[1], viewport[2], viewport[3] };
   const glm::dvec4 pixels(internals.Viewport);
-  internals.Rays = terrain::MakePixelRays(viewFromGrid, displayFromView, pixels);
+  internals.Rays = terrain::MakePixelRays(viewFromGrid, matrices.DisplayFromView, pixels);
   internals.ViewToGrid = glm::inverse(viewFromGrid);
   internals.ViewToModel = glm::inverse(viewFromModel);
   internals.KeepsOrientation = glm::determinant(glm::dmat3(viewFromGrid)) > 0.0;
@@ -458,6 +494,29 @@ void vtkOpenGLTerrainMapper::UpdateView(vtkRenderer* ren, vtkActor* act)
   const auto nearBounds = terrain::NearBoundsGC(internals.Rays, pixels);
   internals.EyeInBox = glm::all(glm::lessThanEqual(nearBounds[0], internals.BoxMaximumGC)) &&
     glm::all(glm::greaterThanEqual(nearBounds[1], internals.BoxMinimumGC));
+}
+
+//------------------------------------------------------------------------------
+// Vertices are exaggerated by their matrices, in double precision: the heights that are drawn may
+// be far larger than those in the buffer.
+void vtkOpenGLTerrainMapper::SetCameraShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::SetCameraShaderParameters(cellBO, ren, act);
+  if (!this->Internals->Why.empty() || this->VerticalExaggeration == 1.0)
+  {
+    return;
+  }
+  const double factor = this->VerticalExaggeration;
+  glm::dmat4 exaggeration(1.0);
+  exaggeration[2][2] = factor;
+  exaggeration[3][2] = (1.0 - factor) * this->Internals->Heights.GetGeometry().Origin.z;
+  const ViewMatrices matrices(ren);
+  const glm::dmat4 viewFromBuffer = matrices.ViewFromWorld * toGlm(act->GetMatrix()) *
+    exaggeration * modelFromBuffer(this->VBOs->GetVBO("vertexMC"));
+  vtkTerrainProgramUniforms uniforms(cellBO.Program);
+  uniforms.Set("MCVCMatrix", glm::mat4(viewFromBuffer));
+  uniforms.Set("MCDCMatrix", glm::mat4(matrices.DisplayFromView * viewFromBuffer));
 }
 
 //------------------------------------------------------------------------------

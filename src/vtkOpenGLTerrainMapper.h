@@ -440,6 +440,7 @@ protected:
   bool DrawingEdges(vtkRenderer* ren, vtkActor* act) override;
   void UpdateMaximumPointCellIds(vtkRenderer* ren, vtkActor* act) override;
   void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+  void SetCameraShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
 
 private:
   class vtkInternals;

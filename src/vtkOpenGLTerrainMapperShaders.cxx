@@ -164,20 +164,18 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
 }
 
 //------------------------------------------------------------------------------
-// Replace: vertices are exaggerated, and the position in view coordinates is there without lights,
+// Replace: detail moves vertices, and the position in view coordinates is there without lights,
 // too.
 void vtkOpenGLTerrainMapper::ReplaceShaderPositionVC(
   ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
 {
   vtkShader* vertex = shaders[vtkShader::Vertex];
   vtkTerrainSubstitute(this, vertex, "//VTK::PositionVC::Dec",
-    "uniform vec2 terrainExaggeration; // z drawn = x * z + y, in the coordinates of the buffer\n"
-    "uniform vec3 terrainLift; // z drawn is moved by x, or by y where z in the buffer < z\n"
+    "uniform vec3 terrainLift; // z in the buffer is moved by x, or by y where it is < z\n"
     "out vec4 vertexVCVSOutput;\n");
   vtkTerrainSubstitute(this, vertex, "//VTK::PositionVC::Impl",
     "vec4 terrainVertexMC = vec4(vertexMC.xy,\n"
-    "    terrainExaggeration.x * vertexMC.z + terrainExaggeration.y +\n"
-    "    (vertexMC.z < terrainLift.z ? terrainLift.y : terrainLift.x), 1.0);\n"
+    "    vertexMC.z + (vertexMC.z < terrainLift.z ? terrainLift.y : terrainLift.x), 1.0);\n"
     "  vertexVCVSOutput = MCVCMatrix * terrainVertexMC;\n"
     "  gl_Position = MCDCMatrix * terrainVertexMC;\n");
   vtkTerrainSubstitute(

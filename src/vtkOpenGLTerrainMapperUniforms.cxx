@@ -229,7 +229,7 @@ vtkSmartPointer<vtkImageData> vtkOpenGLTerrainMapper::ReadCrossings()
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkTerrainUniforms& uniforms)
 {
-  if (!uniforms.Uses("terrainExaggeration"))
+  if (!uniforms.Uses("terrainLift"))
   {
     return;
   }
@@ -241,20 +241,15 @@ void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkTerrainUniforms& uniforms)
     shift = vertices->GetShift()[2];
     scale = vertices->GetScale()[2];
   }
-  // in the buffer z is (z - shift) * scale; drawn is origin + exaggeration * (z - origin)
-  const double factor = this->Internals->Why.empty() ? this->VerticalExaggeration : 1.0;
-  const double origin = this->Internals->Heights.GetGeometry().Origin.z;
-  uniforms.Set("terrainExaggeration",
-    glm::vec2(glm::dvec2(factor, (1.0 - factor) * (origin - shift) * scale)));
-
-  // the coarse mesh bounds the heights without their detail: its top goes up, its floor down; the
-  // box bounds them with it
+  // in the buffer z is (z - shift) * scale; the coarse mesh bounds the heights without their
+  // detail: its top goes up, its floor down; the box bounds them with it
   const glm::dvec2 detail = this->Internals->Heights.GetDetailRange();
   const bool lifts = this->Technique != Techniques::Mesh &&
     this->CurrentInput->GetPoints() != this->Internals->Box->GetPoints();
-  const double floor = origin + this->Internals->Heights.GetFloorThreshold();
+  const double floor =
+    this->Internals->Heights.GetGeometry().Origin.z + this->Internals->Heights.GetFloorThreshold();
   const std::array<glm::vec3, 1> lift{ glm::vec3(lifts
-      ? glm::dvec3(factor * detail.y * scale, factor * detail.x * scale, (floor - shift) * scale)
+      ? glm::dvec3(detail.y * scale, detail.x * scale, (floor - shift) * scale)
       : glm::dvec3(0.0)) };
   uniforms.SetArray("terrainLift", 1, lift.data());
 }

@@ -109,9 +109,9 @@ TEST(OpenGLTerrainMapperExact, DrawsAdversarialFields)
     drawing.SetHeights(toImage(field));
     double range[2];
     drawing.Mapper->GetHeightRange(range);
-    const bool flat = range[1] - range[0] < 1.0; // on large heights
+    const double relief = range[1] - range[0];
     drawing.Mapper->SetVerticalExaggeration(
-      flat ? 1.0 : heightOf(field.Width, field.Height) / (range[1] - range[0]));
+      relief > 0.0 ? heightOf(field.Width, field.Height) / relief : 1.0);
     int hits = 0;
     for (const Place& place : Places)
     {
