@@ -91,25 +91,28 @@ TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front, out vec4 co
   TerrainHit hit = terrainNoHit();
   float pace = length(terrainAtPixelGC(pixel).xy);
   float begin = 0.0;
-  bool again = true;
+  bool again = false;
   front = true;
   codes = vec4(0.0);
-  for (int attempt = 0; again && attempt < 2; ++attempt)
+  bool first = true;
+  // The loop tests at its end: processors that run both sides of a branch then do no round in vain.
+  do
   {
     float start = range.x + begin;
     TerrainRay ray = terrainPixelRay(pixel, start, range.y);
     TerrainHit next = terrainTrace(ray, start);
     next.crossings += hit.crossings;
-    if (next.found || attempt == 0)
+    if (next.found || first)
     {
       hit = next;
       hit.s += begin;
       codes = terrainCellCodes(next.cell);
       front = terrainSeesFront(ray, next, codes);
     }
-    again = hit.found && (hit.s - begin) * pace > terrainLongRay;
+    again = first && hit.found && (hit.s - begin) * pace > terrainLongRay;
     begin = hit.s - 4.0 / max(pace, 1e-30);
-  }
+    first = false;
+  } while (again);
   return hit;
 }
 
