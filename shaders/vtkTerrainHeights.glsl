@@ -62,8 +62,9 @@ uniform ivec2 terrainDetailPeriod; // its size, samples
 uniform int terrainDetailLevel;    // 2^level detail cells along a cell of texels
 uniform float terrainDetailScale;  // height codes per code of the detail
 
-// index % period of 0 <= index < 2^24: exact, and on processors that divide integers one by one a
-// tenth of the work.
+// index % period of 0 <= index < 2^22, more than there are cells: exact, although a quotient may be off
+// by one, and on processors that divide integers one by one a tenth of the work. Twin: Wrap() in
+// src/core/DetailHeights.h.
 ivec2 terrainWrap(ivec2 index, ivec2 period)
 {
   ivec2 rest = index - period * ivec2(vec2(index) / vec2(period));

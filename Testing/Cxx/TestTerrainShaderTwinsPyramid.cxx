@@ -5,6 +5,7 @@
 // rays through the same fields, node for node.
 #include "vtkTerrainTesting.h"
 
+#include "../Unit/UnitTestDetail.h"
 #include "../Unit/UnitTestRays.h"
 #include "core/PyramidBeam.h"
 #include "vtkTerrainGL.h"
@@ -28,10 +29,9 @@ using terrain::TerrainHit;
 using terrain::TerrainRay;
 using vtkTerrainTesting::ReadShader;
 
-std::string declarations(bool integer, bool columns)
+std::string declarations(bool integer, const std::string& defines)
 {
-  return std::string(integer ? "#define TERRAIN_HEIGHTS_INTEGER\n" : "") +
-    std::string(columns ? "#define TERRAIN_COLUMNS\n" : "") +
+  return std::string(integer ? "#define TERRAIN_HEIGHTS_INTEGER\n" : "") + defines +
     "#define TERRAIN_WITHIN\nuint terrainVisits = 0u;\n"
     "#define TERRAIN_VISIT(node, level) terrainVisits = terrainVisits * 31u + "
     "uint((node).x * 7 + (node).y * 13 + level);\n" +
@@ -41,44 +41,79 @@ std::string declarations(bool integer, bool columns)
     "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w, b.w); }\n";
 }
 
+void prepare(
+  vtkRenderWindow* window, vtkTextureObject* texture, unsigned int internal, unsigned int format)
+{
+  texture->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  texture->SetInternalFormat(internal);
+  texture->SetFormat(format);
+}
+
+/// Uploads the texels of a field and activates the texture.
+template <typename Texel>
+void uploadTexels(
+  vtkRenderWindow* window, vtkTextureObject* texture, glm::uvec2 size, const Texel* texels)
+{
+  constexpr bool integer = std::is_integral_v<Texel>;
+  prepare(window, texture, integer ? GL_R16UI : GL_R32F, integer ? GL_RED_INTEGER : GL_RED);
+  texture->Create2DFromRaw(size.x, size.y, 1, integer ? VTK_UNSIGNED_SHORT : VTK_FLOAT,
+    const_cast<Texel*>(texels)); // which VTK does not change
+  texture->Activate();
+}
+
+/// Uploads a pyramid and activates the texture.
+template <typename Texel>
+void uploadPyramid(
+  vtkRenderWindow* window, vtkTextureObject* texture, const terrain::MinMaxPyramid<Texel>& pyramid)
+{
+  constexpr bool integer = std::is_integral_v<Texel>;
+  prepare(window, texture, integer ? GL_RG16UI : GL_RG32F, integer ? GL_RG_INTEGER : GL_RG);
+  texture->SetMinificationFilter(vtkTextureObject::NearestMipmapNearest);
+  texture->SetMaxLevel(pyramid.LevelCount() - 1);
+  for (int level = 1; level <= pyramid.LevelCount(); ++level)
+  {
+    const glm::uvec2 nodes(pyramid.LevelSize(level));
+    auto* data = const_cast<terrain::PyramidNode<Texel>*>(pyramid.LevelNodes(level));
+    if (level == 1)
+    {
+      texture->Create2DFromRaw(nodes.x, nodes.y, 2, integer ? VTK_UNSIGNED_SHORT : VTK_FLOAT, data);
+      texture->Activate();
+      glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    }
+    else
+    {
+      glTexImage2D(GL_TEXTURE_2D, level - 1, integer ? GL_RG16UI : GL_RG32F,
+        static_cast<int>(nodes.x), static_cast<int>(nodes.y), 0, integer ? GL_RG_INTEGER : GL_RG,
+        integer ? GL_UNSIGNED_SHORT : GL_FLOAT, data);
+    }
+  }
+}
+
+/// Sets the uniforms that a heightfield and a sum have in common.
+template <typename Coded>
+void setUniforms(vtkShaderProgram* program, const Coded& coded)
+{
+  program->SetUniform2i("terrainSize", &coded.heights.size[0]);
+  program->SetUniformf("terrainMaximumCode", coded.heights.maximumCode);
+  program->SetUniformi("terrainPyramidTop", coded.pyramid->LevelCount());
+  program->SetUniformi("terrainPyramidStart", coded.start);
+}
+
 /// A field on the GPU.
 template <typename Texel>
 class FieldTextures
 {
 public:
+  static constexpr bool Integer = std::is_integral_v<Texel>;
+
   FieldTextures(vtkRenderWindow* window, const terrain::CodedField<Texel>& field)
-    : Field(field)
+    : Coded(field.Coded)
+    , Field(field)
   {
-    constexpr bool integer = std::is_integral_v<Texel>;
-    const int type = integer ? VTK_UNSIGNED_SHORT : VTK_FLOAT;
-    this->Prepare(
-      window, this->Heights, integer ? GL_R16UI : GL_R32F, integer ? GL_RED_INTEGER : GL_RED);
-    this->Prepare(
-      window, this->Pyramid, integer ? GL_RG16UI : GL_RG32F, integer ? GL_RG_INTEGER : GL_RG);
-    const glm::uvec2 size(field.Coded.heights.size);
-    auto* texels = const_cast<Texel*>(field.Texels.data()); // which VTK does not change
-    this->Heights->Create2DFromRaw(size.x, size.y, 1, type, texels);
-    const int top = field.Pyramid.LevelCount();
-    this->Pyramid->SetMinificationFilter(vtkTextureObject::NearestMipmapNearest);
-    this->Pyramid->SetMaxLevel(top - 1);
-    for (int level = 1; level <= top; ++level)
-    {
-      const glm::uvec2 nodes(field.Pyramid.LevelSize(level));
-      auto* data = const_cast<terrain::PyramidNode<Texel>*>(field.Pyramid.LevelNodes(level));
-      if (level == 1)
-      {
-        this->Pyramid->Create2DFromRaw(nodes.x, nodes.y, 2, type, data);
-        this->Pyramid->Activate();
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-      }
-      else
-      {
-        glTexImage2D(GL_TEXTURE_2D, level - 1, integer ? GL_RG16UI : GL_RG32F,
-          static_cast<int>(nodes.x), static_cast<int>(nodes.y), 0, integer ? GL_RG_INTEGER : GL_RG,
-          integer ? GL_UNSIGNED_SHORT : GL_FLOAT, data);
-      }
-    }
-    this->Heights->Activate();
+    uploadTexels(window, this->Heights, glm::uvec2(field.Coded.heights.size), field.Texels.data());
+    uploadPyramid(window, this->Pyramid, field.Pyramid);
   }
   FieldTextures(const FieldTextures&) = delete;
   FieldTextures& operator=(const FieldTextures&) = delete;
@@ -88,34 +123,79 @@ public:
     this->Pyramid->Deactivate();
   }
 
+  std::string Defines() const
+  {
+    return this->Coded.columns ? "#define TERRAIN_COLUMNS\n" : "";
+  }
+
   void SetUniforms(vtkShaderProgram* program)
   {
-    const terrain::CodedHeights<Texel>& heights = this->Field.Coded.heights;
     const glm::ivec2 nodes = this->Field.Pyramid.LevelSize(1);
     program->SetUniformi("terrainHeights", this->Heights->GetTextureUnit());
     program->SetUniformi("terrainPyramid", this->Pyramid->GetTextureUnit());
-    program->SetUniform2i("terrainSize", &heights.size[0]);
-    program->SetUniformf("terrainBias", static_cast<float>(heights.bias));
-    program->SetUniformf("terrainMaximumCode", heights.maximumCode);
+    program->SetUniformf("terrainBias", static_cast<float>(this->Coded.heights.bias));
     program->SetUniform2i("terrainPyramidSize", &nodes[0]);
-    program->SetUniformi("terrainPyramidTop", this->Field.Pyramid.LevelCount());
-    program->SetUniformi("terrainPyramidStart", this->Field.Coded.start);
+    setUniforms(program, this->Coded);
   }
+
+  const terrain::CodedPyramid<Texel>& Coded;
 
 private:
-  static void Prepare(
-    vtkRenderWindow* window, vtkTextureObject* texture, unsigned int internal, unsigned int format)
-  {
-    texture->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
-    texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    texture->SetInternalFormat(internal);
-    texture->SetFormat(format);
-  }
-
   const terrain::CodedField<Texel>& Field;
   vtkNew<vtkTextureObject> Heights;
   vtkNew<vtkTextureObject> Pyramid;
+};
+
+/// A field with detail on the GPU.
+template <typename Texel>
+class SumTextures
+{
+public:
+  static constexpr bool Integer = std::is_integral_v<Texel>;
+
+  SumTextures(vtkRenderWindow* window, const terrain::CodedSum<Texel>& sum)
+    : Coded(sum.Coded)
+    , Sum(sum)
+    , Base(window, sum.Base)
+  {
+    uploadTexels(
+      window, this->Detail, glm::uvec2(sum.Coded.heights.period), sum.Detail.Texels.data());
+    uploadPyramid(window, this->DetailPyramid, sum.DetailNodes);
+  }
+  SumTextures(const SumTextures&) = delete;
+  SumTextures& operator=(const SumTextures&) = delete;
+  ~SumTextures()
+  {
+    this->Detail->Deactivate();
+    this->DetailPyramid->Deactivate();
+  }
+
+  std::string Defines() const
+  {
+    return "#define TERRAIN_DETAIL\n";
+  }
+
+  void SetUniforms(vtkShaderProgram* program)
+  {
+    const auto& heights = this->Coded.heights;
+    this->Base.SetUniforms(program);
+    program->SetUniformi("terrainDetail", this->Detail->GetTextureUnit());
+    program->SetUniformi("terrainDetailPyramid", this->DetailPyramid->GetTextureUnit());
+    program->SetUniform2i("terrainDetailPeriod", &heights.period[0]);
+    program->SetUniformi("terrainDetailLevel", heights.level);
+    program->SetUniformf("terrainDetailScale", heights.scale);
+    program->SetUniformi("terrainDetailTop", terrain::WholeLevels(heights.period));
+    program->SetUniformf("terrainDetailMaximum", heights.scale * this->Sum.Pyramid.detailMaximum);
+    setUniforms(program, this->Coded);
+  }
+
+  const terrain::CodedPyramid<terrain::WithDetail<Texel>>& Coded;
+
+private:
+  const terrain::CodedSum<Texel>& Sum;
+  FieldTextures<Texel> Base;
+  vtkNew<vtkTextureObject> Detail;
+  vtkNew<vtkTextureObject> DetailPyramid;
 };
 
 /// Random beams as the inputs of a shader.
@@ -124,9 +204,9 @@ struct Beams
   std::vector<TerrainBeam> Items;
   std::vector<std::vector<float>> Inputs = std::vector<std::vector<float>>(5);
 
-  Beams(const terrain::TestField& field, double maximumCode, unsigned seed)
+  Beams(glm::ivec2 size, double maximumCode, unsigned seed)
   {
-    terrain::RayMaker maker({ field.Width, field.Height }, maximumCode, seed);
+    terrain::RayMaker maker(size, maximumCode, seed);
     for (int k = 0; k < NumberOfRays; ++k)
     {
       TerrainBeam beam;
@@ -182,18 +262,17 @@ int allowedDifferences(vtkRenderWindow* window)
 
 /// Traces the rays of beams on the GPU and compares them with the twin. Tolerance: see
 /// terrainTracePyramidWithin().
-template <typename Texel>
-void comparePaths(vtkRenderWindow* window, const terrain::CodedField<Texel>& field,
-  const Beams& beams, const glm::vec4& tolerance)
+template <typename Textures>
+void comparePaths(
+  vtkRenderWindow* window, Textures& textures, const Beams& beams, const glm::vec4& tolerance)
 {
-  FieldTextures<Texel> textures(window, field);
   const auto uniforms = [&](vtkShaderProgram* program)
   {
     textures.SetUniforms(program);
     program->SetUniform4f("tolerance", &tolerance[0]);
   };
   const std::string head =
-    declarations(std::is_integral_v<Texel>, field.Coded.columns) + "uniform vec4 tolerance;\n";
+    declarations(Textures::Integer, textures.Defines()) + "uniform vec4 tolerance;\n";
   const std::string trace =
     "TerrainHit hit = terrainTracePyramidWithin(inputRay(input0, input1, input2), tolerance);";
   const auto paths = run(window, head,
@@ -211,7 +290,7 @@ void comparePaths(vtkRenderWindow* window, const terrain::CodedField<Texel>& fie
   for (std::size_t k = 0; k < paths.size(); ++k)
   {
     std::uint32_t visits = 0;
-    const TerrainHit hit = field.Coded.TracePyramidWithin(beams.Items[k].ray, tolerance,
+    const TerrainHit hit = textures.Coded.TracePyramidWithin(beams.Items[k].ray, tolerance,
       [&](glm::ivec2 node, int level)
       { visits = visits * 31u + static_cast<std::uint32_t>(node.x * 7 + node.y * 13 + level); });
     hits += hit.found;
@@ -227,12 +306,10 @@ void comparePaths(vtkRenderWindow* window, const terrain::CodedField<Texel>& fie
 }
 
 /// Finds the starts of beams on the GPU and compares them with the twin.
-template <typename Texel>
-void compareBeams(
-  vtkRenderWindow* window, const terrain::CodedField<Texel>& field, const Beams& beams)
+template <typename Texel, typename Textures>
+void compareBeams(vtkRenderWindow* window, Textures& textures, const Beams& beams)
 {
-  FieldTextures<Texel> textures(window, field);
-  const auto starts = run(window, declarations(std::is_integral_v<Texel>, false),
+  const auto starts = run(window, declarations(Textures::Integer, textures.Defines()),
     "result = vec4(terrainBeamStart(TerrainBeam(inputRay(input0, input1, input2), input3.xyz,"
     "input4.xyz)));",
     beams, [&](vtkShaderProgram* program) { textures.SetUniforms(program); });
@@ -242,7 +319,7 @@ void compareBeams(
   {
     int steps = 0;
     different +=
-      starts[k].x != terrain::PyramidBeam<Texel>(field.Coded).BeamStart(beams.Items[k], steps);
+      starts[k].x != terrain::PyramidBeam<Texel>(textures.Coded).BeamStart(beams.Items[k], steps);
   }
   EXPECT_LE(different, allowedDifferences(window));
 }
@@ -252,15 +329,16 @@ void compareField(vtkRenderWindow* window, const terrain::TestField& test, unsig
 {
   terrain::CodedField<Texel> field(test);
   field.Coded.start = 1 + static_cast<int>(seed % 6);
-  const Beams beams(test, field.Codes.MaximumCode, seed);
+  const Beams beams({ test.Width, test.Height }, field.Codes.MaximumCode, seed);
+  FieldTextures<Texel> textures(window, field);
   const float size = static_cast<float>(field.Codes.MaximumCode);
-  comparePaths(window, field, beams, glm::vec4(0.0f));
-  compareBeams(window, field, beams);
+  comparePaths(window, textures, beams, glm::vec4(0.0f));
+  compareBeams<Texel>(window, textures, beams);
   if (seed % 3 == 0)
   {
-    comparePaths(window, field, beams, glm::vec4(2.0f, 0.3f * size, 3.0f, 0.3f * size));
+    comparePaths(window, textures, beams, glm::vec4(2.0f, 0.3f * size, 3.0f, 0.3f * size));
     field.Coded.columns = true;
-    comparePaths(window, field, beams, glm::vec4(0.0f));
+    comparePaths(window, textures, beams, glm::vec4(0.0f));
   }
 }
 
@@ -282,5 +360,70 @@ TEST(TerrainShaderTwinsPyramid, TakeTheSamePath)
       compareField<float>(scene.Window, field, seed);
     }
   }
+}
+template <typename Texel>
+void compareSum(vtkRenderWindow* window, const terrain::TestField& base,
+  const terrain::TestField& detail, int level, unsigned seed)
+{
+  terrain::CodedSum<Texel> sum(base, detail, level, 0.7);
+  sum.Coded.start = 1 + static_cast<int>(seed % 6);
+  const Beams beams(sum.Coded.heights.size, sum.Codes.MaximumCode, seed);
+  SumTextures<Texel> textures(window, sum);
+  comparePaths(window, textures, beams, glm::vec4(0.0f));
+  if (textures.Integer)
+  {
+    compareBeams<terrain::WithDetail<Texel>>(window, textures, beams);
+  }
+}
+
+// Levels of the nodes below, at and above that of the base's cells; periods that many and few
+// powers of two divide.
+TEST(TerrainShaderTwinsPyramid, TakeTheSamePathOverDetail)
+{
+  const vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(16, 16);
+  scene.Window->Render();
+  for (const terrain::TestField& base : terrain::AdversarialFields())
+  {
+    SCOPED_TRACE(base.Name);
+    if (base.Name == "hills")
+    {
+      compareSum<float>(scene.Window, base, terrain::RandomDetail({ 16, 16 }, 40.0, 1), 3, 5);
+    }
+    if (base.Name == "holes")
+    {
+      compareSum<std::uint16_t>(
+        scene.Window, base, terrain::RandomDetail({ 6, 10 }, 40.0, 2), 1, 2);
+    }
+  }
+}
+
+// Also for the largest indices, and just before and at whole periods.
+TEST(TerrainShaderTwinsPyramid, WrapTheSame)
+{
+  const vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(16, 16);
+  std::minstd_rand random(3);
+  std::vector<float> values;
+  std::vector<glm::ivec2> expected;
+  for (int k = 0; k < 4000; ++k)
+  {
+    const glm::ivec2 period(1 + random() % (k % 2 ? 16u : 4096u), 1 + random() % 1000u);
+    const glm::ivec2 most = (1 << 22) / period;
+    const glm::ivec2 whole(random() % static_cast<unsigned>(most.x), most.y - 1);
+    const glm::ivec2 index = whole * period + glm::ivec2(k % 3) * (period - 1);
+    values.insert(values.end(),
+      { static_cast<float>(index.x), static_cast<float>(index.y), static_cast<float>(period.x),
+        static_cast<float>(period.y) });
+    expected.push_back(terrain::Wrap(index, period));
+  }
+  const std::vector<float> results = vtkTerrainTesting::RunShader(scene.Window,
+    "#define TERRAIN_DETAIL\n" + ReadShader("vtkTerrainHeights"),
+    "result.xy = vec2(terrainWrap(ivec2(input0.xy), ivec2(input0.zw)));", { values }, nullptr);
+  ASSERT_EQ(results.size(), values.size());
+  int different = 0;
+  for (std::size_t k = 0; k < expected.size(); ++k)
+  {
+    different += glm::vec2(expected[k]) != glm::vec2(results[4 * k], results[4 * k + 1]);
+  }
+  EXPECT_EQ(different, 0);
 }
 }

@@ -55,6 +55,12 @@ inline int LevelOfCells(int cells)
   return level;
 }
 
+/// Twin of terrainWrap(): index % period of an index >= 0.
+inline glm::ivec2 Wrap(glm::ivec2 index, glm::ivec2 period)
+{
+  return index % period;
+}
+
 /// Bounds of the codes of a node.
 struct CodeBounds
 {
@@ -82,7 +88,7 @@ struct DetailedHeights
   /// As in terrainDetailCodes(): the scaled code of a sample of the repeated detail; sample >= 0.
   float DetailCode(glm::ivec2 sample) const
   {
-    const glm::ivec2 wrapped = sample % this->period;
+    const glm::ivec2 wrapped = Wrap(sample, this->period);
     return this->scale *
       this->detail[wrapped.x + static_cast<std::int64_t>(this->period.x) * wrapped.y];
   }
@@ -171,7 +177,7 @@ struct DetailedPyramid
       return { scale * this->detailMaximum, 0.0f };
     }
     const PyramidNode<float>& bounds =
-      this->detail->At(node % (this->heights->period >> level), level);
+      this->detail->At(Wrap(node, this->heights->period >> level), level);
     return { scale * bounds.Maximum, scale * bounds.Minimum };
   }
 };

@@ -220,26 +220,30 @@ typename PyramidBeam<Texel>::Step PyramidBeam<Texel>::BeamOverBlock(
 template <typename Texel>
 bool PyramidBeam<Texel>::SlopeBound(glm::ivec2 cell, glm::vec2& slope, glm::vec4& codes) const
 {
-  const CodedHeights<Texel>& heights = this->Coded.heights;
+  const auto& heights = this->Coded.heights;
+  // Samples by column, then row, of four cells beside each other.
+  float samples[4][4];
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const glm::ivec2 first(2 * (corner & 1), 2 * (corner >> 1));
+    const glm::vec4 part = heights.CellCodes(cell - 1 + first);
+    samples[first.x][first.y] = part.x;
+    samples[first.x + 1][first.y] = part.y;
+    samples[first.x][first.y + 1] = part.z;
+    samples[first.x + 1][first.y + 1] = part.w;
+  }
   float lowest = 0.0f;
   slope = glm::vec2(0.0f);
-  for (int j = -1; j <= 2; ++j)
+  for (int k = 0; k < 4; ++k)
   {
-    for (int i = -1; i <= 2; ++i)
+    for (int i = 0; i < 3; ++i)
     {
-      const float code = heights.Code(cell + glm::ivec2(i, j));
-      lowest = std::min(lowest, code);
-      if (i < 2)
-      {
-        slope.x = std::max(slope.x, std::abs(heights.Code(cell + glm::ivec2(i + 1, j)) - code));
-      }
-      if (j < 2)
-      {
-        slope.y = std::max(slope.y, std::abs(heights.Code(cell + glm::ivec2(i, j + 1)) - code));
-      }
+      slope.x = std::max(slope.x, std::abs(samples[i + 1][k] - samples[i][k]));
+      slope.y = std::max(slope.y, std::abs(samples[k][i + 1] - samples[k][i]));
     }
+    lowest = std::min(lowest, *std::min_element(samples[k], samples[k] + 4));
   }
-  codes = heights.CellCodes(cell);
+  codes = { samples[1][1], samples[2][1], samples[1][2], samples[2][2] };
   return lowest >= 0.0f;
 }
 
