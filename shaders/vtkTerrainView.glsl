@@ -6,12 +6,13 @@
 // Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start is then exact to 1e-9 of a
 // cell at any distance; else to 1e-7 of the distance.
 
-// Vectors that depend on the pixel: [0] + x * [1] + y * [2]; [3..5] hold what float cuts off of
-// [0..2].
-uniform vec3 terrainOriginGC[6];
-uniform vec3 terrainDirectionGC[6];
-uniform vec3 terrainOriginVC[3];
-uniform vec3 terrainDirectionVC[3];
+// Vectors that depend on the pixel: times (1, x, y); Low holds what float cuts off.
+uniform mat3 terrainOriginGC;
+uniform mat3 terrainOriginLowGC;
+uniform mat3 terrainDirectionGC;
+uniform mat3 terrainDirectionLowGC;
+uniform mat3 terrainOriginVC;
+uniform mat3 terrainDirectionVC;
 uniform mat3 terrainNormalMatrix;  // (-dz/dx, -dz/dy, 1) in codes per cell to view coordinates
 uniform vec4 terrainDepthRow;      // depth = 0.5 + 0.5 * dot(depth row, p) / dot(weight row, p)
 uniform vec4 terrainWeightRow;
@@ -28,6 +29,7 @@ uniform ivec2 terrainViewportOrigin; // lower left pixel of the viewport
 #ifdef GL_ARB_gpu_shader_fp64
 #define terrainReal double
 #define terrainReal3 dvec3
+#define terrainReal3x3 dmat3
 
 // A number as two floats: its leading bits, and what those cut off. The bits are picked by hand:
 // compilers take a number for the same after its way to float and back, and the rest for 0.
@@ -40,6 +42,7 @@ vec2 terrainSplit(double number)
 #else
 #define terrainReal float
 #define terrainReal3 vec3
+#define terrainReal3x3 mat3
 
 vec2 terrainSplit(float number)
 {
@@ -47,22 +50,27 @@ vec2 terrainSplit(float number)
 }
 #endif
 
-terrainReal3 terrainAtPixel(vec3 vector[6], vec2 pixel)
+terrainReal3 terrainAtPixel(mat3 leading, mat3 low, vec2 pixel)
 {
-  terrainReal x = terrainReal(pixel.x);
-  terrainReal y = terrainReal(pixel.y);
-  return (terrainReal3(vector[0]) + terrainReal3(vector[3])) +
-    x * (terrainReal3(vector[1]) + terrainReal3(vector[4])) +
-    y * (terrainReal3(vector[2]) + terrainReal3(vector[5]));
+  return (terrainReal3x3(leading) + terrainReal3x3(low)) * terrainReal3(1.0, pixel);
+}
+
+terrainReal3 terrainPixelOrigin(vec2 pixel)
+{
+  return terrainAtPixel(terrainOriginGC, terrainOriginLowGC, pixel);
+}
+
+terrainReal3 terrainPixelDirection(vec2 pixel)
+{
+  return terrainAtPixel(terrainDirectionGC, terrainDirectionLowGC, pixel);
 }
 
 // The ray of a pixel (gl_FragCoord.xy) between two distances along the viewing direction, stored
 // relative to the cell where it starts.
 TerrainRay terrainPixelRay(vec2 pixel, float startDistance, float endDistance)
 {
-  terrainReal3 direction = terrainAtPixel(terrainDirectionGC, pixel);
-  terrainReal3 position =
-    terrainAtPixel(terrainOriginGC, pixel) + terrainReal(startDistance) * direction;
+  terrainReal3 direction = terrainPixelDirection(pixel);
+  terrainReal3 position = terrainPixelOrigin(pixel) + terrainReal(startDistance) * direction;
   terrainReal3 anchor = floor(position);
   vec2 height = terrainSplit(position.z);
   return TerrainRay(ivec2(anchor.xy), vec3(position.xy - anchor.xy, height.x), vec3(direction), 0.0,
@@ -72,21 +80,21 @@ TerrainRay terrainPixelRay(vec2 pixel, float startDistance, float endDistance)
 // Direction of a pixel's ray in grid coordinates, per unit of distance along the viewing direction.
 vec3 terrainAtPixelGC(vec2 pixel)
 {
-  return terrainDirectionGC[0] + pixel.x * terrainDirectionGC[1] + pixel.y * terrainDirectionGC[2];
+  return terrainDirectionGC * vec3(1.0, pixel);
 }
 
 // Position at a distance along the viewing direction, in grid coordinates.
 vec3 terrainPositionGC(vec2 pixel, float distanceVC)
 {
-  return vec3(terrainAtPixel(terrainOriginGC, pixel) +
-    terrainReal(distanceVC) * terrainAtPixel(terrainDirectionGC, pixel));
+  return vec3(
+    terrainPixelOrigin(pixel) + terrainReal(distanceVC) * terrainPixelDirection(pixel));
 }
 
 // The part of the distances [range.x, range.y] of a pixel's ray within the box of the terrain, a
 // little widened; range.x >= range.y if there is none.
 vec2 terrainEnterBox(vec2 pixel, vec2 range)
 {
-  vec3 origin = vec3(terrainAtPixel(terrainOriginGC, pixel));
+  vec3 origin = vec3(terrainPixelOrigin(pixel));
   vec3 direction = terrainAtPixelGC(pixel);
   vec3 still = vec3(equal(direction, vec3(0.0)));
   vec3 inverse = (1.0 - still) / (direction + still);
@@ -118,14 +126,14 @@ vec2 terrainPlanePace(vec2 pixel, float s, vec2 gradient)
 // Direction of a pixel's ray in view coordinates, z = -1.
 vec3 terrainDirectionAt(vec2 pixel)
 {
-  return terrainDirectionVC[0] + pixel.x * terrainDirectionVC[1] + pixel.y * terrainDirectionVC[2];
+  return terrainDirectionVC * vec3(1.0, pixel);
 }
 
 // Position at a distance along the viewing direction, in view coordinates.
 vec4 terrainPositionVC(vec2 pixel, float distanceVC)
 {
-  vec3 origin = terrainOriginVC[0] + pixel.x * terrainOriginVC[1] + pixel.y * terrainOriginVC[2];
-  return vec4(origin + distanceVC * terrainDirectionAt(pixel), 1.0);
+  return vec4(
+    terrainOriginVC * vec3(1.0, pixel) + distanceVC * terrainDirectionAt(pixel), 1.0);
 }
 
 // Depth, 0..1, of a position in view coordinates.

@@ -28,10 +28,114 @@
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+#include <regex>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
+/// Components of the uniforms that UniformPasser passes; drivers have 128 for all varyings.
+constexpr int MostPassedComponents = 120;
+
+int componentsOf(const std::string& type)
+{
+  return type == "mat3" ? 9 : type == "float" || type == "int" ? 1 : type.back() - '0';
+}
+
+/// Turns uniforms of a fragment shader into those of the vertex shader, which passes them on.
+/// Mesa's llvmpipe reads a uniform for each pixel by itself, in some 25 instructions, and a flat
+/// input in two.
+class UniformPasser
+{
+public:
+  /// The vertex shader, and the lines that define what the fragment shader has defined.
+  UniformPasser(std::string vertexSource, const std::string& defines)
+    : VertexSource(std::move(vertexSource))
+    , Defines(defines)
+  {
+  }
+
+  /// The fragment shader with inputs instead of uniforms.
+  std::string Fragment(const std::string& source)
+  {
+    std::istringstream lines(source);
+    std::string result;
+    for (std::string line; std::getline(lines, line);)
+    {
+      this->Follow(line);
+      result += (this->IsRead() ? this->WithInputs(line) : line) + "\n";
+    }
+    return result;
+  }
+
+  /// The vertex shader with these uniforms.
+  std::string Vertex() const
+  {
+    std::string source = this->VertexSource;
+    const std::size_t mainAt = source.find("void main()");
+    source.insert(source.find('{', mainAt) + 1, "\n" + this->Assignments);
+    return source.insert(mainAt, this->Declarations);
+  }
+
+private:
+  /// Keeps track of which parts of the source our defines leave out.
+  void Follow(const std::string& line)
+  {
+    if (line.rfind("#if", 0) == 0)
+    {
+      const bool ours = line.rfind("#ifdef TERRAIN_", 0) == 0;
+      this->Parts.push_back(!ours || this->Defines.find(line.substr(7)) != std::string::npos);
+    }
+    else if (line.rfind("#el", 0) == 0 && !this->Parts.empty())
+    {
+      this->Parts.back() = true;
+    }
+    else if (line.rfind("#endif", 0) == 0 && !this->Parts.empty())
+    {
+      this->Parts.pop_back();
+    }
+  }
+
+  bool IsRead() const
+  {
+    return std::find(this->Parts.begin(), this->Parts.end(), false) == this->Parts.end();
+  }
+
+  std::string WithInputs(std::string line)
+  {
+    static const std::regex uniform("uniform (float|int|ivec2|vec[234]|mat3) (\\w+);");
+    std::smatch match;
+    if (!std::regex_search(line, match, uniform))
+    {
+      return line;
+    }
+    const std::string type = match[1];
+    const std::string name = match[2];
+    const std::string rest = this->WithInputs(match.suffix());
+    if (this->Left < componentsOf(type) || this->VertexSource.find(name) != std::string::npos)
+    {
+      return match.prefix().str() + match[0].str() + rest;
+    }
+    this->Left -= componentsOf(type);
+    const std::string passed = name + "VSOutput";
+    this->Declarations += "uniform " + type + " " + name + ";\n";
+    this->Declarations += "flat out " + type + " " + passed + ";\n";
+    this->Assignments += "  " + passed + " = " + name + ";\n";
+    return match.prefix().str() + "flat in " + type + " " + passed + ";" + rest + "\n#define " +
+      name + " " + passed;
+  }
+
+  std::string VertexSource;
+  std::string Defines;
+  std::string Declarations;
+  std::string Assignments;
+  std::vector<bool> Parts;
+  int Left = MostPassedComponents;
+};
+
 /// Name of the search of a technique in shaders/vtkTerrainSearch.glsl.
 const char* searchDefine(vtkOpenGLTerrainMapper::Techniques technique)
 {
@@ -160,6 +264,14 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
     vtkShaderProgram::Substitute(source, "gl_FrontFacing == false", "!terrainPoint.front");
     shaders[vtkShader::Fragment]->SetSource(source);
     this->FollowDepth(shaders, act);
+  }
+  if (this->CastsRays(act) && this->Technique == Techniques::Pyramid && vtkInternals::IsSoftware())
+  {
+    // its proxy is a box, whose few vertices cost nothing
+    UniformPasser passer(shaders[vtkShader::Vertex]->GetSource(), defines);
+    vtkShader* fragment = shaders[vtkShader::Fragment];
+    fragment->SetSource(passer.Fragment(fragment->GetSource()));
+    shaders[vtkShader::Vertex]->SetSource(passer.Vertex());
   }
 }
 

@@ -68,26 +68,25 @@ double fieldValue(vtkPolyData* mesh, const char* name, double fallback)
   return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : fallback;
 }
 
-/// A pixel vector as floats, followed by what float cuts off.
-std::array<glm::vec3, 6> split(const terrain::PixelVector& vector)
+/// Sets a pixel vector, whose columns take (1, x, y) to its value, as floats; and what float cuts
+/// off.
+void setVector(vtkTerrainUniforms& uniforms, const char* name, const terrain::PixelVector& vector,
+  const char* lowName = nullptr)
 {
-  std::array<glm::vec3, 6> result{};
-  for (int i = 0; i < 3; ++i)
+  const glm::dmat3 matrix(vector[0], vector[1], vector[2]);
+  uniforms.Set(name, glm::mat3(matrix));
+  if (lowName)
   {
-    result[i] = glm::vec3(vector[i]);
-    result[i + 3] = glm::vec3(vector[i] - glm::dvec3(result[i]));
+    uniforms.Set(lowName, glm::mat3(matrix - glm::dmat3(glm::mat3(matrix))));
   }
-  return result;
+}
 }
 
-void setVectors(
-  vtkTerrainUniforms& uniforms, const char* name, const terrain::PixelVector& vector, int count)
+//------------------------------------------------------------------------------
+bool vtkOpenGLTerrainMapper::vtkInternals::IsSoftware()
 {
-  if (uniforms.Uses(name))
-  {
-    uniforms.SetArray(name, count, split(vector).data());
-  }
-}
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer && std::strstr(renderer, "llvmpipe");
 }
 
 //------------------------------------------------------------------------------
@@ -98,9 +97,7 @@ bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
   {
     return false;
   }
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const bool software = renderer && std::strstr(renderer, "llvmpipe");
-  return this->ComputeMode == ComputeModes::On || !software;
+  return this->ComputeMode == ComputeModes::On || !vtkInternals::IsSoftware();
 }
 
 //------------------------------------------------------------------------------
@@ -258,10 +255,10 @@ void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkTerrainUniforms& uniforms)
 void vtkOpenGLTerrainMapper::SetViewUniforms(vtkTerrainUniforms& uniforms)
 {
   const terrain::PixelRays& rays = this->Internals->Rays;
-  setVectors(uniforms, "terrainOriginGC", rays.OriginGC, 6);
-  setVectors(uniforms, "terrainDirectionGC", rays.DirectionGC, 6);
-  setVectors(uniforms, "terrainOriginVC", rays.OriginVC, 3);
-  setVectors(uniforms, "terrainDirectionVC", rays.DirectionVC, 3);
+  setVector(uniforms, "terrainOriginGC", rays.OriginGC, "terrainOriginLowGC");
+  setVector(uniforms, "terrainDirectionGC", rays.DirectionGC, "terrainDirectionLowGC");
+  setVector(uniforms, "terrainOriginVC", rays.OriginVC);
+  setVector(uniforms, "terrainDirectionVC", rays.DirectionVC);
   uniforms.Set("terrainNormalMatrix", glm::mat3(rays.NormalMatrix));
   uniforms.Set("terrainDepthRow", glm::vec4(rays.DepthRow));
   uniforms.Set("terrainWeightRow", glm::vec4(rays.WeightRow));

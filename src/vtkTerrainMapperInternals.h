@@ -35,6 +35,9 @@ public:
                                             "#define TERRAIN_GATHER\n"
                                             "#endif\n";
 
+  /// True if the current context draws on the processor, with Mesa's llvmpipe.
+  static bool IsSoftware();
+
   vtkTerrainHeightTexture Heights;
   /// Why the heights cannot be used; empty if they can.
   std::string Why;
