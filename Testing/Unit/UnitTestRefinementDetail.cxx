@@ -212,6 +212,7 @@ TEST(RefinementDetail, IsConformingAndOfTheSumsHeights)
         const StripMesh mesh = sum.Refine(sum.View(0.3, 0.2, 20.0), options);
         EXPECT_EQ(WhyNotConforming(mesh), "")
           << sum.Whole.Width << " x " << sum.Whole.Height << " tolerance " << tolerance;
+        EXPECT_FALSE(HasTwins(mesh)) << sum.Whole.Width << " x " << sum.Whole.Height;
         for (const auto& indices : IndexTriangles(mesh))
         {
           for (const std::uint32_t index : indices)
