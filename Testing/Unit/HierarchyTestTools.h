@@ -38,6 +38,23 @@ struct Raster
   {
     return this->Heights[x + this->Width * y];
   }
+  /// Height of the bilinear surface; corners of weight 0 do not spread their NaN.
+  double HeightAt(double x, double y) const
+  {
+    const std::int64_t i = std::min(static_cast<std::int64_t>(x), this->Width - 2);
+    const std::int64_t j = std::min(static_cast<std::int64_t>(y), this->Height - 2);
+    const double u = x - i;
+    const double v = y - j;
+    double height = 0.0;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const int east = corner & 1;
+      const int north = corner >> 1;
+      const double weight = (east != 0 ? u : 1.0 - u) * (north != 0 ? v : 1.0 - v);
+      height += weight > 0.0 ? weight * this->At(i + east, j + north) : 0.0;
+    }
+    return height;
+  }
   bool IsCellValid(std::int64_t x, std::int64_t y) const
   {
     return std::isfinite(this->Twist(x, y));
@@ -198,17 +215,6 @@ inline std::set<Triangle> TriangleSet(const terrain::StripMesh& mesh)
   return set;
 }
 
-/// True if two vertices of the mesh are the same sample.
-inline bool HasTwins(const terrain::StripMesh& mesh)
-{
-  std::set<Sample> samples;
-  for (std::uint32_t i = 0; i < mesh.Vertices.size(); ++i)
-  {
-    samples.insert(SampleOf(mesh, i));
-  }
-  return samples.size() != mesh.Vertices.size();
-}
-
 /// Empty, or what is wrong with the mesh: a triangle turned round, an edge used twice the same way,
 /// or a vertex of one triangle inside the edge of another.
 inline std::string WhyNotConforming(const terrain::StripMesh& mesh)
@@ -248,6 +254,65 @@ inline std::string WhyNotConforming(const terrain::StripMesh& mesh)
       if (vertices.count({ { edge[0][0] + i * dx / steps, edge[0][1] + i * dy / steps } }) != 0)
       {
         return "a vertex lies inside an edge";
+      }
+    }
+  }
+  return std::string();
+}
+
+inline terrain::RefinementOptions WithTolerance(double tolerance)
+{
+  terrain::RefinementOptions options;
+  options.Tolerance = tolerance;
+  return options;
+}
+
+/// Refines a raster between two planes through the eye, in six directions and with both cullings.
+/// Empty, or what is wrong: nothing was culled, nested culling left a mesh that does not conform,
+/// or a triangle of the whole mesh with a corner inside both planes is missing. refine(view,
+/// options) makes a mesh of the raster, whose cells have the geometry.
+template <typename Refine>
+std::string WhyCullingLoses(const Raster& raster, const terrain::GridGeometry& geometry,
+  terrain::RefinementView view, const Refine& refine)
+{
+  terrain::RefinementOptions options = WithTolerance(2.0);
+  options.Culling = terrain::CullingMethod::None;
+  const std::set<Triangle> whole = TriangleSet(refine(view, options));
+  for (int turn = 0; turn < 6; ++turn)
+  {
+    const double angle = 1.0471975511965976 * turn;
+    const glm::dvec3 left(std::cos(angle), std::sin(angle), 0.0);
+    const glm::dvec3 right(-std::sin(angle), std::cos(angle), 0.1);
+    view.Planes = { glm::dvec4(left, -glm::dot(left, view.Eye)),
+      glm::dvec4(right, -glm::dot(right, view.Eye)) };
+    const auto isSeen = [&](const Sample& sample)
+    {
+      const glm::dvec3 way =
+        geometry.ToModel(glm::dvec2(sample[0], sample[1]), raster.At(sample[0], sample[1])) -
+        view.Eye;
+      return glm::dot(left, way) > 0.0 && glm::dot(right, way) > 0.0;
+    };
+    for (const auto culling : { terrain::CullingMethod::Nested, terrain::CullingMethod::Lazy })
+    {
+      options.Culling = culling;
+      const terrain::StripMesh mesh = refine(view, options);
+      const std::set<Triangle> kept = TriangleSet(mesh);
+      const bool isLost = std::any_of(whole.begin(), whole.end(),
+        [&](const Triangle& t)
+        { return kept.count(t) == 0 && std::any_of(t.begin(), t.end(), isSeen); });
+      if (isLost)
+      {
+        return "a triangle that is seen is lost in direction " + std::to_string(turn);
+      }
+      if (kept.size() >= whole.size())
+      {
+        return "nothing is culled in direction " + std::to_string(turn);
+      }
+      const std::string flaw =
+        culling == terrain::CullingMethod::Nested ? WhyNotConforming(mesh) : std::string();
+      if (!flaw.empty())
+      {
+        return flaw;
       }
     }
   }

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 using namespace hierarchytest;
-using terrain::CullingMethod;
 using terrain::MemoryHierarchy;
 using terrain::RefinementMethod;
 using terrain::RefinementOptions;
@@ -27,13 +26,6 @@ StripMesh Refine(
   StripMesh mesh;
   refiner.Refine(view, options, mesh);
   return mesh;
-}
-
-RefinementOptions WithTolerance(double tolerance)
-{
-  RefinementOptions options;
-  options.Tolerance = tolerance;
-  return options;
 }
 
 /// Height of the triangle's plane at (x, y) in cells, with heights of a mesh's vertices.
@@ -109,7 +101,6 @@ TEST(Refinement, IsConformingForAnySizeAndHoles)
           const StripMesh mesh = Refine(hierarchy, MakeView(raster, 0.3, 0.2, 20.0), options);
           EXPECT_EQ(WhyNotConforming(mesh), "")
             << size[0] << " x " << size[1] << " " << pattern << " tolerance " << tolerance;
-          EXPECT_FALSE(HasTwins(mesh)) << size[0] << " x " << size[1] << " " << pattern;
         }
       }
     }
@@ -332,40 +323,10 @@ TEST(Refinement, CullingLosesNothingThatIsSeen)
   {
     const Raster raster = WithHoles(MakeHills(65, 80), pattern);
     const MemoryHierarchy hierarchy = Build(raster);
-    RefinementView view = MakeView(raster, 0.5, 0.4, 15.0);
-    const StripMesh whole = Refine(hierarchy, view, WithTolerance(2.0));
-    for (int turn = 0; turn < 6; ++turn)
-    {
-      const double angle = 1.0471975511965976 * turn;
-      const glm::dvec3 left(std::cos(angle), std::sin(angle), 0.0);
-      const glm::dvec3 right(-std::sin(angle), std::cos(angle), 0.1);
-      view.Planes = { glm::dvec4(left, -glm::dot(left, view.Eye)),
-        glm::dvec4(right, -glm::dot(right, view.Eye)) };
-      for (const CullingMethod culling : { CullingMethod::Nested, CullingMethod::Lazy })
-      {
-        RefinementOptions options = WithTolerance(2.0);
-        options.Culling = culling;
-        const StripMesh mesh = Refine(hierarchy, view, options);
-        EXPECT_LT(mesh.Triangles, whole.Triangles);
-        if (culling == CullingMethod::Nested)
-        {
-          EXPECT_EQ(WhyNotConforming(mesh), "");
-        }
-        const std::set<Triangle> kept = TriangleSet(mesh);
-        for (const Triangle& t : TriangleSet(whole))
-        {
-          for (const Sample& corner : t)
-          {
-            const glm::dvec3 p = MakeGeometry().ToModel(
-              glm::dvec2(corner[0], corner[1]), raster.At(corner[0], corner[1]));
-            if (glm::dot(left, p - view.Eye) > 0.0 && glm::dot(right, p - view.Eye) > 0.0)
-            {
-              EXPECT_EQ(kept.count(t), 1u);
-            }
-          }
-        }
-      }
-    }
+    const auto refine = [&](const RefinementView& view, const RefinementOptions& options)
+    { return Refine(hierarchy, view, options); };
+    EXPECT_EQ(
+      WhyCullingLoses(raster, MakeGeometry(), MakeView(raster, 0.5, 0.4, 15.0), refine), "");
   }
 }
 

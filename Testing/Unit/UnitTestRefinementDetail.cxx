@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 using namespace hierarchytest;
-using terrain::CullingMethod;
 using terrain::DetailHierarchy;
 using terrain::MemoryHierarchy;
 using terrain::RefinementMethod;
@@ -83,19 +82,8 @@ private:
     {
       for (std::int64_t x = 0; x < this->Whole.Width; ++x)
       {
-        const std::int64_t i = std::min(x / cells, this->Base.Width - 2);
-        const std::int64_t j = std::min(y / cells, this->Base.Height - 2);
-        const double u = static_cast<double>(x) / cells - i;
-        const double v = static_cast<double>(y) / cells - j;
-        // A corner of weight 0 must not spread its NaN.
-        double height = 0.0;
-        for (int corner = 0; corner < 4; ++corner)
-        {
-          const int east = corner & 1;
-          const int north = corner >> 1;
-          const double weight = (east ? u : 1.0 - u) * (north ? v : 1.0 - v);
-          height += weight > 0.0 ? weight * this->Base.At(i + east, j + north) : 0.0;
-        }
+        const double height =
+          this->Base.HeightAt(static_cast<double>(x) / cells, static_cast<double>(y) / cells);
         this->Whole.Heights.push_back(static_cast<float>(height + this->DetailAt(x, y)));
       }
     }
@@ -119,13 +107,6 @@ Raster MakeDetail(std::int64_t width, std::int64_t height, unsigned seed = 5)
     }
   }
   return detail;
-}
-
-RefinementOptions DetailWithin(double tolerance)
-{
-  RefinementOptions options;
-  options.Tolerance = tolerance;
-  return options;
 }
 
 /// Bases, periods, levels and scales of all kinds: sides of 2^n + 1 and others, holes, periods that
@@ -155,7 +136,6 @@ std::vector<Sum> MakeSums()
 double LargestError(const Sum& sum, const StripMesh& mesh, const RefinementView& view)
 {
   const terrain::GridGeometry geometry = sum.Geometry();
-  const Raster& raster = sum.Whole;
   double largest = 0.0;
   for (const auto& indices : IndexTriangles(mesh))
   {
@@ -170,29 +150,23 @@ double LargestError(const Sum& sum, const StripMesh& mesh, const RefinementView&
     const auto area = static_cast<double>(Area2(t));
     const auto [west, east] = std::minmax({ t[0][0], t[1][0], t[2][0] });
     const auto [south, north] = std::minmax({ t[0][1], t[1][1], t[2][1] });
-    for (std::int64_t k = 0; area > 1.0 && k <= 4 * (east - west) * (north - south); ++k)
+    const std::int64_t points = (2 * (east - west) + 1) * (2 * (north - south) + 1);
+    for (std::int64_t k = 0; area > 1.0 && k < points; ++k)
     {
       const double x = west + 0.5 * static_cast<double>(k % (2 * (east - west) + 1));
       const double y = south + 0.5 * static_cast<double>(k / (2 * (east - west) + 1));
       const auto weight = [&](int a, int b)
       { return ((t[a][0] - x) * (t[b][1] - y) - (t[a][1] - y) * (t[b][0] - x)) / area; };
       const std::array<double, 3> w{ { weight(1, 2), weight(2, 0), weight(0, 1) } };
-      if (std::min({ w[0], w[1], w[2] }) < 0.0 || y > north)
+      if (std::min({ w[0], w[1], w[2] }) < 0.0)
       {
         continue;
       }
-      const auto i = std::min(static_cast<std::int64_t>(x), raster.Width - 2);
-      const auto j = std::min(static_cast<std::int64_t>(y), raster.Height - 2);
-      const double u = x - i;
-      const double v = y - j;
-      const double surface = (1 - u) * (1 - v) * raster.At(i, j) +
-        u * (1 - v) * raster.At(i + 1, j) + (1 - u) * v * raster.At(i, j + 1) +
-        u * v * raster.At(i + 1, j + 1);
+      const double surface = sum.Whole.HeightAt(x, y);
       const double plane = w[0] * h[0] + w[1] * h[1] + w[2] * h[2];
       const double distance = glm::distance(view.Eye, geometry.ToModel({ x, y }, surface));
-      // Not std::max, which a NaN would not change.
       const double error = std::abs(surface - plane) * view.PixelsPerUnit / distance;
-      largest = error <= largest ? largest : error;
+      largest = std::isnan(largest) || error <= largest ? largest : error; // a NaN stays
     }
   }
   return largest;
@@ -207,12 +181,11 @@ TEST(RefinementDetail, IsConformingAndOfTheSumsHeights)
     {
       for (const bool morphing : { false, true })
       {
-        RefinementOptions options = DetailWithin(tolerance);
+        RefinementOptions options = WithTolerance(tolerance);
         options.Morphing = morphing;
         const StripMesh mesh = sum.Refine(sum.View(0.3, 0.2, 20.0), options);
         EXPECT_EQ(WhyNotConforming(mesh), "")
           << sum.Whole.Width << " x " << sum.Whole.Height << " tolerance " << tolerance;
-        EXPECT_FALSE(HasTwins(mesh)) << sum.Whole.Width << " x " << sum.Whole.Height;
         for (const auto& indices : IndexTriangles(mesh))
         {
           for (const std::uint32_t index : indices)
@@ -235,7 +208,7 @@ TEST(RefinementDetail, KeepsEveryTriangleWithinTheTolerance)
       for (const bool morphing : { false, true })
       {
         const RefinementView view = sum.View(0.4, -0.5, 30.0);
-        RefinementOptions options = DetailWithin(tolerance);
+        RefinementOptions options = WithTolerance(tolerance);
         options.Morphing = morphing;
         EXPECT_LE(LargestError(sum, sum.Refine(view, options), view), tolerance + 0.01)
           << sum.Whole.Width << " x " << sum.Whole.Height << (morphing ? " morphing" : "");
@@ -249,7 +222,7 @@ TEST(RefinementDetail, ReachesEverySampleOfTheSumAtSmallTolerance)
   for (const Sum& sum : MakeSums())
   {
     const bool isFlat = sum.Scale == 0.0 || sum.Detail.Heights.size() == 1;
-    const StripMesh mesh = sum.Refine(sum.View(0.3, 0.2, 5.0), DetailWithin(1.0e-6));
+    const StripMesh mesh = sum.Refine(sum.View(0.3, 0.2, 5.0), WithTolerance(1.0e-6));
     std::int64_t area = 0;
     for (const Triangle& t : Triangles(mesh))
     {
@@ -258,7 +231,7 @@ TEST(RefinementDetail, ReachesEverySampleOfTheSumAtSmallTolerance)
     }
     EXPECT_EQ(area, 2 * sum.Whole.ValidCells());
     // Far away it is coarse.
-    EXPECT_LE(sum.Refine(sum.View(0.3, 0.2, 1.0e7), DetailWithin(1.0)).Triangles,
+    EXPECT_LE(sum.Refine(sum.View(0.3, 0.2, 1.0e7), WithTolerance(1.0)).Triangles,
       sum.Hierarchy.Summary.HasHoles ? mesh.Triangles : 8);
   }
 }
@@ -400,7 +373,7 @@ TEST(RefinementDetail, PlainAndImprovedMakeTheSameTriangles)
 {
   for (const Sum& sum : MakeSums())
   {
-    RefinementOptions options = DetailWithin(3.0);
+    RefinementOptions options = WithTolerance(3.0);
     const RefinementView view = sum.View(0.7, 0.6, 10.0);
     const StripMesh improved = sum.Refine(view, options);
     options.Method = RefinementMethod::Plain;
@@ -413,37 +386,9 @@ TEST(RefinementDetail, PlainAndImprovedMakeTheSameTriangles)
 TEST(RefinementDetail, CullingLosesNothingThatIsSeen)
 {
   const Sum sum(MakeHills(17, 14), MakeDetail(16, 16), 3, 1.0);
-  RefinementView view = sum.View(0.5, 0.4, 15.0);
-  const std::set<Triangle> whole = TriangleSet(sum.Refine(view, DetailWithin(2.0)));
-  for (int turn = 0; turn < 6; ++turn)
-  {
-    const double angle = 1.0471975511965976 * turn;
-    const glm::dvec3 left(std::cos(angle), std::sin(angle), 0.0);
-    const glm::dvec3 right(-std::sin(angle), std::cos(angle), 0.1);
-    view.Planes = { glm::dvec4(left, -glm::dot(left, view.Eye)),
-      glm::dvec4(right, -glm::dot(right, view.Eye)) };
-    for (const CullingMethod culling : { CullingMethod::Nested, CullingMethod::Lazy })
-    {
-      RefinementOptions options = DetailWithin(2.0);
-      options.Culling = culling;
-      const StripMesh mesh = sum.Refine(view, options);
-      EXPECT_LT(mesh.Triangles, static_cast<std::int64_t>(whole.size()));
-      EXPECT_EQ(culling == CullingMethod::Nested ? WhyNotConforming(mesh) : "", "");
-      const std::set<Triangle> kept = TriangleSet(mesh);
-      for (const Triangle& t : whole)
-      {
-        for (const Sample& corner : t)
-        {
-          const glm::dvec3 p = sum.Geometry().ToModel(
-            glm::dvec2(corner[0], corner[1]), sum.Whole.At(corner[0], corner[1]));
-          if (glm::dot(left, p - view.Eye) > 0.0 && glm::dot(right, p - view.Eye) > 0.0)
-          {
-            EXPECT_EQ(kept.count(t), 1u);
-          }
-        }
-      }
-    }
-  }
+  const auto refine = [&sum](const RefinementView& view, const RefinementOptions& options)
+  { return sum.Refine(view, options); };
+  EXPECT_EQ(WhyCullingLoses(sum.Whole, sum.Geometry(), sum.View(0.5, 0.4, 15.0), refine), "");
 }
 
 TEST(RefinementDetail, KeepsTheTriangleBudgetAndParallelProjection)
@@ -454,7 +399,7 @@ TEST(RefinementDetail, KeepsTheTriangleBudgetAndParallelProjection)
     RefinementView view = sum.View(0.3, 0.2, 20.0);
     view.Parallel = parallel;
     view.PixelsPerUnit = parallel ? 10.0 : view.PixelsPerUnit;
-    RefinementOptions options = DetailWithin(0.5);
+    RefinementOptions options = WithTolerance(0.5);
     const std::int64_t free = sum.Refine(view, options).Triangles;
     EXPECT_GT(free, 2000);
     for (const std::int64_t budget : { 4, 100, 1000 })
@@ -462,6 +407,7 @@ TEST(RefinementDetail, KeepsTheTriangleBudgetAndParallelProjection)
       options.TriangleBudget = budget;
       const StripMesh mesh = sum.Refine(view, options);
       EXPECT_LE(mesh.Triangles, budget);
+      EXPECT_GE(mesh.Triangles, budget / 2);
       EXPECT_GT(mesh.Tolerance, 0.5);
       EXPECT_EQ(WhyNotConforming(mesh), "");
     }
