@@ -239,7 +239,8 @@ testing::AssertionResult Judge(vtkImageData* rays, TerrainScene& scene, const De
   WritePicture(mesh, OutputPath(name + "-mesh.png"));
   return testing::AssertionFailure()
     << different << " of " << compared << " pixels away from silhouettes differ, and the scene "
-    << "changes " << effect << " pixels; the pictures are " << OutputPath(name + "-*.png");
+    << "changes " << effect << " pixels" << (IsBlank(mesh) ? "; the mesh shows nothing" : "")
+    << "; the pictures are " << OutputPath(name + "-*.png");
 }
 }
 

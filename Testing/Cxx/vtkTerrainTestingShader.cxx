@@ -95,8 +95,8 @@ void Draw(vtkOpenGLQuadHelper& quad, const Textures& textures,
 //------------------------------------------------------------------------------
 std::string ReadShader(const std::string& name)
 {
-  const std::string here = __FILE__;
-  std::ifstream file(here.substr(0, here.rfind('/')) + "/../../shaders/" + name + ".glsl");
+  std::ifstream file(VTKTERRAIN_SHADER_DIR "/" + name + ".glsl");
+  EXPECT_TRUE(file) << name;
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
