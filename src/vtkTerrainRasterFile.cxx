@@ -222,7 +222,13 @@ void vtkTerrainRasterFile::CheckColors() const
 //------------------------------------------------------------------------------
 int vtkTerrainRasterFile::GetNumberOfBands() const
 {
-  return GDALGetRasterCount(this->Dataset);
+  int count = GDALGetRasterCount(this->Dataset);
+  while (count > 1 &&
+    GDALGetRasterColorInterpretation(GDALGetRasterBand(this->Dataset, count)) == GCI_AlphaBand)
+  {
+    --count;
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------
@@ -414,6 +420,7 @@ void ReadWindow(GDALRasterBandH band, const vtkTerrainRasterWindow& window, void
     GDALRasterIOEx(band, GF_Read, static_cast<int>(window.X), static_cast<int>(window.Y), width,
       height, buffer, width, height, type, pixelBytes, lineBytes, nullptr);
   // What is read comes in whole blocks, once: to keep it would take as much memory as the samples.
+  // (What the tiles of a directory read stays, up to GDAL's limit.)
   GDALFlushRasterCache(band);
   if (result != CE_None || !messages.GetFailure().empty())
   {

@@ -94,6 +94,7 @@ public:
     return this->BandNumber;
   }
 
+  /// Bands of samples: without an alpha band at the end.
   int GetNumberOfBands() const;
 
   std::int64_t GetWidth() const;

@@ -3,6 +3,7 @@
 // The part of vtkTerrainRasterFile that knows coordinate reference systems and units.
 #include "vtkTerrainRasterFile.h"
 
+#include "core/Angles.h"
 #include "vtkTerrainCoordinateSystem.h"
 
 #include <cpl_conv.h>
@@ -17,7 +18,8 @@
 
 namespace
 {
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
+using terrain::kDegree;
+
 constexpr double kFoot = 0.3048;
 constexpr double kSurveyFoot = 1200.0 / 3937.0;
 // A raster sheared by less than this many cells over its whole length is not sheared.

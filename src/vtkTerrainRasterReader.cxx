@@ -55,6 +55,9 @@ struct vtkTerrainRasterPlan
 
 namespace
 {
+/// The scalars' name where the file has none.
+constexpr const char* DefaultName = "Elevation";
+
 /// The window that four numbers mean, or an error.
 vtkTerrainRasterWindow ResolveWindow(const vtkTerrainRasterFile& file, const int window[4])
 {
@@ -142,7 +145,7 @@ void ResolveHeights(vtkTerrainRasterPlan& plan)
     plan.ScalarType = wide ? VTK_DOUBLE : VTK_FLOAT;
   }
   plan.Name = plan.File.GetBandDescription();
-  plan.Name = plan.Name.empty() ? "Elevation" : plan.Name;
+  plan.Name = plan.Name.empty() ? DefaultName : plan.Name;
 }
 
 /// Position of the south-western sample, and spacing.
@@ -179,6 +182,19 @@ int BandAtTime(vtkInformation* info, int numberOfBands)
   const double time =
     info->Has(Pipeline::UPDATE_TIME_STEP()) ? info->Get(Pipeline::UPDATE_TIME_STEP()) : 1.0;
   return static_cast<int>(std::clamp(std::floor(time), 1.0, std::max(1.0, 1.0 * numberOfBands)));
+}
+
+/// Throws if the raster's size is not the one that the pipeline was told.
+void CheckWholeExtent(vtkInformation* info, const vtkTerrainRasterPlan& plan)
+{
+  int whole[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  if (whole[1] + 1 != plan.Request.Width || whole[3] + 1 != plan.Request.Height)
+  {
+    throw vtkTerrainRasterError("it has " + std::to_string(plan.Request.Width) + " x " +
+      std::to_string(plan.Request.Height) + " samples where the first of its series has " +
+      std::to_string(whole[1] + 1) + " x " + std::to_string(whole[3] + 1));
+  }
 }
 
 vtkTerrainRasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* samples)
@@ -362,6 +378,10 @@ void vtkTerrainRasterReader::Plan(vtkTerrainRasterPlan& plan, int band) const
   plan.Request.EastFirst = plan.Layout.EastFirst;
   ReduceSize(plan.Request, this->MaximumSize, this->MaximumNumberOfSamples);
   ResolveHeights(plan);
+  if (this->BandsAsTimeSteps)
+  {
+    plan.Name = DefaultName; // the bands' descriptions are of their times
+  }
   PlaceSamples(plan);
 }
 
@@ -432,8 +452,13 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
     }
     this->Plan(plan, band);
     std::copy(extent, extent + 4, plan.Request.Extent);
+    CheckWholeExtent(info, plan);
     CheckMemory(extent, plan.ScalarType);
-    this->AllocateOutputData(image, info, extent);
+    // What the pipeline knows of is the first band, and in a series the first file.
+    image->SetExtent(extent);
+    image->AllocateScalars(plan.ScalarType, 1);
+    image->SetOrigin(plan.Origin[0], plan.Origin[1], 0.0);
+    image->SetSpacing(plan.Spacing[0], plan.Spacing[1], 1.0);
     image->GetPointData()->GetScalars()->SetName(plan.Name.c_str());
     this->Read(plan, image);
     this->AddFieldData(plan, image);

@@ -39,9 +39,10 @@
  * | string | name of the unit of the file's heights | | VerticalScale | 1 double | metres in that
  * unit, already applied to the scalars; else 1 |
  *
- * A directory is read as one raster of the tiles in it (.tif .hgt .dem .asc .img .dt0 to .dt2 .bil
- * .flt .grd .jp2), which must have one CRS; between them are no data. Where they overlap the last
- * one by name counts.
+ * A directory is read as one raster of the tiles in it (.tif .tiff .hgt .dem .asc .img .dt0 to .dt2
+ * .bil .flt .grd .jp2), which must have one CRS; between them are no data, and within them where
+ * the value says so that the first one with such a value declares. Where they overlap the last one
+ * by name counts.
  *
  * Reading less: Band, Window, and MaximumSize or MaximumNumberOfSamples. Reduced samples are means
  * over their area (of what has data, where half of it has), taken from the smallest overview that
@@ -105,7 +106,7 @@ public:
 
   ///@{
   /// Whether each band is a time step: the pipeline's time k, from 1 on, reads band k, in place of
-  /// Band; default off.
+  /// Band; default off. The scalars are called "Elevation" then, whatever the bands are.
   vtkSetMacro(BandsAsTimeSteps, bool);
   vtkGetMacro(BandsAsTimeSteps, bool);
   vtkBooleanMacro(BandsAsTimeSteps, bool);

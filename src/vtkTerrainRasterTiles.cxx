@@ -45,12 +45,16 @@ bool IsTile(const char* name)
     [extension](const char* other) { return EQUAL(extension, other); });
 }
 
-/// Paths of the tiles, sorted.
+/// Paths of the tiles, sorted. Throws vtkTerrainRasterError.
 std::vector<std::string> FindTiles(const char* directory)
 {
   std::vector<std::string> tiles;
   const Strings names(VSIReadDir(directory));
-  for (char** name = names.get(); name && *name; ++name)
+  if (!names)
+  {
+    throw vtkTerrainRasterError("it is a directory that cannot be listed, or an empty one");
+  }
+  for (char** name = names.get(); *name; ++name)
   {
     if (IsTile(*name))
     {
@@ -59,6 +63,30 @@ std::vector<std::string> FindTiles(const char* directory)
   }
   std::sort(tiles.begin(), tiles.end());
   return tiles;
+}
+
+/// How the virtual raster tells gaps, and what the tiles have no data for: by the value of the
+/// first tile that declares one, else by the tiles' masks, else by an alpha band.
+std::vector<std::string> GapOptions(const std::vector<std::string>& tiles)
+{
+  bool isMasked = false;
+  for (const std::string& tile : tiles)
+  {
+    GDALDatasetH dataset = GDALOpen(tile.c_str(), GA_ReadOnly);
+    GDALRasterBandH band = dataset ? GDALGetRasterBand(dataset, 1) : nullptr;
+    int isDeclared = 0;
+    const double value = band ? GDALGetRasterNoDataValue(band, &isDeclared) : 0.0;
+    isMasked = isMasked || (band && GDALGetMaskFlags(band) == GMF_PER_DATASET);
+    if (dataset)
+    {
+      GDALClose(dataset);
+    }
+    if (isDeclared != 0)
+    {
+      return { "-vrtnodata", CPLSPrintf("%.17g", value) };
+    }
+  }
+  return isMasked ? std::vector<std::string>() : std::vector<std::string>{ "-addalpha" };
 }
 
 Strings MakeList(const std::vector<std::string>& texts)
@@ -82,9 +110,10 @@ GDALDatasetH vtkTerrainOpenRasterTiles(const char* directory)
     throw vtkTerrainRasterError("it is a directory without elevation tiles");
   }
   const Strings names = MakeList(tiles);
-  // an alpha band tells gaps from heights in tiles that declare no value for no data
-  const Strings arguments =
-    MakeList({ "-strict", "-resolution", "highest", "-r", "bilinear", "-addalpha" });
+  std::vector<std::string> words{ "-strict", "-resolution", "highest", "-r", "bilinear" };
+  const std::vector<std::string> gaps = GapOptions(tiles);
+  words.insert(words.end(), gaps.begin(), gaps.end());
+  const Strings arguments = MakeList(words);
   const std::unique_ptr<GDALBuildVRTOptions, FreeOptions> options(
     GDALBuildVRTOptionsNew(arguments.get(), nullptr));
   int misuse = 0;

@@ -7,10 +7,12 @@
 #ifndef terrain_Angles_h
 #define terrain_Angles_h
 
+#include <glm/glm.hpp>
+
 namespace terrain
 {
 /// A degree in radians.
-constexpr double kDegree = 0.017453292519943295769236907684886;
+constexpr double kDegree = glm::radians(1.0);
 }
 
 #endif
