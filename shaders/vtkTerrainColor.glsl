@@ -3,9 +3,9 @@
 //
 // Colours of the surface: values through a colour map or direct colours, a draped picture, hillshade
 // and contour lines, in this order over the material's own colour. Needs vtkTerrainSurface.glsl.
-// Defines: TERRAIN_PAINT if there is anything but the material's colour; TERRAIN_DRAPE with the number
-// of the picture's components; TERRAIN_TEXTURED for textures of VTK. All else is chosen by uniforms: to
-// build another program takes as long as several frames.
+// Defines: TERRAIN_PAINT if there is or was anything but the material's colour; TERRAIN_DRAPE with the
+// number of the picture's components; TERRAIN_TEXTURED for textures of VTK. All else is chosen by
+// uniforms: to build another program takes as long as several frames.
 
 // What the surface's colours make of the material's: add + keep * colour; opacity times alpha.
 struct TerrainPaint
@@ -63,13 +63,13 @@ const int terrainOfCrossings = 6;
 uniform int terrainColorKind;
 uniform sampler2D terrainValues;      // of samples or cells, less the offset
 uniform sampler2D terrainColors;      // RGBA of samples or cells
-uniform int terrainArrayTexels;       // that a place needs of them: 4, 1 for cells, 0 for no array
+uniform ivec2 terrainArrayTexels;     // that a place needs of each of them: 4, 1 for cells, 0 for none
 uniform vec2 terrainGradientScale;    // codes per cell to heights per unit of length, without exaggeration
 uniform sampler2D terrainColorMap;    // colours over the range
 uniform vec4 terrainSpecialColors[3]; // below the range, above it, not a number
-uniform vec2 terrainValueScale;       // value = x * terrainValue() + y
-uniform vec2 terrainColorScale;       // position in the map, 0..1 = x * value + y
-uniform int terrainColorLogarithm;    // 1 if it is the value's logarithm that is mapped
+uniform vec2 terrainValueScale;       // value = x * the number that terrainMapColor() takes + y
+uniform vec2 terrainColorScale;       // position in the map, 0..1 = x * that number + y
+uniform int terrainColorLogarithm;    // 1 if it is x * logarithm of the value + y instead
 uniform float terrainMaximumShownCrossings;
 
 const float terrainNotANumber = -3e38;
@@ -87,16 +87,20 @@ float terrainArrayValue(TerrainSurface surface, out vec4 color)
 {
   vec2 fraction;
   ivec2 cell = terrainArrayCell(surface, fraction);
+  fraction = terrainArrayTexels.x + terrainArrayTexels.y == 1 ? vec2(0.0) : fraction;
   float value = 0.0;
-  color = vec4(0.0);
-  for (int k = 0; k < terrainArrayTexels; ++k)
+  for (int k = 0; k < terrainArrayTexels.x; ++k)
   {
     ivec2 corner = ivec2(k & 1, k >> 1);
-    float weight = terrainCornerWeight(corner, terrainArrayTexels == 1 ? vec2(0.0) : fraction);
     float texel = texelFetch(terrainValues, cell + corner, 0).r;
     bool valid = min(texel, value) > 0.5 * terrainNotANumber;
-    value = valid ? value + weight * texel : terrainNotANumber;
-    color += weight * texelFetch(terrainColors, cell + corner, 0);
+    value = valid ? value + terrainCornerWeight(corner, fraction) * texel : terrainNotANumber;
+  }
+  color = vec4(0.0);
+  for (int k = 0; k < terrainArrayTexels.y; ++k)
+  {
+    ivec2 corner = ivec2(k & 1, k >> 1);
+    color += terrainCornerWeight(corner, fraction) * texelFetch(terrainColors, cell + corner, 0);
   }
   return value;
 }
@@ -117,9 +121,9 @@ float terrainAspect(TerrainSurface surface)
 
 vec4 terrainMapColor(float value)
 {
-  float scaled = terrainValueScale.x * value + terrainValueScale.y;
-  scaled = terrainColorLogarithm == 1 ? log(max(scaled, 1e-37)) : scaled;
-  float t = terrainColorScale.x * scaled + terrainColorScale.y;
+  float logarithm = log(max(terrainValueScale.x * value + terrainValueScale.y, 1e-37));
+  float t = terrainColorScale.x * (terrainColorLogarithm == 1 ? logarithm : value) +
+    terrainColorScale.y;
   int texel = clamp(int(t * float(terrainColorMapSize)), 0, terrainColorMapSize - 1);
   vec4 color = texelFetch(terrainColorMap, ivec2(texel, 0), 0);
   color = t < -1e-6 ? terrainSpecialColors[0] : t > 1.0 + 1e-6 ? terrainSpecialColors[1] : color;
@@ -154,7 +158,8 @@ uniform sampler2D terrainDrape;
 uniform vec4 terrainDrapeScale;    // texture coordinates = xy * position in cells + zw
 
 // Colour of the picture, multiplied by its alpha; 0 beside it, and as much of it at its border as the
-// pixel covers.
+// pixel covers. Where the picture ends with the terrain or beyond it, it has no border: walls of
+// blocks stand there.
 vec4 terrainDrapeColor(vec2 pixel, TerrainSurface surface)
 {
   vec2 positionTC = terrainDrapeScale.xy * vec2(surface.cell) + terrainDrapeScale.zw +
@@ -170,8 +175,13 @@ vec4 terrainDrapeColor(vec2 pixel, TerrainSurface surface)
 #elif TERRAIN_DRAPE == 3
   texel.a = 1.0;
 #endif
-  vec2 inside = (0.5 - abs(positionTC - 0.5)) / max(sqrt(moveX * moveX + moveY * moveY), 1e-30);
-  vec2 coverage = clamp(inside + 0.5, 0.0, 1.0);
+  vec2 width = max(sqrt(moveX * moveX + moveY * moveY), 1e-30);
+  vec2 first = terrainDrapeScale.zw; // of the terrain in the picture
+  vec2 last = first + terrainDrapeScale.xy * vec2(terrainSize - 1);
+  vec2 low = mix(positionTC / width + 0.5, vec2(1.0), greaterThan(min(first, last), vec2(-1e-6)));
+  vec2 high =
+    mix((1.0 - positionTC) / width + 0.5, vec2(1.0), lessThan(max(first, last), vec2(1.0 + 1e-6)));
+  vec2 coverage = clamp(min(low, high), 0.0, 1.0);
   return coverage.x * coverage.y * texel;
 }
 #endif

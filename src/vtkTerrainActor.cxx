@@ -275,9 +275,9 @@ void vtkTerrainActor::UpdateColors()
   }
   std::array<double, 2> range{};
   this->TerrainMapper->GetHeightRange(range.data());
-  const double* shown = this->ReliefColors->GetRange();
-  if (this->ReliefColors->GetSize() == 0 || shown[0] != range[0] || shown[1] != range[1])
+  if (this->ReliefColors->GetSize() == 0 || this->ReliefRange != range)
   {
+    this->ReliefRange = range;
     this->ReliefColors->DeepCopy(MakeReliefColors(range[0], range[1])); // scalar bars keep it
   }
   this->TerrainMapper->SetLookupTable(this->ReliefColors);
@@ -341,6 +341,7 @@ void vtkTerrainActor::ShallowCopy(vtkProp* prop)
     this->FullMesh = other->FullMesh;
     this->LookupTable = other->LookupTable;
     this->ReliefColors = other->ReliefColors;
+    this->ReliefRange = other->ReliefRange;
     this->ColorByHeight = other->ColorByHeight;
     this->LevelOfDetail = other->LevelOfDetail;
     this->ConnectedMesh = other->ConnectedMesh;

@@ -36,6 +36,8 @@
 #include "vtkSmartPointer.h"        // For members
 #include "vtkTerrainModule.h"       // For export macro
 
+#include <array> // For members
+
 class vtkAlgorithmOutput;
 class vtkColorTransferFunction;
 class vtkImageData;
@@ -148,6 +150,8 @@ private:
   vtkTerrainCoarseMesh* ConnectedMesh = nullptr;
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
   vtkSmartPointer<vtkColorTransferFunction> ReliefColors;
+  /// Heights that they were made for.
+  std::array<double, 2> ReliefRange{};
   bool ColorByHeight = true;
   bool LevelOfDetail = true;
   double InteractionTolerance = 0.0;

@@ -151,7 +151,8 @@ std::string vtkTerrainColoring::Update(
 //------------------------------------------------------------------------------
 void vtkTerrainColoring::FillIn(const int heights[2], vtkOpenGLRenderWindow* window)
 {
-  // like the arrays of these heights: some drivers build programs for sizes that are powers of two
+  // like the arrays of these samples: some drivers build programs for sizes that are powers of two
+  // (those of cells may then cost one more)
   const auto size = [](int samples) { return (samples & (samples - 1)) == 0 ? 2U : 3U; };
   const auto fill = [&](
                       Made& made, unsigned int width, unsigned int height, int components, int type)
@@ -466,13 +467,19 @@ void vtkTerrainColoring::SetUniforms(
   setTexture("terrainDrape", this->DrapeTexture);
   if (uniforms.Uses("terrainColorScale"))
   {
-    const bool array = this->Kind == Kinds::Values || this->Kind == Kinds::Colors;
     const int texels = this->OfCells ? 1 : 4;
+    const glm::ivec2 needed(
+      this->Kind == Kinds::Values ? texels : 0, this->Kind == Kinds::Colors ? texels : 0);
+    // Both scales in one, made in double: values may lie far from 0.
+    const glm::dvec2 value = this->ValueScale(heights);
+    const glm::dvec2 color = this->Logarithm
+      ? this->ColorScale
+      : glm::dvec2(this->ColorScale.x * value.x, this->ColorScale.x * value.y + this->ColorScale.y);
     uniforms.Set("terrainColorKind", static_cast<int>(this->Kind));
-    uniforms.Set("terrainArrayTexels", array ? texels : 0);
+    uniforms.Set("terrainArrayTexels", needed);
     uniforms.SetArray("terrainSpecialColors", 3, this->SpecialColors.data());
-    uniforms.Set("terrainValueScale", glm::vec2(this->ValueScale(heights)));
-    uniforms.Set("terrainColorScale", glm::vec2(this->ColorScale));
+    uniforms.Set("terrainValueScale", glm::vec2(value));
+    uniforms.Set("terrainColorScale", glm::vec2(color));
     uniforms.Set("terrainColorLogarithm", this->Logarithm ? 1 : 0);
   }
   const terrain::HeightCodes& codes = heights.GetCodes();
@@ -502,8 +509,9 @@ void vtkTerrainColoring::SetUniforms(
   }
   if (uniforms.Uses("terrainContourScale"))
   {
+    const double number = codes.Offset / this->ContourInterval; // of which only the fraction counts
     uniforms.Set("terrainContourScale",
-      glm::vec2(glm::dvec2(codes.Scale, codes.Offset) / this->ContourInterval));
+      glm::vec2(codes.Scale / this->ContourInterval, number - std::floor(number)));
     uniforms.Set("terrainContourWidth", static_cast<float>(this->ContourWidth));
     const double shown = this->Contours && !this->ShowCrossings ? 1.0 : 0.0;
     uniforms.Set(

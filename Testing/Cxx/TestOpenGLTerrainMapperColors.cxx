@@ -37,8 +37,11 @@ namespace
 using Techniques = vtkOpenGLTerrainMapper::Techniques;
 using ColorSources = vtkOpenGLTerrainMapper::ColorSources;
 
-/// Hills with the point arrays temperature (NaN in places), wind (3 components) and paint (RGBA),
-/// and the cell arrays zone and stain (RGB).
+/// Seconds, of which float tells those 128 apart.
+constexpr double FirstTime = 1.7e9;
+
+/// Hills with the point arrays temperature (NaN in places), wind (3 components), time (far from 0)
+/// and paint (RGBA), and the cell arrays zone and stain (RGB).
 vtkSmartPointer<vtkImageData> makeField()
 {
   auto image = MakeHills();
@@ -48,6 +51,8 @@ vtkSmartPointer<vtkImageData> makeField()
   vtkNew<vtkDoubleArray> wind;
   wind->SetName("wind");
   wind->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("time");
   vtkNew<vtkUnsignedCharArray> paint;
   paint->SetName("paint");
   paint->SetNumberOfComponents(4);
@@ -58,6 +63,7 @@ vtkSmartPointer<vtkImageData> makeField()
       const bool none = std::hypot(i - 12.0, j - 20.0) < 4.0;
       temperature->InsertNextValue(none ? std::numeric_limits<float>::quiet_NaN()
                                         : 1000.0f + static_cast<float>(std::exp(0.1 * i)));
+      time->InsertNextValue(FirstTime + 2.5 * i);
       wind->InsertNextTuple3(std::cos(0.15 * i), 2.0 * std::sin(0.1 * j), 1.0);
       paint->InsertNextTuple4(6.0 * i, 7.0 * j, 120.0, 255.0);
     }
@@ -77,9 +83,25 @@ vtkSmartPointer<vtkImageData> makeField()
   }
   image->GetPointData()->AddArray(temperature);
   image->GetPointData()->AddArray(wind);
+  image->GetPointData()->AddArray(time);
   image->GetPointData()->AddArray(paint);
   image->GetCellData()->AddArray(zone);
   image->GetCellData()->AddArray(stain);
+  return image;
+}
+
+/// Puts heights higher, in double.
+vtkSmartPointer<vtkImageData> raise(vtkImageData* heights, double by)
+{
+  vtkNew<vtkDoubleArray> raised;
+  raised->DeepCopy(heights->GetPointData()->GetScalars());
+  for (vtkIdType i = 0; i < raised->GetNumberOfTuples(); ++i)
+  {
+    raised->SetValue(i, raised->GetValue(i) + by);
+  }
+  vtkNew<vtkImageData> image;
+  image->CopyStructure(heights);
+  image->GetPointData()->SetScalars(raised);
   return image;
 }
 
@@ -273,6 +295,16 @@ TEST(OpenGLTerrainMapperColors, PointArrayWithGaps)
   EXPECT_TRUE(DrawsAsThePlainMesh(color, color, ofField()));
 }
 
+TEST(OpenGLTerrainMapperColors, ValuesFarFromZero)
+{
+  auto color = [](vtkMapper* mapper, vtkActor*)
+  {
+    colorBy(mapper, "time", false, FirstTime, FirstTime + 100.0);
+    mapper->SetLookupTable(makeTable());
+  };
+  EXPECT_TRUE(DrawsAsThePlainMesh(color, color, ofField()));
+}
+
 TEST(OpenGLTerrainMapperColors, LogarithmicScale)
 {
   auto color = [](vtkMapper* mapper, vtkActor*)
@@ -458,21 +490,27 @@ TEST(OpenGLTerrainMapperColors, Hillshade)
   EXPECT_TRUE(DrawsAsThePlainMesh(terrain, mesh, demands));
 }
 
-TEST(OpenGLTerrainMapperColors, ContoursLieAtTheirHeights)
+class OpenGLTerrainMapperContours : public testing::TestWithParam<double>
 {
+};
+
+// Float tells heights of the second level 8 apart.
+TEST_P(OpenGLTerrainMapperContours, LieAtTheirHeights)
+{
+  const double level = this->GetParam();
   constexpr double interval = 12.5;
   constexpr double width = 2.0;
   vtkNew<vtkTerrainPicker> picker;
   int compared = 0;
   int wrong = 0;
   TerrainScene scene(Techniques::Pyramid);
-  const TerrainProp terrain = scene.AddTerrain(MakeHills());
+  const TerrainProp terrain = scene.AddTerrain(raise(MakeHills(), level));
   terrain.Actor->GetProperty()->LightingOff();
   terrain.Actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
   terrain.Mapper->SetContours(true);
   terrain.Mapper->SetContourInterval(interval);
   terrain.Mapper->SetContourWidth(width);
-  scene.Look({ 200.0, 500.0, 600.0 }, { 200.0, 190.0, 80.0 });
+  scene.Look({ 200.0, 500.0, level + 600.0 }, { 200.0, 190.0, level + 80.0 });
   const auto picture = vtkTerrainTesting::Render(scene.Window);
   auto height = [&](int x, int y)
   {
@@ -499,6 +537,8 @@ TEST(OpenGLTerrainMapperColors, ContoursLieAtTheirHeights)
   EXPECT_GT(compared, 500);
   EXPECT_LE(wrong, compared / 20); // where slopes change within a pixel
 }
+
+INSTANTIATE_TEST_SUITE_P(Levels, OpenGLTerrainMapperContours, testing::Values(0.0, 1.0e8 + 3.7));
 
 // As where the surface turns away: lines closer than pixels must not leave it black.
 TEST(OpenGLTerrainMapperColors, ContoursTooCloseToTellFade)
