@@ -37,9 +37,10 @@
  * next frame takes as long as any. Another program is built the first time that something needs
  * one: the first paint of any kind, the first clipping plane or extract, drapes, textures and kinds
  * of material, other numbers and kinds of lights, render passes, translucency, columns, a pixel
- * tolerance, blocks, techniques. That takes 0.9 s of one processor in software rendering (6 frames
- * of 640 x 360 pixels and 4096 x 4096 samples), and the program is kept: from the second time on,
- * such a change costs no more than a frame, either.
+ * tolerance, blocks, techniques, the eye in the box of the terrain, detail, heights of another
+ * format, depth offsets, selection. That takes 0.9 s of one processor in software rendering (6
+ * frames of 640 x 360 pixels and 4096 x 4096 samples), and the program is kept: from the second
+ * time on, such a change costs no more than a frame, either.
  *
  * Limits: heights up to the largest texture of the driver (16384 samples a side on Mesa). A
  * direction matrix of the image is refused. Lines and points of port 0 are drawn as they are.
@@ -267,7 +268,7 @@ public:
   ///@{
   /// Let the rays that the fragment shader casts with the technique Pyramid begin where those of a
   /// tile of 8 x 8 pixels can first meet the surface, which a compute shader finds ahead of drawing
-  /// where OpenGL 4.3 is there: the same picture, in software rendering up to a quarter sooner.
+  /// where OpenGL 4.3 is there: the same picture, in software rendering up to a third sooner.
   /// Default on.
   void SetUseBeams(bool use);
   bool GetUseBeams() const

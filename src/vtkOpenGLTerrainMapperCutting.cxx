@@ -148,8 +148,14 @@ void vtkOpenGLTerrainMapper::ReplaceShaderClip(ShaderMap shaders, vtkRenderer* r
   if (!this->UsesSurface(act))
   {
     this->Superclass::ReplaceShaderClip(shaders, ren, act);
+    return;
   }
-  else if (!this->CastsRays(act))
+  if (this->GetNumberOfClippingPlanes() > MaximumMapperPlanes)
+  {
+    vtkErrorMacro("At most " << MaximumMapperPlanes << " clipping planes cut the terrain, not "
+                             << this->GetNumberOfClippingPlanes());
+  }
+  if (!this->CastsRays(act))
   {
     vtkTerrainSubstitute(this, shaders[vtkShader::Fragment], "//VTK::Clip::Impl",
       "if (terrainIsClipped(vertexVC)) { discard; }\n");

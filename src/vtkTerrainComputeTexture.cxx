@@ -24,23 +24,24 @@ std::string vtkTerrainComputeTexture::Fill(vtkOpenGLRenderWindow* window, const 
 {
   this->Filled = false;
   this->Size = { 0, 0 };
-  if (this->BuiltWith != source)
+  const auto [entry, isNew] = this->Programs.try_emplace(source);
+  vtkTerrainComputeProgram& program = entry->second;
+  if (isNew)
   {
-    this->BuiltWith = source;
-    std::string words = this->Program.Build(source);
+    std::string words = program.Build(source);
     if (!words.empty())
     {
       return words;
     }
   }
-  if (!this->Program.IsBuilt())
+  if (!program.IsBuilt())
   {
     return {};
   }
   this->Allocate(window, size, components);
   window->GetShaderCache()->ReleaseCurrentShader();
-  this->Program.Use();
-  setUniforms(this->Program);
+  program.Use();
+  setUniforms(program);
   this->Texture->Activate();
   glBindImageTexture(0, this->Texture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
     components == 4 ? GL_RGBA32F : GL_R32F);
@@ -99,11 +100,14 @@ void vtkTerrainComputeTexture::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Filled = false;
   this->Size = { 0, 0 };
-  this->BuiltWith.clear();
   this->Texture->ReleaseGraphicsResources(window);
-  if (this->Program.IsBuilt())
+  for (auto& [source, program] : this->Programs)
   {
-    window->MakeCurrent();
-    this->Program.Release();
+    if (program.IsBuilt())
+    {
+      window->MakeCurrent();
+      program.Release();
+    }
   }
+  this->Programs.clear();
 }

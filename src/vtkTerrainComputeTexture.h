@@ -15,6 +15,7 @@
 #include <glm/glm.hpp>
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,8 @@ class vtkTerrainComputeTexture
 public:
   /// Runs a compute shader of 8 x 8 invocations a group, one for each texel of 1 or 4 floats, and
   /// makes the texture current for drawing. The source has no version line; it writes the image of
-  /// binding 0, r32f or rgba32f; setUniforms sets the uniforms. The program is kept until the
-  /// source changes. Returns an empty string, or the compiler's words; of the same source, once.
+  /// binding 0, r32f or rgba32f; setUniforms sets the uniforms. Programs are kept. Returns an empty
+  /// string, or the compiler's words; of the same source, once.
   std::string Fill(vtkOpenGLRenderWindow* window, const std::string& source, glm::ivec2 size,
     int components, const std::function<void(vtkTerrainUniforms&)>& setUniforms);
 
@@ -61,8 +62,8 @@ public:
 private:
   void Allocate(vtkOpenGLRenderWindow* window, glm::ivec2 size, int components);
 
-  vtkTerrainComputeProgram Program;
-  std::string BuiltWith;
+  /// By their source.
+  std::map<std::string, vtkTerrainComputeProgram> Programs;
   vtkNew<vtkTextureObject> Texture;
   glm::ivec2 Size{ 0, 0 };
   bool Filled = false;

@@ -6,6 +6,7 @@
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExtractVOI.h"
 #include "vtkNew.h"
@@ -14,6 +15,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTestErrorObserver.h"
 
 #include <gtest/gtest.h>
 
@@ -242,6 +245,56 @@ TEST(OpenGLTerrainMapperCutting, WallsFollowColumns)
     }
   }
   EXPECT_EQ(wrong, 0);
+}
+
+TEST(OpenGLTerrainMapperCutting, APictureCoversTheWallsToo)
+{
+  vtkNew<vtkImageData> white;
+  white->SetDimensions(2, 2, 1);
+  white->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  white->GetPointData()->GetScalars()->Fill(255.0);
+  auto drape = [&white](TerrainScene& scene, const TerrainProp& terrain)
+  {
+    standOnBlock(scene, terrain);
+    const double* bounds = terrain.Mapper->GetHeights()->GetBounds();
+    terrain.Mapper->SetDrape(white, bounds);
+    terrain.Actor->GetProperty()->LightingOff();
+    terrain.Actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
+    scene.Look({ 200.0, 700.0, 100.0 }, { 200.0, 190.0, 60.0 });
+    scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  };
+  const auto picture = vtkTerrainTesting::DrawScene(drape);
+  int covered = 0;
+  int red = 0;
+  for (int y = 0; y < 150; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      const auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      covered += pixel[0] > 0 ? 1 : 0;
+      red += pixel[0] > pixel[1] + 8 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(covered, 5000);
+  EXPECT_EQ(red, 0);
+}
+
+TEST(OpenGLTerrainMapperCutting, SaysThatPlanesAreTooMany)
+{
+  vtkNew<vtkTest::ErrorObserver> errors;
+  auto clip = [&errors](TerrainScene&, const TerrainProp& terrain)
+  {
+    terrain.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+    for (int i = 0; i < 7; ++i)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetOrigin(100.0, 0.0, 0.0);
+      plane->SetNormal(1.0, 0.0, 0.0);
+      terrain.Mapper->AddClippingPlane(plane);
+    }
+  };
+  vtkTerrainTesting::DrawScene(clip);
+  EXPECT_NE(errors->GetErrorMessage().find("At most 6"), std::string::npos);
 }
 
 TEST(OpenGLTerrainMapperCutting, BlockInParallelProjection)
