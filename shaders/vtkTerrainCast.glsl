@@ -7,8 +7,8 @@
 // Processors that run rays side by side run both sides of a branch: defines leave out what a scene does
 // not need.
 // Defines: TERRAIN_COLUMNS for columns; TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels each
-// way are there
-// (vtkTerrainBeamCS.glsl).
+// way are there (vtkTerrainBeamCS.glsl); TERRAIN_CLIP_PLANES and TERRAIN_BLOCK for what cuts rays;
+// TERRAIN_WITHIN for a pixel tolerance.
 
 uniform int terrainLayer;    // surfaces that the ray passes by
 uniform ivec2 terrainCulled; // 1 if hits from above, from below are passed by

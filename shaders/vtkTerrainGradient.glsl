@@ -8,7 +8,7 @@
 uniform sampler2D terrainMeans;  // mean codes of squares of texels: src/core/HeightMeans.h
 uniform float terrainMeansScale; // codes per unit of terrainMeans
 
-const float terrainFirstMeanLevel = 3.0;
+const float terrainFirstMeanLevel = 3.0; // twin: kFirstMeanLevel in src/core/HeightMeans.h
 
 // Code of the texels' surface at a position relative to a cell of texels; negative where there is none.
 float terrainTexelHeight(ivec2 cell, vec2 position)
@@ -19,9 +19,9 @@ float terrainTexelHeight(ivec2 cell, vec2 position)
 }
 
 // Gradient of the texels' surface at a position in a cell of texels, as the central difference over a
-// width in texels: the mean slope along it. Continuous everywhere, and for a width of 1 the gradient of
-// the patch at the centre of a cell. At the border, and where there are no heights, the difference
-// ends. Codes: of the cell's corners.
+// width in texels: the mean slope along it. Continuous away from holes, and for a width of 1 the
+// gradient of the patch at the centre of a cell. The difference ends at the border, and at the position
+// where there are no heights; without any it is the patch's own. Codes: of the cell's corners.
 vec2 terrainWideGradient(ivec2 cell, vec2 fraction, vec4 codes, float width)
 {
   vec2 low = max(fraction - 0.5 * width, vec2(-cell));
@@ -35,7 +35,9 @@ vec2 terrainWideGradient(ivec2 cell, vec2 fraction, vec4 codes, float width)
   bvec2 noLow = lessThan(atLow, vec2(0.0));
   bvec2 noHigh = lessThan(atHigh, vec2(0.0));
   vec2 apart = mix(high, fraction, noHigh) - mix(low, fraction, noLow);
-  return (mix(atHigh, vec2(here), noHigh) - mix(atLow, vec2(here), noLow)) / max(apart, 1e-3);
+  vec2 mean = (mix(atHigh, vec2(here), noHigh) - mix(atLow, vec2(here), noLow)) / max(apart, 1e-3);
+  return mix(mean, terrainPatchGradient(codes, fraction),
+    bvec2(noLow.x && noHigh.x, noLow.y && noHigh.y));
 }
 
 // The same of the means of squares of 2^level texels a side, level >= terrainFirstMeanLevel.

@@ -109,22 +109,7 @@ vec4 terrainCellCodes(ivec2 cell)
   vec4 codes = terrainPartCodes(cell, terrainDetailLevel);
   return codes.x < 0.0 ? codes : codes + terrainDetailCodes(cell);
 }
-
-// Code of a sample; negative if it has no height. 0 <= sampleIndex < terrainSize.
-float terrainCode(ivec2 sampleIndex)
-{
-  ivec2 cell = min(sampleIndex, terrainSize - 2);
-  vec4 codes = terrainCellCodes(cell);
-  vec2 row = sampleIndex.y > cell.y ? codes.zw : codes.xy;
-  return sampleIndex.x > cell.x ? row.y : row.x;
-}
 #else
-// Code of a sample; negative if it has no height. 0 <= sampleIndex < terrainSize.
-float terrainCode(ivec2 sampleIndex)
-{
-  return terrainTexelCode(sampleIndex);
-}
-
 // Codes of the corners of a cell: south-west, south-east, north-west, north-east.
 vec4 terrainCellCodes(ivec2 cell)
 {

@@ -6,7 +6,8 @@
 // vtkTerrainCast.glsl; for columns, vtkTerrainColumns.glsl.
 // Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_MESH if rays begin at the
 // coarse mesh; TERRAIN_DEPTH_OFFSET if depths are shifted thereafter; TERRAIN_COLUMNS for columns;
-// TERRAIN_BLOCK if the surface covers a block that clipping planes cut.
+// TERRAIN_BLOCK if the surface covers a block that clipping planes cut; TERRAIN_CLIP_PLANES if there are
+// such; TERRAIN_READ_SIGHTINGS if a compute shader has cast the rays (vtkTerrainSighting.glsl).
 
 uniform int terrainFlat; // 1 for the normals of single patches, not of differences across them
 

@@ -10,7 +10,6 @@
 #include "vtkTerrainGL.h"
 #include "vtkTerrainMapperInternals.h"
 
-#include "core/DetailHeights.h"
 #include "core/HeightSearch.h"
 
 #include "vtkTerrainBeam.h"
@@ -190,15 +189,13 @@ void vtkOpenGLTerrainMapper::SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vt
   {
     uniforms.Set("terrainBeamStarts", internals.BeamStarts.GetTextureUnit());
     // with detail, beams stop farther off, counted in its cells: half of its levels higher
-    const int detail =
-      internals.Heights.HasDetail() ? terrain::LevelOfCells(this->DetailCells) / 2 : 0;
-    uniforms.Set(
-      "terrainPyramidStart", std::min(internals.Heights.GetPyramidTop(), BeamLevel) + detail);
+    uniforms.Set("terrainPyramidStart",
+      std::min(internals.Heights.GetPyramidTop(), BeamLevel) +
+        internals.Heights.GetDetailLevel() / 2);
   }
   if (uniforms.Uses("terrainSightings"))
   {
     uniforms.Set("terrainSightings", internals.Sightings.GetTextureUnit());
-    uniforms.Set("terrainCells", internals.Heights.GetSize() - 1);
   }
 }
 

@@ -373,9 +373,9 @@ void vtkTerrainHeightTexture::SetUniforms(vtkTerrainUniforms& uniforms)
   {
     uniforms.Set("terrainPyramid", this->PyramidTexture->GetTextureUnit());
     uniforms.Set("terrainPyramidSize", this->PyramidSize);
-    const int below = this->HasDetail() ? this->DetailLevel : 0;
-    uniforms.Set("terrainPyramidTop", this->PyramidTop > 0 ? this->PyramidTop + below : 0);
+    uniforms.Set(
+      "terrainPyramidTop", this->PyramidTop > 0 ? this->PyramidTop + this->GetDetailLevel() : 0);
     // Rays start near the surface: from the top down, most levels would be visited in vain.
-    uniforms.Set("terrainPyramidStart", std::min(this->PyramidTop, 5) + below);
+    uniforms.Set("terrainPyramidStart", std::min(this->PyramidTop, 5) + this->GetDetailLevel());
   }
 }

@@ -46,6 +46,11 @@ public:
   {
     return this->Detail.HasDetail();
   }
+  /// log2 of the detail's cells along a cell of the heights; 0 without detail.
+  int GetDetailLevel() const
+  {
+    return this->HasDetail() ? this->DetailLevel : 0;
+  }
 
   /// Lowest and highest height that the detail adds, in height units; 0, 0 without detail.
   glm::dvec2 GetDetailRange() const;

@@ -21,7 +21,7 @@
 
 namespace terrain
 {
-/// Code of a sample without height, as terrainCode() gives it.
+/// Code of a sample without height, as terrainCellCodes() gives it.
 constexpr float NoDataCode = -1.0f;
 
 /// How heights are coded, see above.

@@ -55,7 +55,8 @@ PixelRays MakePixelRays(
   const glm::dmat4& gridToView, const glm::dmat4& viewToDisplay, const glm::dvec4& viewport);
 
 /// Twin of terrainPixelRay(): the ray of a pixel from the start distance to the end distance,
-/// stored relative to the cell where it starts.
+/// stored relative to the cell where it starts. The shader cuts the origin's height where this
+/// rounds it: its sum with originLow is the same.
 TerrainRay MakePixelRay(const PixelRays& rays, const glm::dvec2& pixel, double start, double end);
 
 /**

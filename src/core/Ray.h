@@ -58,7 +58,7 @@ struct CodedHeights
   int bias = 0;
   float maximumCode = 0.0f;
 
-  /// Twin of terrainCode(): code of a sample, NoDataCode (or any negative) if it has none.
+  /// As in terrainTexelCode(): code of a sample, NoDataCode (or any negative) if it has none.
   float Code(glm::ivec2 sample) const
   {
     return static_cast<float>(

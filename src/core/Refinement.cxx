@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <type_traits>
 
 namespace terrain
@@ -72,7 +73,6 @@ struct Refiner::Work
   int DepthCount = 0;
   MeshSink Mesh;
   SampleSink Samples;
-  WaitingVertices Waiting;
 
   void Tabulate();
   void TabulateDetail();
@@ -286,7 +286,6 @@ void Refiner::Work::SetTolerance(const RefinementView& view, double tolerance)
 void Refiner::Work::SetPlanes(const RefinementView& view, CullingMethod culling)
 {
   this->Frame.PlaneCount = 0;
-  this->Frame.IsLazy = culling == CullingMethod::Lazy;
   const int lazyDepths = culling == CullingMethod::Lazy ? kLazyDepths : 0;
   for (int depth = 0; depth < this->DepthCount; ++depth)
   {
@@ -325,7 +324,7 @@ template <typename Switch, typename Sink>
 std::int64_t Refiner::Work::RunKernel(Sink& sink, RefinementMethod method, std::uint32_t centre,
   const std::array<std::uint32_t, 4>& corners)
 {
-  RefinementKernel<Switch, Sink> kernel(this->Frame, sink, this->Waiting);
+  RefinementKernel<Switch, Sink> kernel(this->Frame, sink);
   const std::uint32_t drawn = this->CentreSite().Record.Drawn();
   sink.Reserve();
   if (method == RefinementMethod::Plain)
@@ -459,6 +458,10 @@ void Refiner::Refine(const RefinementView& view, const RefinementOptions& option
   {
     mesh.Clear();
     return;
+  }
+  if (!work.Mesh.Inside.Allocate(layout.RecordCount()))
+  {
+    throw std::bad_alloc();
   }
   work.SetView(view);
   work.SetPlanes(view, options.Culling);

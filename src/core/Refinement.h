@@ -15,12 +15,10 @@
  * time; so is the end of the entering edge that came last. Three procedures: general; left-only and
  * right-only for triangles where an unsplit neighbour forbids the other half to be split, so that
  * its vertex is not looked at. Every triangle costs one index, two where the strip turns twice to
- * the same side: no strip along the same path has fewer. Beyond the thesis, a vertex is decided on
- * once: that it is active waits on a stack for the second of its two triangles
- * (RefinementBuffers.h), which neither tests it nor has to find its index.
- * Plain: Lindstrom and Pascucci 2002, section 3.3, where a vertex is tested and appended once for
- * each triangle whose apex it is and repeated by comparing with the strip's end and its parity. The
- * same triangles, more vertices visited and more indices.
+ * the same side: no strip along the same path has fewer.
+ * Plain: Lindstrom and Pascucci 2002, section 3.3, where a vertex is appended once for each
+ * triangle whose apex it is and repeated by comparing with the strip's end and its parity. The same
+ * triangles, more vertices visited and more indices.
  *
  * Culling against planes with the nested spheres. The sphere of a vertex holds all of its diamond,
  * so what is culled is coarser, and only outside. Nested culling tests every sphere that a plane

@@ -65,8 +65,6 @@ struct RefinementFrame
   /// Planes, and the size of a cell and of the height unit in their space.
   std::array<glm::dvec4, 8> Planes{};
   int PlaneCount = 0;
-  /// Some depths are not tested against them.
-  bool IsLazy = false;
   glm::dvec3 Step{ 1.0 };
   std::uint32_t LastColumn = 0;
   std::uint32_t LastRow = 0;
@@ -113,10 +111,6 @@ struct TriangleSite
   std::uint32_t Right;
   std::uint32_t Middle;
   std::uint32_t PlaneMask;
-  /// EdgeBits (RefinementVisits.h).
-  std::uint32_t Edges;
-  /// Vertices on the hypotenuse that waited for this triangle, Middle among them; 0 if it is new.
-  std::uint32_t Waiting;
   /// Only with holes: the triangle's direction, and the drawn bits of the vertex.
   std::uint32_t Direction;
   std::uint32_t Drawn;
