@@ -113,6 +113,17 @@ terrain::RefinementView ViewOf(vtkCamera* camera, const int size[2], double exag
   return view;
 }
 
+/// True if this is one of several pieces of the terrain, and has no samples.
+bool IsEmptyPiece(vtkInformationVector* input, vtkInformationVector* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkImageData* image = vtkImageData::GetData(input);
+  vtkInformation* info = output->GetInformationObject(0);
+  return image && image->GetNumberOfPoints() == 0 &&
+    info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
+    info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
+}
+
 /// Heights of an image as float, none if a sample has no height.
 std::vector<float> HeightsOf(vtkImageData* image)
 {
@@ -422,7 +433,8 @@ bool vtkTerrainStrips::PrepareDetail(vtkInformationVector* input)
   return true;
 }
 
-// Base and detail are images of different sizes, and both are needed whole.
+// Base and detail are images of different sizes. Of the base that piece is needed that is asked
+// for, of the detail all.
 int vtkTerrainStrips::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
@@ -435,6 +447,12 @@ int vtkTerrainStrips::RequestUpdateExtent(
       input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
       input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
     }
+  }
+  if (vtkInformation* detail = inputVector[1]->GetInformationObject(0))
+  {
+    detail->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    detail->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    detail->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   return 1;
 }
@@ -454,6 +472,10 @@ int vtkTerrainStrips::RequestData(
     vtkErrorMacro("The viewport must have pixels, it has " << this->ViewportSize[0] << " x "
                                                            << this->ViewportSize[1] << ".");
     return 0;
+  }
+  if (IsEmptyPiece(inputVector[0], outputVector))
+  {
+    return 1;
   }
   if (!this->PrepareInput(inputVector[0]) || !this->PrepareDetail(inputVector[1]))
   {

@@ -6,6 +6,7 @@
 
 #include "vtkTerrainDetailSource.h"
 #include "vtkTerrainHierarchy.h"
+#include "vtkTerrainSource.h"
 #include "vtkTerrainTesting.h"
 
 #include <vtkCamera.h>
@@ -208,7 +209,7 @@ TEST(TerrainStrips, WithDetailPointsAreSamplesOfTheSum)
     below += i % 4 != 0 || j % 4 != 0 ? 1 : 0;
   }
   EXPECT_GT(below, 100);
-  // Other scales prepare nothing, other cells do; without detail it is as if there never was any.
+  // With scale 0 few points are left; without detail it is as if there never was any.
   pipeline.Strips->SetDetailScale(0.0);
   EXPECT_LT(pipeline.Update()->GetNumberOfPoints(), below);
   pipeline.Strips->SetDetailData(nullptr);
@@ -388,6 +389,27 @@ TEST(TerrainStrips, RefusesWhatAreNoHeights)
   pipeline.Strips->SetHierarchy(empty);
   EXPECT_TRUE(pipeline.Fails());
   EXPECT_FALSE(empty->WriteFile(TemporaryPath("empty")));
+}
+
+TEST(TerrainStrips, PiecesHaveTheWholeDetailAndMayBeEmpty)
+{
+  Pipeline pipeline;
+  vtkNew<vtkTerrainSource> source;
+  source->SetDimensions(33, 20);
+  vtkNew<vtkTerrainDetailSource> detail;
+  detail->SetSize(32);
+  pipeline.Strips->SetInputConnection(source->GetOutputPort());
+  pipeline.Strips->SetDetailConnection(detail->GetOutputPort());
+  pipeline.Strips->SetDetailCells(4);
+  for (const int pieces : { 3, 64 }) // of 64 most have no samples
+  {
+    for (const int piece : { 0, 1, pieces - 1 })
+    {
+      pipeline.Strips->UpdatePiece(piece, pieces, 0);
+      EXPECT_FALSE(pipeline.Errors->GetError()) << pipeline.Errors->GetErrorMessage();
+      EXPECT_EQ(pipeline.Strips->GetDetail()->GetDimensions()[1], 32);
+    }
+  }
 }
 
 TEST(TerrainStrips, DrawsNothingOfNoCells)
