@@ -22,9 +22,10 @@ display.TerrainHillshadeAltitude = 60.0
 array = terrain.PointData[0]
 simple.ColorBy(display, ("POINTS", array.Name))
 colors = simple.GetColorTransferFunction(array.Name)
-highest = array.GetRange()[1]
-colors.RGBPoints = [0.0, 0.4, 0.6, 0.4, 0.3 * highest, 0.6, 0.7, 0.4,
-                    0.7 * highest, 0.8, 0.7, 0.5, highest, 1.0, 1.0, 1.0]
+lowest, highest = array.GetRange()
+relief = [(0.0, 0.4, 0.6, 0.4), (0.3, 0.6, 0.7, 0.4), (0.7, 0.8, 0.7, 0.5), (1.0, 1.0, 1.0, 1.0)]
+colors.RGBPoints = [number for part, *color in relief
+                    for number in (lowest + part * (highest - lowest), *color)]
 colors.ColorSpace = "RGB"
 display.SetScalarBarVisibility(view, True)
 

@@ -21,6 +21,7 @@ SCRIPT = str(pathlib.Path(__file__).with_name("drawRanks.py"))
 # Share of pixels that may differ by more than 1/255. The steps of Equidistant and Exponential depend
 # on the coarse mesh, and that on the size of a piece; translucent colours are rounded once a rank.
 LARGEST_SHARES = {"Pyramid": 1e-4, "Linear": 1e-4, "Mesh": 1e-4, "OneCell": 1e-4,
+                  "Relief": 1e-4, "TranslucentCell": 1e-3,
                   "Translucent": 1e-3, "TranslucentWithBall": 1e-3, "Equidistant": 2e-3,
                   "Exponential": 2e-3}
 ENVIRONMENT = {**os.environ, "OMP_NUM_THREADS": "1", "LP_NUM_THREADS": "1"}
@@ -37,15 +38,23 @@ def read(prefix):
             for case in LARGEST_SHARES}
 
 
+def prefix_of(kind, ranks):
+    """Where pictures go; those of runs before are removed."""
+    prefix = vtkTerrainTesting.output_path(f"{kind}{ranks}")
+    for case in LARGEST_SHARES:
+        pathlib.Path(f"{prefix}-{case}.png").unlink(missing_ok=True)
+    return prefix
+
+
 def draw(ranks):
-    prefix = vtkTerrainTesting.output_path(f"ranks{ranks}")
+    prefix = prefix_of("ranks", ranks)
     subprocess.run(on_ranks(ranks, PVBATCH, SCRIPT, prefix), check=True, env=ENVIRONMENT)
     return read(prefix)
 
 
 def draw_on_server(ranks):
     """The same pictures from a client of a server on some ranks."""
-    prefix = vtkTerrainTesting.output_path(f"server{ranks}")
+    prefix = prefix_of("server", ranks)
     with socket.socket() as free:
         free.bind(("localhost", 0))
         port = str(free.getsockname()[1])

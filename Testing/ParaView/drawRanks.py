@@ -31,5 +31,14 @@ simple.Hide(ball, view)
 terrainScene.save(view, f"{sys.argv[1]}-Translucent.png")
 simple.Hide(source, view)
 cell = simple.TerrainLandscape(Dimensions=[2, 2])  # more ranks than cells
-terrainScene.show_terrain(cell, view)
+shown_cell = terrainScene.show_terrain(cell, view)
 terrainScene.save(view, f"{sys.argv[1]}-OneCell.png")
+shown_cell.Opacity = 0.5
+terrainScene.save(view, f"{sys.argv[1]}-TranslucentCell.png")
+simple.Hide(cell, view)
+display.Opacity = 1.0
+display.TerrainColorSource = "Height"
+display.TerrainTechnique = "Pyramid"
+simple.Show(source, view)
+simple.ColorBy(display, None)
+terrainScene.save(view, f"{sys.argv[1]}-Relief.png")

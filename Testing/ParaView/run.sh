@@ -28,4 +28,4 @@ cmake -G Ninja -S "$source_dir" -B "$build_dir" -DCMAKE_BUILD_TYPE=Release \
   -DPython3_EXECUTABLE=/usr/bin/python3 "-DParaView_DIR=$package_dir"
 cmake --build "$build_dir"
 cd "$build_dir"
-exec ctest --output-on-failure
+exec ctest --no-tests=error --output-on-failure

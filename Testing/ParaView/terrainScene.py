@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A view of a terrain in ParaView, for the tests."""
 import os
+import pathlib
 
 from paraview import simple
 
@@ -51,6 +52,8 @@ def look_from_the_south(view, width=40960.0):
 
 
 def save(view, path):
-    """Draws the view into a PNG file."""
+    """Draws the view into a PNG file, of which none is left if that fails."""
+    pathlib.Path(path).unlink(missing_ok=True)
     simple.Render(view)
     simple.SaveScreenshot(path, view, ImageResolution=list(SIZE))
+    assert pathlib.Path(path).exists(), path

@@ -6,8 +6,8 @@ if [ ! -x "$1" ]; then
   echo "Skipped: no ParaView; VTKTERRAIN_PVBATCH names one, Testing/ParaView/run.sh unpacks one"
   exit 77
 fi
-prefix=$(dirname "$(dirname "$1")")
-if [ -z "$(find "$prefix/lib" -name paraview-config.cmake)" ]; then
+prefix=$(dirname "$(dirname "$(readlink -f "$1")")")
+if [ -z "$(find "$prefix"/lib* -name paraview-config.cmake)" ]; then
   echo "Skipped: the ParaView below $prefix has no headers (Debian: paraview-dev)"
   exit 77
 fi

@@ -95,6 +95,44 @@ void OwnSamples(vtkImageData* image, std::array<int, 2>& first, std::array<int, 
 }
 
 //------------------------------------------------------------------------------
+bool AreSame(vtkImageData* a, vtkImageData* b)
+{
+  const auto areSameArrays = [](vtkFieldData* first, vtkFieldData* second)
+  {
+    bool same = first->GetNumberOfArrays() == second->GetNumberOfArrays();
+    for (int i = 0; same && i < first->GetNumberOfArrays(); ++i)
+    {
+      same = first->GetAbstractArray(i) == second->GetAbstractArray(i);
+    }
+    return same;
+  };
+  const auto areSameNumbers = [](const auto* first, const auto* second, int count)
+  { return std::equal(first, first + count, second); };
+  return areSameNumbers(a->GetExtent(), b->GetExtent(), 6) &&
+    areSameNumbers(a->GetOrigin(), b->GetOrigin(), 3) &&
+    areSameNumbers(a->GetSpacing(), b->GetSpacing(), 3) &&
+    a->GetPointData()->GetScalars() == b->GetPointData()->GetScalars() &&
+    areSameArrays(a->GetPointData(), b->GetPointData()) &&
+    areSameArrays(a->GetCellData(), b->GetCellData());
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> HeightRange(const std::vector<vtkImageData*>& images)
+{
+  std::array<double, 2> all{ VTK_DOUBLE_MAX, VTK_DOUBLE_MIN };
+  for (vtkImageData* image : images)
+  {
+    if (vtkDataArray* heights = image->GetPointData()->GetScalars())
+    {
+      double range[2];
+      heights->GetFiniteRange(range, 0);
+      all = { std::min(all[0], range[0]), std::max(all[1], range[1]) };
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
 void AddOwnBox(
   vtkImageData* heights, double exaggeration, vtkMatrix4x4* toWorld, vtkBoundingBox& box)
 {

@@ -32,6 +32,12 @@ vtkSmartPointer<vtkImageData> CellsAsSamples(vtkImageData* image);
 /// of another process's.
 void OwnSamples(vtkImageData* image, std::array<int, 2>& first, std::array<int, 2>& last);
 
+/// Whether two images show the same heights and colours: the same arrays on the same grid.
+bool AreSame(vtkImageData* a, vtkImageData* b);
+
+/// Lowest and highest scalar of all images; the first is above the second if there is none.
+std::array<double, 2> HeightRange(const std::vector<vtkImageData*>& images);
+
 /// Adds to a box in world coordinates that of the own samples, if any has a height.
 void AddOwnBox(
   vtkImageData* heights, double exaggeration, vtkMatrix4x4* toWorld, vtkBoundingBox& box);

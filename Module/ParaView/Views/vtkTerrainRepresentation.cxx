@@ -5,6 +5,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -12,6 +13,7 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkPVRenderView.h"
@@ -147,7 +149,24 @@ int vtkTerrainRepresentation::RequestData(
       this->AddPiece(image);
     }
   }
+  this->ShareHeightRange();
   return this->Superclass::RequestData(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
+// Colours by height must not depend on where a terrain is divided.
+void vtkTerrainRepresentation::ShareHeightRange()
+{
+  const std::array<double, 2> own =
+    vtkTerrainPieces::HeightRange(vtkTerrainPieces::FindImages(this->Pieces));
+  this->HeightRange = own;
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  if (processes && processes->GetNumberOfProcesses() > 1)
+  {
+    processes->AllReduce(&own[0], &this->HeightRange[0], 1, vtkCommunicator::MIN_OP);
+    processes->AllReduce(&own[1], &this->HeightRange[1], 1, vtkCommunicator::MAX_OP);
+  }
+  this->ReliefColors = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -245,10 +264,19 @@ void vtkTerrainRepresentation::TakePieces(vtkInformation* inInfo)
     pieces.end());
   this->Actor->SetVisibility(!pieces.empty() && this->GetVisibility());
   this->SetNumberOfActors(pieces.size());
+  if (!this->ReliefColors && !pieces.empty())
+  {
+    // a client that draws has no heights of its own, but all of what is delivered
+    const std::array<double, 2> range = this->HeightRange[0] <= this->HeightRange[1]
+      ? this->HeightRange
+      : vtkTerrainPieces::HeightRange(pieces);
+    this->ReliefColors = vtkTerrainActor::MakeReliefColors(range[0], range[1]);
+  }
   for (std::size_t k = 0; k < pieces.size(); ++k)
   {
     vtkTerrainActor* actor = k == 0 ? this->Actor.Get() : this->OtherActors[k - 1].Get();
-    if (actor->GetHeights() != pieces[k])
+    // each update brings other images, but other arrays only if something has changed
+    if (!actor->GetHeights() || !vtkTerrainPieces::AreSame(actor->GetHeights(), pieces[k]))
     {
       actor->SetInputData(pieces[k]);
       std::array<int, 2> first{};
@@ -268,17 +296,18 @@ void vtkTerrainRepresentation::TakePieces(vtkInformation* inInfo)
 //------------------------------------------------------------------------------
 void vtkTerrainRepresentation::SetNumberOfActors(std::size_t number)
 {
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   while (this->OtherActors.size() + 1 > std::max<std::size_t>(number, 1))
   {
-    this->View->GetRenderer()->RemoveActor(this->OtherActors.back());
-    this->View->UnRegisterPropForHardwareSelection(this, this->OtherActors.back());
+    view->GetRenderer()->RemoveActor(this->OtherActors.back());
+    view->UnRegisterPropForHardwareSelection(this, this->OtherActors.back());
     this->OtherActors.pop_back();
   }
   while (this->OtherActors.size() + 1 < number)
   {
     this->OtherActors.push_back(vtkSmartPointer<vtkTerrainActor>::New());
-    this->View->GetRenderer()->AddActor(this->OtherActors.back());
-    this->View->RegisterPropForHardwareSelection(this, this->OtherActors.back());
+    view->GetRenderer()->AddActor(this->OtherActors.back());
+    view->RegisterPropForHardwareSelection(this, this->OtherActors.back());
   }
 }
 
@@ -293,7 +322,7 @@ void vtkTerrainRepresentation::UpdateColors(vtkTerrainActor* actor)
   const bool usesArray = mapper->GetColorSource() == vtkOpenGLTerrainMapper::ColorSources::Array;
   const bool hasArray = name && *name;
   actor->SetColorByHeight(hasArray || !usesArray);
-  actor->SetLookupTable(this->LookupTable);
+  actor->SetLookupTable(this->LookupTable ? this->LookupTable : this->ReliefColors);
   if (hasArray)
   {
     const bool isOfCells =
@@ -313,7 +342,6 @@ bool vtkTerrainRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
-  this->View = renderView;
   renderView->GetRenderer()->AddActor(this->Actor);
   renderView->RegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::AddToView(view);
@@ -328,7 +356,6 @@ bool vtkTerrainRepresentation::RemoveFromView(vtkView* view)
     return false;
   }
   this->SetNumberOfActors(1);
-  this->View = nullptr;
   renderView->GetRenderer()->RemoveActor(this->Actor);
   renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::RemoveFromView(view);

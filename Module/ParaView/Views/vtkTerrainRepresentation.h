@@ -24,14 +24,13 @@
 #include "vtkPVDataRepresentation.h"
 #include "vtkSmartPointer.h"               // For members
 #include "vtkTerrainParaViewViewsModule.h" // For export macro
-#include "vtkWeakPointer.h"                // For members
 
+#include <array>   // For members
 #include <cstddef> // For std::size_t
 #include <vector>  // For members
 
 class vtkImageData;
 class vtkMultiBlockDataSet;
-class vtkPVRenderView;
 class vtkScalarsToColors;
 class vtkTerrainActor;
 class vtkTexture;
@@ -111,6 +110,7 @@ protected:
 
 private:
   void AddPiece(vtkImageData* image);
+  void ShareHeightRange();
   void PassPieces(vtkInformation* inInfo, vtkInformation* outInfo);
   void GetOwnBounds(double bounds[6]);
   void TakePieces(vtkInformation* inInfo);
@@ -122,7 +122,10 @@ private:
   std::vector<vtkSmartPointer<vtkTerrainActor>> OtherActors;
   /// The heights of this process.
   vtkSmartPointer<vtkMultiBlockDataSet> Pieces;
-  vtkWeakPointer<vtkPVRenderView> View;
+  /// Of the heights of all processes, as far as they are known; the colours of that range, shown
+  /// where no others are.
+  std::array<double, 2> HeightRange{ 1.0, 0.0 };
+  vtkSmartPointer<vtkScalarsToColors> ReliefColors;
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
 };
 
