@@ -66,7 +66,8 @@ vec2 terrainClipRange(vec2 pixel, vec2 range, out int begin)
 const float terrainLongRay = 256.0;
 
 // True if a ray meets the surface of a cell from above. Where a tolerance has ended the search before
-// the surface, the side of it tells.
+// the surface, a ray above it does so, too; and so does one below it that falls more than the surface:
+// it has come in under the border of the grid or of a hole, and does not see the underside.
 bool terrainSeesFront(TerrainRay ray, TerrainHit hit, vec4 codes)
 {
 #ifdef TERRAIN_COLUMNS
@@ -78,7 +79,7 @@ bool terrainSeesFront(TerrainRay ray, TerrainHit hit, vec4 codes)
   float above =
     ray.originGC.z + hit.s * ray.directionGC.z - terrainPatchCode(codes, hit.fraction);
   float rounding = 1e-5 * (terrainMaximumCode + abs(ray.originGC.z));
-  front = abs(above) > rounding ? above > 0.0 : front;
+  front = front || above > rounding;
 #endif
   return front;
 #endif

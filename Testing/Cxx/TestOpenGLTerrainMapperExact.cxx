@@ -296,6 +296,20 @@ TEST(OpenGLTerrainMapperExact, StaysWithinThePixelTolerance)
     before = median;
   }
   EXPECT_GT(before, 0.5);
+
+  // No speck of the underside at the border, over which the eye looks from outside, down on slopes
+  // that fall less than the rays.
+  drawing.Mapper->SetVerticalExaggeration(0.02);
+  drawing.Look(-60.0, -60.0, 250.0, 200.0, 160.0, 0.0);
+  drawing.Mapper->SetPixelTolerance(8.0);
+  vtkNew<vtkImageData> both;
+  both->DeepCopy(drawing.Distances());
+  drawing.Actor->GetProperty()->BackfaceCullingOn();
+  EXPECT_EQ(vtkTerrainTesting::CountDifferentDistances(both, drawing.Distances()), 0);
+  drawing.Actor->GetProperty()->BackfaceCullingOff();
+  drawing.Mapper->SetVerticalExaggeration(1.0);
+
+  drawing.Look(200.0, -150.0, 2500.0, 200.0, 160.0, 100.0);
   drawing.Mapper->SetPixelTolerance(0.0);
   EXPECT_EQ(vtkTerrainTesting::CountDifferentDistances(exact, drawing.Distances()), 0);
 }
