@@ -17,12 +17,15 @@
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkProperty.h"
 #include "vtkTestErrorObserver.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <random>
 #include <vector>
 
@@ -250,6 +253,75 @@ TEST(TerrainDetailLight, IsThatOfTheSum)
   parts.Mapper->SetTechnique(Techniques::Mesh);
   EXPECT_LE(differentPixels(parts, whole, { 640.0, 640.0, 90000.0 }, { 640.0, 641.0, 0.0 }, 0.2, 8),
     120 * 90 / 100);
+}
+
+/// Directions to three lights around the vertical, which show a normal up to 60 degrees from it as
+/// a colour.
+const glm::dmat3 ToLights(glm::normalize(glm::dvec3(0.5, 0.0, 1.0)),
+  glm::normalize(glm::dvec3(-0.3, 0.4, 1.0)), glm::normalize(glm::dvec3(-0.3, -0.4, 1.0)));
+
+/// Lights a drawing in red, green and blue from these directions only, without highlights.
+void lightNormals(Drawing& drawing)
+{
+  drawing.Light->SwitchOff();
+  for (int k = 0; k < 3; ++k)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetColor(k == 0, k == 1, k == 2);
+    light->SetPosition(&glm::dvec3(ToLights[k])[0]);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    drawing.Scene.Renderer->AddLight(light);
+  }
+  drawing.Actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+}
+
+/// Slopes of an image of heights at a position in samples: central differences over a sample.
+glm::dvec2 differences(vtkImageData* image, double x, double y)
+{
+  return { bilinear(image, x + 0.5, y) - bilinear(image, x - 0.5, y),
+    bilinear(image, x, y + 0.5) - bilinear(image, x, y - 0.5) };
+}
+
+// Where pixels are smaller than cells, normals are those of differences of the reference heights,
+// over a cell of the base and over a cell of the detail. Straight down, pixels are positions.
+TEST(TerrainDetailLight, IsThatOfDifferences)
+{
+  const auto base = makeBase();
+  const auto detail = makeDetail(64);
+  Drawing drawing(base, detail);
+  lightNormals(drawing);
+  drawing.Look({ 640.0, 640.0, 1500.0 }, { 640.0, 640.0, 0.0 });
+  vtkCamera* camera = drawing.Scene.Renderer->GetActiveCamera();
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->ParallelProjectionOn();
+  const double pixel = 2.0; // metres; a cell of the detail is 5 wide
+  camera->SetParallelScale(45.0 * pixel);
+  drawing.Scene.Renderer->ResetCameraClippingRange();
+  const auto picture = vtkTerrainTesting::Render(drawing.Scene.Window);
+  int off = 0;
+  double worst = 0.0;
+  for (int y = 0; y < 90; ++y)
+  {
+    for (int x = 0; x < 120; ++x)
+    {
+      const auto* color = static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      const glm::dvec3 seen = glm::normalize(
+        glm::inverse(glm::transpose(ToLights)) * glm::dvec3(color[0], color[1], color[2]));
+      const glm::dvec2 at = (glm::dvec2(640.0) + pixel * glm::dvec2(x - 59.5, y - 44.5)) /
+        BaseSpacing; // in samples of the base
+      const glm::dvec2 slope = (differences(base, at.x, at.y) +
+                                 Cells * Scale * differences(detail, Cells * at.x, Cells * at.y)) /
+        BaseSpacing;
+      const glm::dvec3 expected = glm::normalize(glm::dvec3(-slope, 1.0));
+      const double angle = glm::degrees(std::acos(std::min(glm::dot(seen, expected), 1.0)));
+      off += angle > 1.0 ? 1 : 0;
+      worst = std::max(worst, angle);
+    }
+  }
+  std::cout << off << " of " << 120 * 90 << " pixels are off by more than 1 degree, the worst by "
+            << worst << "\n";
+  EXPECT_LE(off, 120 * 90 / 100);
 }
 
 TEST(TerrainDetailLight, LooksAsBefore)
