@@ -5,6 +5,7 @@
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkDepthOfFieldPass.h"
 #include "vtkEDLShading.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -22,12 +23,14 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOPass.h"
+#include "vtkScalarBarActor.h"
 #include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 #include "vtkSphereSource.h"
 #include "vtkTerrainActor.h"
 #include "vtkTerrainSource.h"
+#include "vtkTextProperty.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
@@ -297,6 +300,49 @@ void samples(Picture& picture)
   picture.Look(0.35, 0.0, 5500.0, 0.5, 0.6, 2500.0);
 }
 
+void columns(Picture& picture)
+{
+  picture.Mapper()->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Columns);
+  const int first[2] = { 96, 64 };
+  const int last[2] = { 160, 128 };
+  picture.Mapper()->SetExtract(first, last);
+  picture.Mapper()->SetBlock(true);
+  picture.Look(0.4, 0.05, 9500.0, 0.5, 0.37, 1500.0);
+}
+
+void scalarBar(Picture& picture)
+{
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(picture.Terrain->GetLookupTable());
+  bar->SetTitle("m");
+  bar->SetNumberOfLabels(4);
+  bar->SetLabelFormat("%.0f");
+  bar->SetPosition(0.86, 0.3);
+  bar->SetWidth(0.1);
+  bar->SetHeight(0.6);
+  bar->SetUnconstrainedFontSize(true);
+  for (vtkTextProperty* text : { bar->GetLabelTextProperty(), bar->GetTitleTextProperty() })
+  {
+    text->SetColor(0.1, 0.1, 0.1);
+    text->SetFontSize(12);
+    text->ShadowOff();
+  }
+  picture.Renderer->AddViewProp(bar);
+}
+
+void depthOfField(Picture& picture)
+{
+  picture.Look(0.35, -0.05, 6500.0, 0.5, 0.45, 2500.0);
+  picture.Renderer->GetActiveCamera()->SetFocalDisk(600.0);
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkDepthOfFieldPass> pass;
+  pass->AutomaticFocalDistanceOff();
+  pass->SetDelegatePass(steps);
+  picture.Renderer->SetPass(pass);
+  picture.Renderer->ResetCameraClippingRange();
+  picture.Window->Render(); // the first frame of this pass is black, whatever the scene
+}
+
 void oneSample(Picture& picture)
 {
   picture.Look(0.35, 0.0, 5500.0, 0.5, 0.6, 2500.0);
@@ -313,6 +359,7 @@ constexpr Entry Entries[] = { { "plain", plain }, { "relief", relief }, { "array
   { "drape", drape }, { "actors", amongActors }, { "translucent", translucent },
   { "shadows", shadows }, { "occlusion", occlusion }, { "eye-dome", eyeDome },
   { "physically-based", physicallyBased }, { "block", block }, { "opened-block", openedBlock },
+  { "columns", columns }, { "scalar-bar", scalarBar }, { "depth-of-field", depthOfField },
   { "one-sample", oneSample }, { "samples", samples } };
 
 bool write(Picture& picture, const std::string& path)
