@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What programs do with windows, on a scene of VTK's own: a lit sphere, a translucent cone, text.
+// What programs do with windows, on a scene of VTK's own: a lit sphere, a translucent cone, text;
+// and that terrains are the same in windows of both kinds.
 #include "vtkTerrainCompatibility.h"
 #include "vtkTerrainTesting.h"
+#include "vtkTerrainTestingScene.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkConeSource.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -80,6 +83,35 @@ Scene MakeStockScene(int width, int height)
   scene.Renderer->ResetCamera();
   return scene;
 }
+
+#if VTKTERRAIN_OWN_WINDOWS
+/// A block of terrain with a hole, a sphere through it, and what shaders are built for: lights of
+/// two kinds, colours of heights, contours, a clipping plane.
+TerrainScene MakeTerrainScene(const char* window)
+{
+  setenv(kWindow, window, 1);
+  TerrainScene scene(vtkOpenGLTerrainMapper::Techniques::Pyramid);
+  const TerrainProp terrain = scene.AddTerrain(MakeHills(true));
+  scene.AddSphere(150.0, 200.0, 100.0, 50.0);
+  AddLight(scene.Renderer, 400.0, 300.0, 500.0, 0.6);
+  vtkNew<vtkLight> lamp;
+  lamp->SetPositional(true);
+  lamp->SetConeAngle(50.0);
+  lamp->SetPosition(100.0, 100.0, 300.0);
+  lamp->SetFocalPoint(200.0, 200.0, 80.0);
+  scene.Renderer->AddLight(lamp);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(300.0, 0.0, 0.0);
+  plane->SetNormal(-1.0, 0.0, 0.0);
+  terrain.Mapper->AddClippingPlane(plane);
+  terrain.Mapper->ScalarVisibilityOn();
+  terrain.Mapper->SetContours(true);
+  terrain.Mapper->SetContourInterval(10.0);
+  terrain.Mapper->SetBlock(true);
+  scene.Renderer->ResetCameraClippingRange();
+  return scene;
+}
+#endif
 
 // Open file descriptors of this process.
 int CountFiles()
@@ -238,6 +270,28 @@ TEST(TestTerrainWindowsDrawing, EGLAndOSMesaDrawIdenticalPixels)
   EXPECT_EQ(ReadDepth(egl.Window), ReadDepth(osmesa.Window));
   EXPECT_EQ(CountDifferentPixels(Render(egl.Window), Render(osmesa.Window)), 0);
   EXPECT_EQ(CountDifferentPixels(first, ReadColor(egl.Window)), 0);
+}
+
+//------------------------------------------------------------------------------
+// Most tests of scenes draw in windows of one kind for it.
+TEST(TestTerrainWindowsDrawing, TerrainsAreIdenticalWithEGLAndOSMesa)
+{
+  const std::string asked = std::getenv(kWindow) ? std::getenv(kWindow) : "";
+  const TerrainScene egl = MakeTerrainScene("vtkEGLRenderWindow");
+  const TerrainScene osmesa = MakeTerrainScene("vtkOSOpenGLRenderWindow");
+  setenv(kWindow, asked.c_str(), 1);
+  if (!osmesa.Window->SupportsOpenGL())
+  {
+    GTEST_SKIP() << "there is no OSMesa";
+  }
+  const auto first = Render(egl.Window);
+  if (std::string(egl.Window->ReportCapabilities()).find("llvmpipe") == std::string::npos)
+  {
+    GTEST_SKIP() << "EGL draws on a GPU";
+  }
+  EXPECT_NE(std::string(osmesa.Window->GetClassName()), egl.Window->GetClassName());
+  EXPECT_EQ(CountDifferentPixels(first, Render(osmesa.Window)), 0);
+  EXPECT_EQ(ReadDepth(egl.Window), ReadDepth(osmesa.Window));
 }
 #endif
 

@@ -57,10 +57,13 @@ function (vtkterrain_add_test name)
   endif ()
   set(class_egl vtkEGLRenderWindow)
   set(class_osmesa vtkOSOpenGLRenderWindow)
+  # Of what these tests take, Mesa's compiler takes most: once with optimized code is enough.
+  set(mesa_egl "")
+  set(mesa_osmesa "GALLIVM_PERF=nopt")
   foreach (window IN LISTS arg_WINDOWS)
     add_test(NAME ${name}-${window} COMMAND ${name})
     set_tests_properties(${name}-${window} PROPERTIES
       LABELS image SKIP_RETURN_CODE 77 TIMEOUT 300
-      ENVIRONMENT "${environment};VTK_DEFAULT_OPENGL_WINDOW=${class_${window}}")
+      ENVIRONMENT "${environment};VTK_DEFAULT_OPENGL_WINDOW=${class_${window}};${mesa_${window}}")
   endforeach ()
 endfunction ()
