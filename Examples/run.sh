@@ -9,5 +9,5 @@ source_dir=$(cd "$(dirname "$0")/.." && pwd)
 build_dir=${VTKTERRAIN_BUILD_DIR:-$source_dir/build}
 
 sh "$source_dir/Module/packages.sh"
-sh "$source_dir/Module/build.sh" terrain-render
+sh "$source_dir/Module/build.sh" terrain-render -DVTKTERRAIN_BUILD_EXAMPLES=ON
 exec "$build_dir/bin/terrain-render" "$@"

@@ -9,7 +9,7 @@ passed=$build_dir/lint-passed
 mkdir -p "$passed"
 # Every file by itself, and without the headers that GCC has precompiled, which clang cannot read.
 cmake -G Ninja -S . -B "$passed/separate" -DCMAKE_UNITY_BUILD=OFF \
-  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >"$passed/configured.log"
+  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DVTKTERRAIN_BUILD_EXAMPLES=ON >"$passed/configured.log"
 sed "s|$passed/separate/|$build_dir/|g" "$passed/separate/compile_commands.json" \
   >"$passed/compile_commands.json"
 

@@ -10,6 +10,8 @@ data_dir=${VTKTERRAIN_DATA_DIR:-}
 [ -z "$data_dir" ] || data_dir=$(cd "$data_dir" && pwd)
 
 sh "$source_dir/Module/packages.sh" xvfb # for the tests of terrain-view
-sh "$source_dir/Module/build.sh" all -DVTKTERRAIN_BUILD_TESTING=ON "-DVTKTERRAIN_DATA_DIR=$data_dir" "$@"
+# Examples are built by their tests, against the installed module.
+sh "$source_dir/Module/build.sh" all -DVTKTERRAIN_BUILD_TESTING=ON -DVTKTERRAIN_BUILD_EXAMPLES=OFF \
+  "-DVTKTERRAIN_DATA_DIR=$data_dir" "$@"
 cd "$build_dir"
 exec ctest --no-tests=error --parallel "$(nproc)" --output-on-failure
