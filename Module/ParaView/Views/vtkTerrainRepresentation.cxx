@@ -5,6 +5,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
