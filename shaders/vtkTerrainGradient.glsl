@@ -3,7 +3,8 @@
 //
 // The slope of the surface, for its normal: differences of heights over a cell, or over what a pixel
 // covers where that is more, so that distant ridges do not shimmer. Gradients are in codes per cell.
-// Needs vtkTerrainHeights.glsl and vtkTerrainView.glsl.
+// Needs vtkTerrainHeights.glsl and vtkTerrainView.glsl. Twin of what reads samples:
+// src/core/HeightGradient.h.
 
 uniform sampler2D terrainMeans;  // mean codes of squares of texels: src/core/HeightMeans.h
 uniform float terrainMeansScale; // codes per unit of terrainMeans

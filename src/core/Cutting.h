@@ -12,6 +12,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace terrain
@@ -25,6 +26,28 @@ struct SampleRectangle
   glm::dvec2 First{ 0.0 };
   glm::dvec2 Last{ 0.0 };
 };
+
+/// Twin of terrainClipRange(): the part of the distances [range.x, range.y] of a ray that no plane
+/// cuts off, kept being dot(plane, (x, y, z, 1)) >= 0; and the plane at which it begins, or -1.
+/// range.x
+/// >= range.y if nothing is left.
+inline glm::vec2 ClipRange(const std::vector<glm::vec4>& planes, const glm::vec3& origin,
+  const glm::vec3& direction, glm::vec2 range, int& begin)
+{
+  begin = -1;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+  {
+    const auto distance = [&](float s)
+    { return glm::dot(planes[i], glm::vec4(origin + s * direction, 1.0f)); };
+    const float atStart = distance(range.x);
+    const float atEnd = distance(range.y);
+    const float crossing = glm::mix(range.x, range.y, atStart / (atStart - atEnd));
+    begin = atStart < 0.0f ? static_cast<int>(i) : begin;
+    range.x = atStart < 0.0f ? (atEnd < 0.0f ? range.y : crossing) : range.x;
+    range.y = atEnd < 0.0f ? (atStart < 0.0f ? range.x : crossing) : range.y;
+  }
+  return range;
+}
 
 struct Cutting
 {

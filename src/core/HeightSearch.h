@@ -192,12 +192,6 @@ struct HeightSearch
       glm::mix(codes.x, codes.y, fraction.x), glm::mix(codes.z, codes.w, fraction.x), fraction.y);
   }
 
-  static glm::vec2 PatchGradientAt(const glm::vec4& codes, const glm::vec2& fraction)
-  {
-    return { glm::mix(codes.y - codes.x, codes.w - codes.z, fraction.y),
-      glm::mix(codes.z - codes.x, codes.w - codes.y, fraction.x) };
-  }
-
   Sample SampleRay(const TerrainRay& ray, float s) const
   {
     const glm::vec3 positionGC = ray.originGC + s * ray.directionGC;
@@ -205,7 +199,7 @@ struct HeightSearch
     const glm::vec4 codes = this->heights.CellCodes(cell);
     const glm::vec2 fraction = FractionAt(ray, positionGC, cell);
     return { IsCellValid(codes), s, positionGC.z - PatchCodeAt(codes, fraction),
-      ray.directionGC.z - glm::dot(PatchGradientAt(codes, fraction), glm::vec2(ray.directionGC)) };
+      ray.directionGC.z - glm::dot(PatchGradient(codes, fraction), glm::vec2(ray.directionGC)) };
   }
 
   /// Where the line through two samples meets the surface's height, between them.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace terrain
 {
@@ -83,6 +84,25 @@ TerrainRay MakePixelRay(const PixelRays& rays, const glm::dvec2& pixel, double s
   ray.sBegin = 0.0f;
   ray.sEnd = static_cast<float>(end - start);
   return ray;
+}
+
+glm::vec2 EnterBox(const PixelRays& rays, const glm::dvec2& pixel, glm::vec2 range,
+  const glm::vec3& minimum, const glm::vec3& maximum)
+{
+  const glm::vec3 origin(AtPixel(rays.OriginGC, pixel));
+  const glm::vec3 direction(AtPixel(rays.DirectionGC, pixel));
+  float enter = -std::numeric_limits<float>::infinity();
+  float leave = std::numeric_limits<float>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool still = direction[axis] == 0.0f;
+    const float lower = (minimum[axis] - origin[axis]) / direction[axis];
+    const float upper = (maximum[axis] - origin[axis]) / direction[axis];
+    enter = std::max(enter, still ? range.x : std::min(lower, upper));
+    leave = std::min(leave, still ? range.y : std::max(lower, upper));
+  }
+  const float slack = 1e-5f * std::max(std::abs(enter), std::abs(leave));
+  return { std::max(range.x, enter - slack), std::min(range.y, leave + slack) };
 }
 
 glm::dvec4 PixelExtent(const PixelRays& rays, const glm::dmat4& gridToView, double pixels)

@@ -59,6 +59,12 @@ PixelRays MakePixelRays(
 /// rounds it: its sum with originLow is the same.
 TerrainRay MakePixelRay(const PixelRays& rays, const glm::dvec2& pixel, double start, double end);
 
+/// Twin of terrainEnterBox(): the part of the distances [range.x, range.y] of a pixel's ray within
+/// a box in grid coordinates, a little widened; range.x >= range.y if there is none. Axes along
+/// which the ray does not move are left to what comes after.
+glm::vec2 EnterBox(const PixelRays& rays, const glm::dvec2& pixel, glm::vec2 range,
+  const glm::vec3& minimum, const glm::vec3& maximum);
+
 /**
  * Size of what projects to a number of pixels: cells and height codes at distance 0, and their
  * change per unit of distance along the viewing direction. Of a square of cells the longer side

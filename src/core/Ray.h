@@ -49,6 +49,14 @@ struct TerrainHit
   int crossings = 0;
 };
 
+/// Change of the code per cell east and north at a position in a cell, 0 <= fraction <= 1, from the
+/// codes of its corners (CodedHeights::CellCodes).
+inline glm::vec2 PatchGradient(const glm::vec4& codes, const glm::vec2& fraction)
+{
+  return { glm::mix(codes.y - codes.x, codes.w - codes.z, fraction.y),
+    glm::mix(codes.z - codes.x, codes.w - codes.y, fraction.x) };
+}
+
 /// Codes of a heightfield in memory, with the functions of shaders/vtkTerrainHeights.glsl.
 template <typename Texel>
 struct CodedHeights

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where rays begin and end, and slopes: functions of shaders/vtkTerrainView.glsl,
+// vtkTerrainCast.glsl and vtkTerrainGradient.glsl against their twins in src/core/.
+#include "vtkTerrainTesting.h"
+
+#include "../Unit/UnitTestFields.h"
+#include "core/Cutting.h"
+#include "core/HeightGradient.h"
+#include "core/PixelRays.h"
+#include "vtkTerrainGL.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+using vtkTerrainTesting::ReadShader;
+
+constexpr int Count = 2000;
+
+/// The rays of pixels in float: only a shader's first lines can ask for double.
+std::string readView()
+{
+  std::string text = ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView");
+  const std::string extension = "#ifdef GL_ARB_gpu_shader_fp64";
+  return text.replace(text.find(extension), extension.size(), "#if 0");
+}
+
+/// Random numbers of a range.
+class Numbers
+{
+public:
+  float operator()(double low, double high)
+  {
+    return static_cast<float>(std::uniform_real_distribution<double>(low, high)(this->Generator));
+  }
+
+private:
+  std::mt19937 Generator{ 7 };
+};
+
+/// Inputs of 4 numbers each, and how many of the results differ.
+struct Items
+{
+  std::vector<glm::vec4> Inputs[2];
+  std::vector<glm::vec4> Expected;
+
+  void Add(const glm::vec4& first, const glm::vec4& second, const glm::vec4& expected)
+  {
+    this->Inputs[0].push_back(first);
+    this->Inputs[1].push_back(second);
+    this->Expected.push_back(expected);
+  }
+
+  /// Runs a shader over the items, and counts the results off by more than a tolerance, relative
+  /// above 1.
+  int CountDifferent(vtkRenderWindow* window, const std::string& declarations,
+    const std::string& body, float tolerance,
+    const std::function<void(vtkShaderProgram*)>& setUniforms) const
+  {
+    std::vector<std::vector<float>> inputs;
+    for (const std::vector<glm::vec4>& input : this->Inputs)
+    {
+      inputs.emplace_back(&input[0][0], &input[0][0] + 4 * input.size());
+    }
+    const std::vector<float> results =
+      vtkTerrainTesting::RunShader(window, declarations, body, inputs, setUniforms);
+    EXPECT_EQ(results.size(), 4 * this->Expected.size());
+    int different = results.empty() ? Count : 0;
+    for (std::size_t k = 0; k < results.size(); ++k)
+    {
+      const float expected = this->Expected[k / 4][static_cast<int>(k % 4)];
+      const float allowed = tolerance * std::max(std::abs(expected), 1.0f);
+      different += std::abs(results[k] - expected) <= allowed ? 0 : 1;
+    }
+    return different;
+  }
+};
+
+/// One window for all tests.
+class TerrainShaderTwinsView : public testing::Test
+{
+protected:
+  static void SetUpTestSuite()
+  {
+    Scene = std::make_unique<vtkTerrainTesting::Scene>(vtkTerrainTesting::MakeScene(16, 16));
+    Scene->Window->Render();
+  }
+  static void TearDownTestSuite()
+  {
+    Scene = nullptr;
+  }
+
+  static std::unique_ptr<vtkTerrainTesting::Scene> Scene;
+};
+
+std::unique_ptr<vtkTerrainTesting::Scene> TerrainShaderTwinsView::Scene;
+
+void setMatrix(vtkShaderProgram* program, const char* name, const terrain::PixelVector& vector)
+{
+  glm::mat3 matrix(vector[0], vector[1], vector[2]);
+  program->SetUniformMatrix3x3(name, &matrix[0][0]);
+}
+
+/// Rays of a view of 200 x 100 pixels onto a grid, in perspective or parallel.
+terrain::PixelRays raysOf(bool parallel)
+{
+  const glm::dmat4 view = glm::lookAt(
+    glm::dvec3(30.0, -50.0, 80.0), glm::dvec3(20.0, 15.0, 5.0), glm::dvec3(0.0, 0.0, 1.0));
+  const glm::dmat4 projection = parallel ? glm::ortho(-40.0, 40.0, -20.0, 20.0, 1.0, 300.0)
+                                         : glm::perspective(0.6, 2.0, 1.0, 300.0);
+  return terrain::MakePixelRays(view, projection, glm::dvec4(0.0, 0.0, 200.0, 100.0));
+}
+}
+
+TEST_F(TerrainShaderTwinsView, EnterTheSameBoxes)
+{
+  for (const bool parallel : { false, true })
+  {
+    const terrain::PixelRays rays = raysOf(parallel);
+    const glm::vec3 minimum(0.0f, 0.0f, -2.0f);
+    const glm::vec3 maximum(40.0f, 32.0f, 9.0f);
+    Numbers number;
+    Items items;
+    int entered = 0;
+    for (int k = 0; k < Count; ++k)
+    {
+      const glm::vec2 pixel(number(0.0, 200.0), number(0.0, 100.0));
+      const glm::vec2 range(number(0.0, 120.0), number(80.0, 300.0));
+      const glm::vec2 part = terrain::EnterBox(rays, pixel, range, minimum, maximum);
+      entered += part.x < part.y ? 1 : 0;
+      items.Add({ pixel, range }, glm::vec4(0.0f), { part, 0.0f, 0.0f });
+    }
+    EXPECT_GT(entered, Count / 10);
+    EXPECT_LT(entered, Count * 9 / 10);
+    const int different = items.CountDifferent(Scene->Window, readView(),
+      "result.xy = terrainEnterBox(input0.xy, input0.zw);", 2e-5f,
+      [&](vtkShaderProgram* program)
+      {
+        setMatrix(program, "terrainOriginGC", rays.OriginGC);
+        setMatrix(program, "terrainDirectionGC", rays.DirectionGC);
+        const terrain::PixelVector none{};
+        setMatrix(program, "terrainOriginLowGC", none);
+        setMatrix(program, "terrainDirectionLowGC", none);
+        program->SetUniform3f("terrainBoxMinimum", &minimum[0]);
+        program->SetUniform3f("terrainBoxMaximum", &maximum[0]);
+      });
+    EXPECT_EQ(different, 0) << (parallel ? "parallel" : "perspective");
+  }
+}
+
+TEST_F(TerrainShaderTwinsView, AreClippedAlike)
+{
+  const terrain::PixelRays rays = raysOf(false);
+  const std::vector<glm::vec4> planes{ { 1.0f, 0.0f, 0.0f, 5.0f }, { 0.0f, -0.6f, -0.8f, -50.0f },
+    { 0.3f, 0.0f, -1.0f, -70.0f } };
+  Numbers number;
+  Items items;
+  int starts[4] = { 0, 0, 0, 0 };
+  for (int k = 0; k < Count; ++k)
+  {
+    const glm::vec2 pixel(number(0.0, 200.0), number(0.0, 100.0));
+    const glm::vec2 range(number(0.0, 120.0), number(80.0, 300.0));
+    int begin = 0;
+    const glm::vec2 part =
+      terrain::ClipRange(planes, glm::vec3(terrain::AtPixel(rays.OriginVC, pixel)),
+        glm::vec3(terrain::AtPixel(rays.DirectionVC, pixel)), range, begin);
+    ++starts[begin + 1];
+    items.Add({ pixel, range }, glm::vec4(0.0f), { part, static_cast<float>(begin), 0.0f });
+  }
+  for (const int count : starts)
+  {
+    EXPECT_GT(count, 20); // nowhere, and at each of the planes
+  }
+  const std::string needed = ReadShader("vtkTerrainHeights") + readView() +
+    ReadShader("vtkTerrainPyramid") + ReadShader("vtkTerrainTrace") + ReadShader("vtkTerrainCast");
+  const int different = items.CountDifferent(Scene->Window,
+    "#define TERRAIN_CLIP_PLANES 3\n" + needed,
+    "int begin; result.xy = terrainClipRange(input0.xy, input0.zw, begin); result.z = begin;",
+    1e-4f,
+    [&](vtkShaderProgram* program)
+    {
+      setMatrix(program, "terrainOriginVC", rays.OriginVC);
+      setMatrix(program, "terrainDirectionVC", rays.DirectionVC);
+      program->SetUniformi("terrainClipPlaneCount", static_cast<int>(planes.size()));
+      program->SetUniform4fv("terrainClipPlanesVC", static_cast<int>(planes.size()), &planes[0][0]);
+    });
+  EXPECT_EQ(different, 0);
+}
+
+// At borders, beside holes, and over widths of part of a cell to all of the field.
+TEST_F(TerrainShaderTwinsView, SeeTheSameSlopes)
+{
+  for (const terrain::TestField& test : terrain::AdversarialFields())
+  {
+    if (test.Name != "holes" && test.Name != "one cell")
+    {
+      continue;
+    }
+    SCOPED_TRACE(test.Name);
+    const terrain::CodedField<float> field(test);
+    const terrain::CodedHeights<float>& heights = field.Coded.heights;
+    Numbers number;
+    Items items;
+    while (items.Expected.size() < Count)
+    {
+      const glm::vec2 position(
+        number(0.0, heights.size.x - 1.001), number(0.0, heights.size.y - 1.001));
+      const glm::ivec2 cell(position);
+      const glm::vec2 fraction = position - glm::vec2(cell);
+      const float width = number(0.0, 1.0) < 0.3f ? 1.0f : number(0.1, 20.0);
+      const glm::vec4 codes = heights.CellCodes(cell);
+      if (glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0f))))
+      {
+        items.Add({ cell, fraction }, glm::vec4(width),
+          { terrain::WideGradient(heights, cell, fraction, codes, width), 0.0f, 0.0f });
+      }
+    }
+    vtkNew<vtkTextureObject> texture;
+    texture->SetContext(vtkOpenGLRenderWindow::SafeDownCast(Scene->Window));
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+    texture->SetInternalFormat(GL_R32F);
+    texture->SetFormat(GL_RED);
+    const glm::uvec2 size(heights.size);
+    std::vector<float> texels = field.Texels;
+    texture->Create2DFromRaw(size.x, size.y, 1, VTK_FLOAT, texels.data());
+    texture->Activate();
+    const int different = items.CountDifferent(Scene->Window,
+      ReadShader("vtkTerrainHeights") + readView() + ReadShader("vtkTerrainGradient"),
+      "ivec2 cell = ivec2(input0.xy); result.xy = terrainWideGradient(cell, input0.zw,"
+      "terrainTexelCodes(cell), input1.x);",
+      1e-3f,
+      [&](vtkShaderProgram* program)
+      {
+        program->SetUniformi("terrainHeights", texture->GetTextureUnit());
+        program->SetUniformf("terrainBias", 0.0f);
+      });
+    EXPECT_EQ(different, 0);
+    texture->Deactivate();
+  }
+}
