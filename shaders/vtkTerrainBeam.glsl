@@ -191,16 +191,27 @@ float terrainBeamStart(TerrainBeam beam)
   float s = terrainPyramidTop < 1 ? path.sEnd : terrainBeamEntry(path, edges);
   TerrainBeamStep at =
     TerrainBeamStep(s, clamp(terrainBeamLevel(edges, s) + 2, 1, terrainPyramidTop), false);
-  for (int i = 0; i < terrainBeamSteps && !at.stops && at.s < path.sEnd; ++i)
+  int steps = 0;
+  bool going = at.s < path.sEnd;
+  // Two loops in turn, as in terrainTracePyramidWithin(): a step over a cell reads 16 samples.
+  do
   {
-    if (at.level > 0)
+    do
     {
-      at = terrainBeamOverBlock(path, edges, at);
-    }
-    else
+      if (going && at.level > 0)
+      {
+        at = terrainBeamOverBlock(path, edges, at);
+        going = ++steps < terrainBeamSteps && !at.stops && at.s < path.sEnd;
+      }
+    } while (going && at.level > 0);
+    do
     {
-      at = terrainBeamOverCell(path, edges, at);
-    }
-  }
+      if (going && at.level == 0)
+      {
+        at = terrainBeamOverCell(path, edges, at);
+        going = ++steps < terrainBeamSteps && !at.stops && at.s < path.sEnd;
+      }
+    } while (going && at.level == 0);
+  } while (going);
   return min(at.s, path.sEnd);
 }
