@@ -86,6 +86,7 @@ set(shaders
 
 # VTK-free algorithms: an object library, so that the unit tests link it without the module.
 set(core
+  BaseSteepness
   CoarseMesh
   CoarseMeshSurface
   DetailHierarchy
@@ -109,7 +110,6 @@ set(core
   ProceduralTerrain
   ReferenceRayCaster
   Refinement
-  RefinementDetail
   RoundNumbers
   SceneFrame
   StreamErosion

@@ -67,7 +67,8 @@ public:
   {
     if (!this->Refiner || this->Data != job.Data || this->Detail != job.Detail)
     {
-      this->Refiner = std::make_unique<terrain::Refiner>(job.Data->View(), job.Detail.get());
+      this->Refiner = std::make_unique<terrain::Refiner>(
+        job.Data->View(), job.Detail.get(), vtkTerrainParallelFor);
       this->Data = job.Data;
       this->Detail = job.Detail;
     }

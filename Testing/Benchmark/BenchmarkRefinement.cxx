@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures view-dependent refinement: BenchmarkRefinement [SIZE | FOLDER | FILE]...
+// Measures view-dependent refinement: BenchmarkRefinement [SIZE | SIZE:FILE | FOLDER | FILE]...
 //
-// SIZE is the side of a procedural landscape, which is prepared in memory; of a FOLDER every raster
-// that vtkTerrainRasterReader reads is; FILE is a prepared file, over which 200 frames are flown
-// and the resident memory is watched. Without arguments: 1025, 4097. Prints rows of a table. Rates
-// are millions of triangles in a second of processor time of one thread, median and best of
-// kRepeats; both procedures take turns, and their ratio is the median of those of each turn.
+// SIZE is the side of a procedural landscape, which is prepared in memory, or into FILE; of a
+// FOLDER every raster that vtkTerrainRasterReader reads is; FILE is a prepared file, over which 200
+// frames are flown and the resident memory is watched. Without arguments: 1025, 4097. Prints rows
+// of a table. Rates are millions of triangles in a second of processor time of one thread, median
+// and best of kRepeats; both procedures take turns, and their ratio is the median of those of each
+// turn.
 #include "core/HierarchyFile.h"
 #include "core/ProceduralTerrain.h"
 #include "core/Refinement.h"
@@ -29,6 +30,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -210,26 +212,41 @@ void MeasureDetail(const std::string& name, const terrain::HierarchyView& hierar
   }
 }
 
-int MeasureProcedural(std::int64_t size)
+/// Heights of a procedural landscape of size x size samples.
+terrain::HeightRows ProceduralRows(std::int64_t size)
 {
   terrain::ProceduralTerrainParameters parameters;
   parameters.Width = size;
   parameters.Height = size;
-  const terrain::ProceduralTerrain landscape(parameters);
-  terrain::MemoryHierarchy hierarchy;
-  terrain::GridGeometry geometry;
-  geometry.Spacing = { 160.0, 160.0 };
-  const auto rows = [&](std::int64_t first, std::int64_t count, float* heights)
+  const auto landscape = std::make_shared<terrain::ProceduralTerrain>(parameters);
+  return [landscape, size](std::int64_t first, std::int64_t count, float* heights)
   {
-    landscape.Sample(0, first, size, count, heights, vtkTerrainParallelFor);
+    landscape->Sample(0, first, size, count, heights, vtkTerrainParallelFor);
     return std::string();
   };
-  const std::string error =
-    terrain::BuildHierarchy(hierarchy, size, size, geometry, rows, vtkTerrainParallelFor, {});
+}
+
+terrain::GridGeometry ProceduralGeometry()
+{
+  terrain::GridGeometry geometry;
+  geometry.Spacing = { 160.0, 160.0 };
+  return geometry;
+}
+
+int Failed(const std::string& name, const std::string& error)
+{
+  std::fprintf(stderr, "%s: %s\n", name.c_str(), error.c_str());
+  return 1;
+}
+
+int MeasureProcedural(std::int64_t size)
+{
+  terrain::MemoryHierarchy hierarchy;
+  const std::string error = terrain::BuildHierarchy(
+    hierarchy, size, size, ProceduralGeometry(), ProceduralRows(size), vtkTerrainParallelFor, {});
   if (!error.empty())
   {
-    std::fprintf(stderr, "%lld: %s\n", static_cast<long long>(size), error.c_str());
-    return 1;
+    return Failed(std::to_string(size), error);
   }
   MeasureRefinement("procedural " + std::to_string(size), hierarchy.View());
   MeasureDetail("procedural " + std::to_string(size), hierarchy.View());
@@ -271,8 +288,7 @@ int MeasureFile(const std::string& path)
   const std::string error = file.Open(path, false);
   if (!error.empty())
   {
-    std::fprintf(stderr, "%s: %s\n", path.c_str(), error.c_str());
-    return 1;
+    return Failed(path, error);
   }
   terrain::Refiner refiner(file.View());
   terrain::RefinementOptions options;
@@ -298,6 +314,31 @@ int MeasureFile(const std::string& path)
   MeasureRefinement(std::filesystem::path(path).filename().string(), file.View());
   return file.IsDamaged() ? 1 : 0;
 }
+
+/// Prepares a procedural landscape into a file, and measures that.
+int MeasurePrepared(const std::string& argument)
+{
+  const std::size_t colon = argument.find(':');
+  const std::int64_t size = std::atoll(argument.c_str());
+  const std::string path = argument.substr(colon + 1);
+  const std::string error = terrain::WriteHierarchyFile(
+    path, size, size, ProceduralGeometry(), "", ProceduralRows(size), vtkTerrainParallelFor, {});
+  return error.empty() ? MeasureFile(path) : Failed(path, error);
+}
+
+int MeasureArgument(const std::string& argument)
+{
+  const std::size_t end = argument.find_first_not_of("0123456789");
+  if (end == std::string::npos)
+  {
+    return MeasureProcedural(std::atoll(argument.c_str()));
+  }
+  if (end > 0 && argument[end] == ':')
+  {
+    return MeasurePrepared(argument);
+  }
+  return std::filesystem::is_directory(argument) ? MeasureFolder(argument) : MeasureFile(argument);
+}
 }
 
 int main(int argc, char** argv)
@@ -310,11 +351,7 @@ int main(int argc, char** argv)
   PrintHeader();
   for (const std::string& argument : arguments)
   {
-    const bool isSize = argument.find_first_not_of("0123456789") == std::string::npos;
-    status = std::max(status,
-      isSize                                      ? MeasureProcedural(std::atoll(argument.c_str()))
-        : std::filesystem::is_directory(argument) ? MeasureFolder(argument)
-                                                  : MeasureFile(argument));
+    status = std::max(status, MeasureArgument(argument));
   }
   return status;
 }

@@ -215,6 +215,17 @@ inline std::set<Triangle> TriangleSet(const terrain::StripMesh& mesh)
   return set;
 }
 
+/// True if two vertices of the mesh are the same sample.
+inline bool HasTwins(const terrain::StripMesh& mesh)
+{
+  std::set<Sample> samples;
+  for (std::uint32_t i = 0; i < mesh.Vertices.size(); ++i)
+  {
+    samples.insert(SampleOf(mesh, i));
+  }
+  return samples.size() != mesh.Vertices.size();
+}
+
 /// Empty, or what is wrong with the mesh: a triangle turned round, an edge used twice the same way,
 /// or a vertex of one triangle inside the edge of another.
 inline std::string WhyNotConforming(const terrain::StripMesh& mesh)

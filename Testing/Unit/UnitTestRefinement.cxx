@@ -101,6 +101,7 @@ TEST(Refinement, IsConformingForAnySizeAndHoles)
           const StripMesh mesh = Refine(hierarchy, MakeView(raster, 0.3, 0.2, 20.0), options);
           EXPECT_EQ(WhyNotConforming(mesh), "")
             << size[0] << " x " << size[1] << " " << pattern << " tolerance " << tolerance;
+          EXPECT_FALSE(HasTwins(mesh)) << size[0] << " x " << size[1] << " " << pattern;
         }
       }
     }

@@ -186,6 +186,7 @@ TEST(RefinementDetail, IsConformingAndOfTheSumsHeights)
         const StripMesh mesh = sum.Refine(sum.View(0.3, 0.2, 20.0), options);
         EXPECT_EQ(WhyNotConforming(mesh), "")
           << sum.Whole.Width << " x " << sum.Whole.Height << " tolerance " << tolerance;
+        EXPECT_FALSE(HasTwins(mesh)) << sum.Whole.Width << " x " << sum.Whole.Height;
         for (const auto& indices : IndexTriangles(mesh))
         {
           for (const std::uint32_t index : indices)
@@ -308,11 +309,11 @@ TEST(RefinementDetail, CirclesAndSpheresHoldTheSum)
     const auto side = static_cast<std::int64_t>(8u << (random() % 3u));
     const Sum sum(MakeHills(7, 6, random()), MakeDetail(side, 2 * side, random()), level,
       0.25 * static_cast<double>(random() % 16u));
-    const terrain::BaseSteepness steepness = terrain::MeasureSteepness(sum.Hierarchy.View());
-    terrain::DetailRelief relief;
-    relief.Slant = std::hypot(1.0, steepness.Slope);
-    relief.Half = 0.5 * sum.Scale * (double(sum.Below.Maximum()) - sum.Below.Minimum());
-    relief.Rounding = 1.0e-4;
+    terrain::SteepnessTiles steepness;
+    steepness.Measure(sum.Hierarchy.View(), terrain::SerialFor);
+    const double slant = std::hypot(1.0, steepness.Whole().Slope);
+    const double half = 1.0e-4 * (2.0 * level + 1.0) +
+      0.5 * sum.Scale * (double(sum.Below.Maximum()) - sum.Below.Minimum());
     double tightest = 0.0;
     for (int depth = 0; depth < 2 * level; ++depth)
     {
@@ -321,16 +322,16 @@ TEST(RefinementDetail, CirclesAndSpheresHoldTheSum)
       // The larger spacing, and the diagonal way of odd depths.
       const double length =
         4.0 * std::ldexp(1.0, -level) * static_cast<double>(step) * (isOdd ? std::sqrt(0.5) : 1.0);
-      const terrain::DetailRadii radii = terrain::DetailRadiiOf(length, 2 * level - depth, relief);
+      const double circle = terrain::DetailCircle(length, 2 * level - depth);
       for (std::int64_t y = isOdd ? 0 : step; y < sum.Whole.Height; y += 2 * step)
       {
         for (std::int64_t x = step; x < sum.Whole.Width; x += 6 * step)
         {
           Reach reach(sum, x, y);
           reach.Add(x, y, step, isOdd);
-          ASSERT_LE(reach.Circle, radii.Circle);
-          ASSERT_LE(reach.Sphere, radii.Sphere);
-          tightest = std::max(tightest, reach.Circle / radii.Circle);
+          ASSERT_LE(reach.Circle, circle);
+          ASSERT_LE(reach.Sphere, slant * circle + half);
+          tightest = std::max(tightest, reach.Circle / circle);
         }
       }
     }
@@ -381,6 +382,73 @@ TEST(RefinementDetail, PlainAndImprovedMakeTheSameTriangles)
     EXPECT_EQ(WhyNotConforming(plain), "");
     EXPECT_EQ(TriangleSet(plain), TriangleSet(improved));
   }
+}
+
+namespace
+{
+/// Plain ground with towers of one sample.
+Raster MakeTowers(const std::vector<Sample>& towers)
+{
+  Raster raster = MakeHills(80, 70);
+  std::fill(raster.Heights.begin(), raster.Heights.end(), 5.0f);
+  for (const Sample& tower : towers)
+  {
+    raster.Heights[tower[0] + raster.Width * tower[1]] = 300.0f;
+  }
+  return raster;
+}
+}
+
+TEST(RefinementDetail, FlatGroundOfAnySizeIsRefinedByBothProcedures)
+{
+  // Nothing above the samples has an error, inside the raster or beyond.
+  for (const std::int64_t width : { 3, 5, 6, 7, 10, 17, 26 })
+  {
+    Raster raster{ width, 9, std::vector<float>(static_cast<std::size_t>(9 * width), 5.0f) };
+    const Sum sum(raster, MakeDetail(16, 16), 2, 1.0);
+    RefinementOptions options = WithTolerance(4.0);
+    const RefinementView view = sum.View(0.2, 0.12, 10.0);
+    const StripMesh improved = sum.Refine(view, options);
+    EXPECT_EQ(WhyNotConforming(improved), "");
+    EXPECT_FALSE(HasTwins(improved));
+    options.Method = RefinementMethod::Plain;
+    EXPECT_EQ(TriangleSet(sum.Refine(view, options)), TriangleSet(improved)) << width;
+  }
+}
+
+TEST(RefinementDetail, IsConformingWhereSteepnessChangesFromPlaceToPlace)
+{
+  const Sum sum(
+    MakeTowers({ { { 3, 3 } }, { { 15, 16 } }, { { 16, 40 } }, { { 47, 31 } }, { { 79, 69 } } }),
+    MakeDetail(16, 16), 2, 1.0);
+  for (const double u : { 0.05, 0.5 })
+  {
+    const RefinementView view = sum.View(u, 0.6 * u, 10.0);
+    const StripMesh mesh = sum.Refine(view, WithTolerance(10.0));
+    EXPECT_EQ(WhyNotConforming(mesh), "") << u;
+    EXPECT_FALSE(HasTwins(mesh));
+    EXPECT_LE(LargestError(sum, mesh, view), 10.0 + 0.01);
+  }
+}
+
+TEST(RefinementDetail, ACliffRefinesNothingFarFromIt)
+{
+  const auto nearTriangles = [](const std::vector<Sample>& towers)
+  {
+    const Sum sum(MakeTowers(towers), MakeDetail(16, 16), 3, 1.0);
+    std::set<Triangle> near = TriangleSet(sum.Refine(sum.View(0.1, 0.1, 20.0), WithTolerance(8.0)));
+    for (auto t = near.begin(); t != near.end();)
+    {
+      const bool isNear =
+        std::all_of(t->begin(), t->end(), [](const Sample& s) { return s[0] <= 64 && s[1] <= 64; });
+      t = isNear ? std::next(t) : near.erase(t);
+    }
+    return near;
+  };
+  const std::set<Triangle> plain = nearTriangles({});
+  EXPECT_GT(plain.size(), 100u);
+  EXPECT_LT(plain.size(), 2u * 64u * 64u);
+  EXPECT_EQ(nearTriangles({ { { 75, 65 } } }), plain);
 }
 
 TEST(RefinementDetail, CullingLosesNothingThatIsSeen)

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <type_traits>
 
 namespace terrain
@@ -33,6 +32,8 @@ constexpr double kToleranceStep = 4.0;
 constexpr double kLargestTolerance = 1.0e30;
 /// Rounding of the base's heights between samples, which are float, in units of the largest one.
 constexpr double kHeightRounding = 1.0e-6;
+/// Relative slack of slants, which are float.
+constexpr double kSlantSlack = 1.0e-6;
 
 bool IsFinite(const glm::dvec3& v)
 {
@@ -49,21 +50,26 @@ void StripMesh::Clear()
 
 struct Refiner::Work
 {
-  Work(const HierarchyView& hierarchy, const DetailHierarchy* detail)
+  Work(
+    const HierarchyView& hierarchy, const DetailHierarchy* detail, const ParallelFor& parallelFor)
     : Hierarchy(hierarchy)
     , Detail(detail)
   {
     this->Tabulate();
     if (detail)
     {
-      this->Steepness = MeasureSteepness(hierarchy);
+      this->Steepness.Measure(hierarchy, parallelFor);
+      this->TabulateRelief();
       this->TabulateDetail();
     }
   }
 
   HierarchyView Hierarchy;
   const DetailHierarchy* Detail;
-  BaseSteepness Steepness;
+  SteepnessTiles Steepness;
+  /// What the tiles of each level are in scaled space, and slopes' factor there.
+  std::vector<std::vector<BaseRelief>> Relief;
+  double SlopeScale = -1.0;
   RefinementFrame Frame;
   std::array<std::vector<AxisEntry>, 2> Axes;
   /// First and last column, first and last row of the square.
@@ -73,9 +79,12 @@ struct Refiner::Work
   int DepthCount = 0;
   MeshSink Mesh;
   SampleSink Samples;
+  WaitingVertices Waiting;
 
   void Tabulate();
   void TabulateDetail();
+  void TabulateRelief();
+  void SetRelief(double slopeScale);
   void SetDetailView(const RefinementView& view, const glm::dvec3& eye);
   void SetDetailTolerance(const RefinementView& view);
   void SetDepths(int count);
@@ -187,6 +196,52 @@ void Refiner::Work::TabulateDetail()
   frame.Centre = this->CentreSite().Record.Height;
 }
 
+/// Squares around the vertices of each depth, and tiles as large.
+void Refiner::Work::TabulateRelief()
+{
+  for (int level = 0; level < this->Steepness.Levels(); ++level)
+  {
+    this->Relief.emplace_back(this->Steepness.LevelAt(level).Tiles.size());
+  }
+  for (int depth = 0; depth < this->Depths(); ++depth)
+  {
+    // Step of the depth in detail cells; a base cell has 2^Level() of them.
+    const int shift = this->Hierarchy.Layout->Pairs() + this->Level() - 1 - depth / 2;
+    ReliefTable& table = this->Frame.Depths[depth].Relief;
+    table.Margin = ((depth & 1) != 0 ? 2u : 3u) << shift;
+    // Twice the margin is less than eight steps.
+    const int level = std::clamp(
+      shift + 3 - this->Level() - SteepnessTiles::TileShift, 0, this->Steepness.Levels() - 1);
+    const SteepnessTiles::Level& tiles = this->Steepness.LevelAt(level);
+    table.Tiles = this->Relief[level].data();
+    table.Shift = SteepnessTiles::TileShift + level + this->Level();
+    table.Columns = static_cast<std::uint32_t>(tiles.Columns);
+    table.LastColumn = table.Columns - 1;
+    table.LastRow = static_cast<std::uint32_t>(tiles.Rows) - 1;
+  }
+}
+
+/// Slants where slopes are `slopeScale` times as steep.
+void Refiner::Work::SetRelief(double slopeScale)
+{
+  if (slopeScale == this->SlopeScale)
+  {
+    return;
+  }
+  this->SlopeScale = slopeScale;
+  for (std::size_t level = 0; level < this->Relief.size(); ++level)
+  {
+    const std::vector<BaseSteepness>& tiles =
+      this->Steepness.LevelAt(static_cast<int>(level)).Tiles;
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+    {
+      const double slope = tiles[i].Slope * slopeScale;
+      const double slant = std::sqrt(1.0 + slope * slope);
+      this->Relief[level][i] = { static_cast<float>(slant * (1.0 + kSlantSlack)), tiles[i].Twist };
+    }
+  }
+}
+
 /// Circles and spheres of the view; RefinementDetail.h says what they hold.
 void Refiner::Work::SetDetailView(const RefinementView& view, const glm::dvec3& eye)
 {
@@ -200,26 +255,27 @@ void Refiner::Work::SetDetailView(const RefinementView& view, const glm::dvec3& 
   frame.Eye = view.Parallel ? glm::dvec2(std::sqrt(0.5)) : glm::dvec2(eye);
   this->Frame.EyeHeight -= frame.Middle * this->Frame.DistanceScale;
 
-  DetailRelief relief;
-  relief.Slant = std::hypot(1.0, this->Steepness.Slope * heightUnit / this->Scale);
-  relief.Half = 0.5 * view.DetailScale * heightUnit * this->DetailRange();
-  relief.Rounding = kHeightRounding * heightUnit *
-    std::max(std::abs(this->Hierarchy.Summary.MinimumHeight),
-      std::abs(this->Hierarchy.Summary.MaximumHeight));
+  this->SetRelief(heightUnit / this->Scale);
+  frame.RadiusScale = this->Frame.RadiusScale;
+  const HierarchySummary& summary = this->Hierarchy.Summary;
+  const double half = 0.5 * view.DetailScale * heightUnit * this->DetailRange();
+  const double rounding = kHeightRounding * heightUnit *
+    std::max(std::abs(summary.MinimumHeight), std::abs(summary.MaximumHeight));
   const int first = this->Hierarchy.Layout->Depths();
   double length = std::max(frame.PlaneStep.x, frame.PlaneStep.y) * std::sqrt(0.5);
   for (int depth = this->Depths() - 1; depth >= first; --depth)
   {
-    const DetailRadii radii = DetailRadiiOf(length, this->Depths() - depth, relief);
+    const int left = this->Depths() - depth;
     DetailDepth& table = this->Frame.Depths[depth].Detail;
-    table.Radius = radii.Sphere;
-    table.RadiusReach = radii.Sphere * this->Frame.RadiusScale;
-    table.CircleReach = radii.Circle * this->Frame.RadiusScale;
+    table.Circle = DetailCircle(length, left);
+    table.CircleReach = table.Circle * this->Frame.RadiusScale;
+    table.Half = half + rounding * left;
     length *= std::sqrt(2.0);
   }
   // A sample of the last depth is as far from its children as the vertices one depth above them.
-  frame.Radius = DetailRadiiOf(length, this->Depths() - first + 1, relief).Sphere;
-  frame.RadiusReach = frame.Radius * this->Frame.RadiusScale;
+  const int left = this->Depths() - first + 1;
+  frame.Circle = DetailCircle(length, left);
+  frame.Half = half + rounding * left;
 }
 
 /// Reaches of errors; Frame.ErrorScale is that of a unit of height.
@@ -229,14 +285,14 @@ void Refiner::Work::SetDetailTolerance(const RefinementView& view)
   const double scale = this->Frame.ErrorScale;
   frame.ErrorScale = view.DetailScale * scale;
   frame.RangeReach = frame.ErrorScale * this->DetailRange();
-  frame.FloorReach = 0.0;
+  frame.FloorReach = frame.ErrorScale * this->Detail->LargestError();
+  frame.BendReach = 0.0;
   const int first = this->Hierarchy.Layout->Depths();
   for (int depth = first; depth < this->Depths(); ++depth)
   {
     DetailDepth& table = this->Frame.Depths[depth].Detail;
-    table.TwistReach = table.Bend * this->Steepness.Twist * scale;
-    frame.FloorReach = std::max(
-      frame.FloorReach, frame.ErrorScale * this->Detail->LargestError() + table.TwistReach);
+    table.BendReach = table.Bend * scale;
+    frame.BendReach = std::max(frame.BendReach, table.BendReach);
   }
 }
 
@@ -286,6 +342,7 @@ void Refiner::Work::SetTolerance(const RefinementView& view, double tolerance)
 void Refiner::Work::SetPlanes(const RefinementView& view, CullingMethod culling)
 {
   this->Frame.PlaneCount = 0;
+  this->Frame.IsLazy = culling == CullingMethod::Lazy;
   const int lazyDepths = culling == CullingMethod::Lazy ? kLazyDepths : 0;
   for (int depth = 0; depth < this->DepthCount; ++depth)
   {
@@ -324,7 +381,7 @@ template <typename Switch, typename Sink>
 std::int64_t Refiner::Work::RunKernel(Sink& sink, RefinementMethod method, std::uint32_t centre,
   const std::array<std::uint32_t, 4>& corners)
 {
-  RefinementKernel<Switch, Sink> kernel(this->Frame, sink);
+  RefinementKernel<Switch, Sink> kernel(this->Frame, sink, this->Waiting);
   const std::uint32_t drawn = this->CentreSite().Record.Drawn();
   sink.Reserve();
   if (method == RefinementMethod::Plain)
@@ -403,8 +460,9 @@ Refiner::Refiner(const HierarchyView& hierarchy)
 {
 }
 
-Refiner::Refiner(const HierarchyView& hierarchy, const DetailHierarchy* detail)
-  : Private(std::make_unique<Work>(hierarchy, detail))
+Refiner::Refiner(
+  const HierarchyView& hierarchy, const DetailHierarchy* detail, const ParallelFor& parallelFor)
+  : Private(std::make_unique<Work>(hierarchy, detail, parallelFor))
 {
 }
 
@@ -458,10 +516,6 @@ void Refiner::Refine(const RefinementView& view, const RefinementOptions& option
   {
     mesh.Clear();
     return;
-  }
-  if (!work.Mesh.Inside.Allocate(layout.RecordCount()))
-  {
-    throw std::bad_alloc();
   }
   work.SetView(view);
   work.SetPlanes(view, options.Culling);

@@ -15,10 +15,12 @@
  * time; so is the end of the entering edge that came last. Three procedures: general; left-only and
  * right-only for triangles where an unsplit neighbour forbids the other half to be split, so that
  * its vertex is not looked at. Every triangle costs one index, two where the strip turns twice to
- * the same side: no strip along the same path has fewer.
- * Plain: Lindstrom and Pascucci 2002, section 3.3, where a vertex is appended once for each
- * triangle whose apex it is and repeated by comparing with the strip's end and its parity. The same
- * triangles, more vertices visited and more indices.
+ * the same side: no strip along the same path has fewer. Beyond the thesis, a vertex is decided on
+ * once: that it is active waits on a stack for the second of its two triangles
+ * (RefinementBuffers.h), which neither tests it nor has to find its index.
+ * Plain: Lindstrom and Pascucci 2002, section 3.3, where a vertex is tested and appended once for
+ * each triangle whose apex it is and repeated by comparing with the strip's end and its parity. The
+ * same triangles, more vertices visited and more indices.
  *
  * Culling against planes with the nested spheres. The sphere of a vertex holds all of its diamond,
  * so what is culled is coarser, and only outside. Nested culling tests every sphere that a plane
@@ -37,6 +39,7 @@
 
 #include "core/DetailHierarchy.h"
 #include "core/Hierarchy.h"
+#include "core/ParallelFor.h"
 
 #include <memory>
 #include <string>
@@ -139,8 +142,9 @@ public:
   explicit Refiner(const HierarchyView& hierarchy);
   /// With detail, which must stay valid too: the mesh is one of the sum of both, in detail cells,
   /// and refinement runs on below the base's samples (RefinementDetail.h). Looks at all of the
-  /// base's cells once.
-  Refiner(const HierarchyView& hierarchy, const DetailHierarchy* detail);
+  /// base's cells once, by `parallelFor`.
+  Refiner(const HierarchyView& hierarchy, const DetailHierarchy* detail,
+    const ParallelFor& parallelFor = SerialFor);
   ~Refiner();
   Refiner(const Refiner&) = delete;
   Refiner& operator=(const Refiner&) = delete;

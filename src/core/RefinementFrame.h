@@ -42,7 +42,8 @@ struct DepthTable
   bool IsOdd = false;
   /// Squared distance below which a vertex is active (RefineByDistance).
   double Range2 = 0.0;
-  /// Of depths below the base's samples only.
+  /// With detail only; of depths below the base's samples only.
+  ReliefTable Relief;
   DetailDepth Detail;
 };
 
@@ -65,6 +66,8 @@ struct RefinementFrame
   /// Planes, and the size of a cell and of the height unit in their space.
   std::array<glm::dvec4, 8> Planes{};
   int PlaneCount = 0;
+  /// Some depths are not tested against them.
+  bool IsLazy = false;
   glm::dvec3 Step{ 1.0 };
   std::uint32_t LastColumn = 0;
   std::uint32_t LastRow = 0;
@@ -93,6 +96,8 @@ struct DetailVertexSite : VertexSite
 {
   /// Height of the base there.
   float BaseHeight;
+  /// Sphere of the sum around the middle of the detail's range there.
+  double Radius;
   /// Horizontal distance and circle, compared too; 0 for samples of the base.
   double FlatDistance2;
   double CircleReach;
@@ -111,6 +116,10 @@ struct TriangleSite
   std::uint32_t Right;
   std::uint32_t Middle;
   std::uint32_t PlaneMask;
+  /// EdgeBits (RefinementVisits.h).
+  std::uint32_t Edges;
+  /// Vertices on the hypotenuse that waited for this triangle, Middle among them; 0 if it is new.
+  std::uint32_t Waiting;
   /// Only with holes: the triangle's direction, and the drawn bits of the vertex.
   std::uint32_t Direction;
   std::uint32_t Drawn;

@@ -7,7 +7,7 @@
 #ifndef terrain_RefinementSinks_h
 #define terrain_RefinementSinks_h
 
-#include "core/RefinementIndex.h"
+#include "core/RefinementBuffers.h"
 #include "core/RefinementKernel.h"
 
 #include <algorithm>
@@ -17,77 +17,13 @@
 
 namespace terrain
 {
-/// Appends to the memory of a vector without asking whether there is room; Reserve() makes it.
-template <typename T>
-class AppendBuffer
-{
-public:
-  /// Takes the vector's memory and begins at its start.
-  void Begin(std::vector<T>& memory)
-  {
-    this->Memory.swap(memory);
-    this->Used = 0;
-    this->SetMemory();
-  }
-  /// Gives the memory back, as a vector of what was appended.
-  void Finish(std::vector<T>& memory)
-  {
-    this->Memory.resize(this->Used);
-    this->Memory.swap(memory);
-    this->Memory.clear();
-  }
-  TERRAIN_INLINE void Append(const T& element)
-  {
-    this->Data[this->Used++] = element;
-  }
-  TERRAIN_INLINE std::uint32_t Count() const
-  {
-    return this->Used;
-  }
-  /// Makes room for what two triangles of each depth take, and their joins.
-  TERRAIN_INLINE void Reserve()
-  {
-    if (this->Used >= this->Limit)
-    {
-      this->Grow();
-    }
-  }
-  TERRAIN_INLINE T& operator[](std::uint32_t index)
-  {
-    return this->Data[index];
-  }
-  TERRAIN_INLINE const T& operator[](std::uint32_t index) const
-  {
-    return this->Data[index];
-  }
-
-private:
-  static constexpr std::size_t Slack = 512;
-
-  TERRAIN_NO_INLINE void Grow()
-  {
-    this->Memory.resize(this->Memory.size() + this->Memory.size() / 4 + 2 * Slack);
-    this->SetMemory();
-  }
-  void SetMemory()
-  {
-    this->Data = this->Memory.data();
-    this->Limit = static_cast<std::uint32_t>(std::max(this->Memory.size(), Slack) - Slack);
-  }
-
-  std::vector<T> Memory;
-  T* Data = nullptr;
-  std::uint32_t Used = 0;
-  std::uint32_t Limit = 0;
-};
-
 /// A strip of indices; what a sink that keeps the strip is derived from.
 class StripSink
 {
 public:
   AppendBuffer<std::uint32_t> Strip;
 
-  void Prefetch(std::uint32_t) const
+  static void Repeat(std::uint32_t)
   {
   }
   void Append(std::uint32_t index)
@@ -156,9 +92,15 @@ public:
   template <typename Site>
   std::uint32_t Vertex(const RefinementFrame&, const Site& site, std::uint32_t, std::uint32_t)
   {
-    ++this->Buckets[BucketOf(site.ErrorReach / GapOf(site))];
+    const auto bucket = static_cast<std::uint32_t>(BucketOf(site.ErrorReach / GapOf(site)));
+    this->Repeat(bucket);
+    return bucket;
+  }
+  /// A vertex appears in two triangles, each of which becomes two.
+  void Repeat(std::uint32_t bucket)
+  {
+    ++this->Buckets[bucket];
     ++this->Total;
-    return 0;
   }
   void Append(std::uint32_t)
   {
@@ -167,9 +109,6 @@ public:
   {
   }
   void RepeatThird()
-  {
-  }
-  void Prefetch(std::uint32_t) const
   {
   }
   static constexpr std::uint32_t Count()
@@ -232,37 +171,20 @@ class MeshSink : public StripSink
 {
 public:
   AppendBuffer<StripVertex> Vertices;
-  /// Vertices inside the raster, by record.
-  VertexIndex Inside;
-  /// Vertices below the samples.
-  PositionIndex Below;
   bool Morphing = false;
-
-  TERRAIN_INLINE void Prefetch(std::uint32_t record) const
-  {
-    this->Inside.Prefetch(record);
-  }
 
   /// Begins a mesh in the memory of `mesh`.
   void Begin(StripMesh& mesh)
   {
-    this->Inside.Forget(this->Vertices.Count());
     this->Vertices.Begin(mesh.Vertices);
     this->Strip.Begin(mesh.Strip);
     this->Border.clear();
-    this->Below.Clear();
     this->Reserve();
   }
   void Finish(StripMesh& mesh)
   {
-    this->Inside.Forget(this->Vertices.Count());
     this->Vertices.Finish(mesh.Vertices);
     this->Strip.Finish(mesh.Strip);
-  }
-  TERRAIN_INLINE void Reserve()
-  {
-    StripSink::Reserve();
-    this->Vertices.Reserve();
   }
 
   /// Adds a corner of the square.
@@ -291,47 +213,30 @@ public:
     {
       return this->BorderVertex(frame, site, left, right);
     }
-    const std::uint32_t next = this->Vertices.Count();
-    const std::uint32_t known = this->Inside.Find(site.Index);
-    if (known < next)
-    {
-      return known;
-    }
-    this->Inside.Set(site.Index, next);
-    this->Add(frame, site, left, right);
-    return next;
+    this->Vertices.Reserve();
+    this->Vertices.Append(this->Make(frame, site, left, right));
+    return this->Vertices.Count() - 1;
   }
 
 private:
   /// Index of vertices that no drawn triangle uses: below all counts, never looked at.
   static constexpr std::uint32_t Beyond = 0;
 
-  template <typename Site>
-  TERRAIN_NO_INLINE void Add(
-    const RefinementFrame& frame, const Site& site, std::uint32_t left, std::uint32_t right)
-  {
-    this->Vertices.Append(this->Make(frame, site, left, right));
-  }
-
   TERRAIN_INLINE std::uint32_t BelowSamples(const RefinementFrame& frame,
     const DetailVertexSite& site, std::uint32_t left, std::uint32_t right)
   {
-    const std::uint32_t next = this->Vertices.Count();
-    const std::uint32_t index = this->Below.FindOrAdd(site.Position, site.Depth->Shift, next);
-    if (index == next)
+    StripVertex vertex;
+    vertex.Column = static_cast<std::uint32_t>(site.Position);
+    vertex.Row = static_cast<std::uint32_t>(site.Position >> 32);
+    vertex.Height = site.BaseHeight + frame.Detail.Scale * site.Record.Height;
+    vertex.Record = StripVertex::BelowSamples;
+    if (this->Morphing)
     {
-      StripVertex vertex;
-      vertex.Column = static_cast<std::uint32_t>(site.Position);
-      vertex.Row = static_cast<std::uint32_t>(site.Position >> 32);
-      vertex.Height = site.BaseHeight + frame.Detail.Scale * site.Record.Height;
-      vertex.Record = StripVertex::BelowSamples;
-      if (this->Morphing)
-      {
-        this->Displace(site, left, right, vertex);
-      }
-      this->Vertices.Append(vertex);
+      this->Displace(site, left, right, vertex);
     }
-    return index;
+    this->Vertices.Reserve();
+    this->Vertices.Append(vertex);
+    return this->Vertices.Count() - 1;
   }
 
   /// Places a vertex on a sample of the base of a given height.
@@ -363,6 +268,7 @@ private:
       this->Border.try_emplace(column | (row << 16), this->Vertices.Count());
     if (isNew)
     {
+      this->Vertices.Reserve();
       this->Vertices.Append(vertex);
     }
     return entry->second;

@@ -43,13 +43,24 @@ TERRAIN_INLINE float BaseAt(const DetailTriangleSite& triangle)
   return IsRising(triangle) ? mean - triangle.Twist : mean + triangle.Twist;
 }
 
+/// Relief of the base about a vertex.
+TERRAIN_INLINE BaseRelief ReliefAbout(const VertexSite& site)
+{
+  return site.Depth->Relief.About(
+    static_cast<std::uint32_t>(site.Position), static_cast<std::uint32_t>(site.Position >> 32));
+}
+
 /// Makes error and sphere of a sample of the base hold for what is below it.
 TERRAIN_INLINE void AddDetail(const RefinementFrame& frame, DetailVertexSite& site)
 {
   const DetailFrame& detail = frame.Detail;
+  const BaseRelief relief = ReliefAbout(site);
   site.BaseHeight = site.Record.Height;
-  site.ErrorReach = std::max(site.ErrorReach + detail.RangeReach, detail.FloorReach);
-  site.RadiusReach += detail.RadiusReach;
+  site.ErrorReach = std::max(
+    site.ErrorReach + detail.RangeReach, detail.FloorReach + relief.Twist * detail.BendReach);
+  const double more = relief.Slant * detail.Circle + detail.Half;
+  site.Radius = site.Record.Radius() + more;
+  site.RadiusReach += more * detail.RadiusScale;
   site.FlatDistance2 = 0.0;
   site.CircleReach = 0.0;
 }
@@ -62,6 +73,7 @@ TERRAIN_INLINE bool IsDetailNeeded(
   const DetailDepth& depth = site.Depth->Detail;
   const auto x = static_cast<std::uint32_t>(site.Position);
   const auto y = static_cast<std::uint32_t>(site.Position >> 32);
+  const BaseRelief relief = ReliefAbout(site);
   site.Record = depth.Record(x, y);
   site.BaseHeight = BaseAt(triangle);
   const double dx = x * detail.Step.x - detail.Eye.x;
@@ -69,8 +81,9 @@ TERRAIN_INLINE bool IsDetailNeeded(
   const double dz = site.BaseHeight * frame.DistanceScale - frame.EyeHeight;
   site.FlatDistance2 = dx * dx + dy * dy;
   site.Distance2 = site.FlatDistance2 + dz * dz;
-  site.ErrorReach = site.Record.Error() * detail.ErrorScale + depth.TwistReach;
-  site.RadiusReach = depth.RadiusReach;
+  site.ErrorReach = site.Record.Error() * detail.ErrorScale + relief.Twist * depth.BendReach;
+  site.Radius = relief.Slant * depth.Circle + depth.Half;
+  site.RadiusReach = site.Radius * detail.RadiusScale;
   site.CircleReach = depth.CircleReach;
   const double reach = site.ErrorReach + site.RadiusReach;
   const double circle = site.ErrorReach + site.CircleReach;
@@ -92,10 +105,10 @@ inline std::pair<glm::dvec3, double> SphereOf(
   if (site.Depth >= frame.FirstDetail)
   {
     const glm::dvec2 position(static_cast<std::uint32_t>(site.Position), site.Position >> 32);
-    return { glm::dvec3(detail.PlaneStep * position, height), site.Depth->Detail.Radius };
+    return { glm::dvec3(detail.PlaneStep * position, height), site.Radius };
   }
   return { glm::dvec3(frame.Step.x * site.Column->Sample, frame.Step.y * site.Row->Sample, height),
-    site.Record.Radius() + detail.Radius };
+    site.Radius };
 }
 }
 
