@@ -138,16 +138,30 @@ vec4 terrainCrossingsColor(int crossings)
                       2.0 - abs(4.0 * work)), 0.0, 1.0), 1.0);
 }
 
-// The surface's own colour; nothing is added to the material's.
-vec4 terrainOwnColor(TerrainSurface surface)
+// The number that colours are made of, and the colour of an array of colours.
+float terrainOwnValue(TerrainSurface surface, out vec4 arrayColor)
 {
-  vec4 arrayColor;
   float arrayValue = terrainArrayValue(surface, arrayColor);
   float value = surface.code;
   value = terrainColorKind == terrainOfSlope ? terrainSlope(surface) : value;
   value = terrainColorKind == terrainOfAspect ? terrainAspect(surface) : value;
-  value = terrainColorKind == terrainOfValues ? arrayValue : value;
-  vec4 color = terrainMapColor(value);
+  return terrainColorKind == terrainOfValues ? arrayValue : value;
+}
+
+// The value that it stands for; NaN for none.
+float terrainShownValue(TerrainSurface surface)
+{
+  vec4 arrayColor;
+  float value = terrainOwnValue(surface, arrayColor);
+  return value < 0.5 * terrainNotANumber ? log(-1.0)
+                                         : terrainValueScale.x * value + terrainValueScale.y;
+}
+
+// The surface's own colour; nothing is added to the material's.
+vec4 terrainOwnColor(TerrainSurface surface)
+{
+  vec4 arrayColor;
+  vec4 color = terrainMapColor(terrainOwnValue(surface, arrayColor));
   color = terrainColorKind == terrainOfColors ? arrayColor : color;
   color = terrainColorKind == terrainOfMaterial ? vec4(0.0, 0.0, 0.0, 1.0) : color;
   return terrainColorKind == terrainOfCrossings ? terrainCrossingsColor(surface.crossings) : color;

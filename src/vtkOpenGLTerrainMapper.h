@@ -53,8 +53,10 @@
  *   - Flat shading takes the normals of bilinear patches; Gouraud is Phong shading.
  *   - The searches show the first surface only, and each part of the hull its own: let translucent
  *     terrain and blocks be drawn by the technique Pyramid.
- *   - vtkValuePass reads arrays of port 0, which the box of the technique Pyramid does not have;
- * the technique Mesh has them.
+ *   - vtkValuePass draws what has its array in port 0 (vtkTerrainCoarseMesh::PassPointArrays), and
+ *     tells no mapper which array that is: in its floating-point mode the values are those that
+ *     colours are made of here (SelectColorArray), at the surface's points; NaN where there is
+ * none.
  *   - A z-buffer of 24 bits is as coarse for a hit as for a mesh; vtkTerrainPicker and
  *     vtkTerrainDepthPass are exact.
  *
@@ -462,6 +464,7 @@ private:
   void DrawLayers(vtkRenderer* ren, vtkActor* act);
   terrain::SampleRectangle DrawnRectangle() const;
   void FollowDepth(ShaderMap shaders, vtkActor* act);
+  void FollowValues(ShaderMap shaders);
   std::string HeightDefines() const;
   std::string CastDefines() const;
   std::string ShaderDefines(vtkActor* act);

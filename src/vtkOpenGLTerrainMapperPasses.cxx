@@ -129,6 +129,31 @@ void vtkOpenGLTerrainMapper::FollowDepth(ShaderMap shaders, vtkActor* act)
 }
 
 //------------------------------------------------------------------------------
+// vtkValuePass in its floating-point mode means values of the surface, not of the proxy.
+void vtkOpenGLTerrainMapper::FollowValues(ShaderMap shaders)
+{
+  vtkShader* fragment = shaders[vtkShader::Fragment];
+  std::string source = fragment->GetSource();
+  if (this->Internals->Coloring.Paints() &&
+    vtkShaderProgram::Substitute(source, "in float dataValue;", "float dataValue;"))
+  {
+    // of points, or of cells
+    if (vtkShaderProgram::Substitute(source, "vec4(vec3(dataValue), 1.0)",
+          "vec4(vec3(terrainShownValue(terrainPoint)), 1.0)") ||
+      vtkShaderProgram::Substitute(source,
+        "texelFetchBuffer(textureF, gl_PrimitiveID +\n    PrimitiveIDOffset)",
+        "vec4(terrainShownValue(terrainPoint))"))
+    {
+      fragment->SetSource(source);
+    }
+    else
+    {
+      vtkErrorMacro("The shader of vtkValuePass has changed: its values are those of the proxy");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // The edges of a proxy are not the surface's.
 bool vtkOpenGLTerrainMapper::DrawingEdges(vtkRenderer* ren, vtkActor* act)
 {

@@ -264,6 +264,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
     vtkShaderProgram::Substitute(source, "gl_FrontFacing == false", "!terrainPoint.front");
     shaders[vtkShader::Fragment]->SetSource(source);
     this->FollowDepth(shaders, act);
+    this->FollowValues(shaders);
   }
   if (this->CastsRays(act) && this->Technique == Techniques::Pyramid && vtkInternals::IsSoftware())
   {

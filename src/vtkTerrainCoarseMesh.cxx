@@ -7,17 +7,23 @@
 #include "vtkTerrainHeightfield.h"
 #include "vtkTerrainParallelFor.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -79,6 +85,30 @@ void AddFieldArray(vtkPolyData* output, const char* name, std::initializer_list<
   array->SetNumberOfComponents(static_cast<int>(values.size()));
   array->InsertNextTuple(values.begin());
   output->GetFieldData()->AddArray(array);
+}
+
+/// Adds the arrays of the samples that vertices lie on.
+void AddPointArrays(
+  const terrain::CoarseMeshSurface& surface, vtkImageData* image, vtkPolyData* output)
+{
+  const vtkIdType width = image->GetDimensions()[0];
+  vtkNew<vtkIdList> samples;
+  samples->SetNumberOfIds(surface.NumberOfVertices());
+  surface.ForEachVertex([&](std::int64_t id, const terrain::CoarseMeshVertex& vertex)
+    { samples->SetId(id, vertex.Column + width * vertex.Row); });
+  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* from = image->GetPointData()->GetAbstractArray(i);
+    if (from != image->GetPointGhostArray())
+    {
+      auto to = vtkSmartPointer<vtkAbstractArray>::Take(from->NewInstance());
+      to->SetName(from->GetName());
+      to->SetNumberOfComponents(from->GetNumberOfComponents());
+      to->SetNumberOfTuples(surface.NumberOfVertices());
+      from->GetTuples(samples, to);
+      output->GetPointData()->AddArray(to);
+    }
+  }
 }
 
 void FillOutput(const terrain::CoarseMeshSurface& surface, const terrain::GridGeometry& geometry,
@@ -154,6 +184,10 @@ int vtkTerrainCoarseMesh::RequestData(
   const terrain::CoarseMeshSurface surface(
     mesh, this->PushUp && this->ClosedHull, FloorHeight(mesh, geometry, FloorMargin));
   FillOutput(surface, geometry, this->OutputPointsPrecision == SINGLE_PRECISION, output);
+  if (this->PassPointArrays)
+  {
+    AddPointArrays(surface, image, output);
+  }
 
   this->EffectiveSamplesPerQuad = mesh.CellsPerQuad;
   this->LargestGap = mesh.LargestGap;
@@ -172,6 +206,7 @@ void vtkTerrainCoarseMesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SamplesPerQuad: " << this->SamplesPerQuad << "\n";
   os << indent << "PushUp: " << (this->PushUp ? "on" : "off") << "\n";
   os << indent << "ClosedHull: " << (this->ClosedHull ? "on" : "off") << "\n";
+  os << indent << "PassPointArrays: " << (this->PassPointArrays ? "on" : "off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "EffectiveSamplesPerQuad: " << this->EffectiveSamplesPerQuad << "\n";
   os << indent << "LargestGap: " << this->LargestGap << "\n";

@@ -80,6 +80,14 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  ///@{
+  /// Whether the output has the image's point arrays, as they are at its vertices' samples; none is
+  /// active. Default off.
+  vtkSetMacro(PassPointArrays, bool);
+  vtkGetMacro(PassPointArrays, bool);
+  vtkBooleanMacro(PassPointArrays, bool);
+  ///@}
+
   /// Cells along a side of a quad in the last output; 0 before the first.
   vtkIdType GetEffectiveSamplesPerQuad() const
   {
@@ -112,6 +120,7 @@ private:
   vtkIdType SamplesPerQuad = 0;
   bool PushUp = true;
   bool ClosedHull = true;
+  bool PassPointArrays = false;
   int OutputPointsPrecision = DOUBLE_PRECISION;
   vtkIdType EffectiveSamplesPerQuad = 0;
   double LargestGap = 0.0;

@@ -465,7 +465,7 @@ void vtkTerrainColoring::SetUniforms(
   setTexture("terrainValues", this->Values);
   setTexture("terrainColors", this->Colors);
   setTexture("terrainDrape", this->DrapeTexture);
-  if (uniforms.Uses("terrainColorScale"))
+  if (uniforms.Uses("terrainColorKind"))
   {
     const int texels = this->OfCells ? 1 : 4;
     const glm::ivec2 needed(
