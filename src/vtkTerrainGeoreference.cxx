@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainGeoreference.h"
 
+#include "core/Constants.h"
 #include "core/Geodesics.h"
 #include "core/GridReference.h"
 #include "core/HeightUnits.h"
@@ -19,9 +20,9 @@
 
 namespace
 {
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using terrain::kNaN;
 // Points handed to one thread at a time.
-constexpr vtkIdType kGrain = 4096;
+constexpr vtkIdType kPointsPerTask = 4096;
 }
 
 vtkStandardNewMacro(vtkTerrainGeoreference);
@@ -237,7 +238,7 @@ bool vtkTerrainGeoreference::Chunked(
   {
     return false;
   }
-  vtkSMPTools::For(0, count, kGrain,
+  vtkSMPTools::For(0, count, kPointsPerTask,
     [&](vtkIdType begin, vtkIdType end)
     {
       if (in != out)
@@ -382,7 +383,7 @@ bool vtkTerrainGeoreference::FileHeightsToPlaces(
   {
     return false;
   }
-  vtkSMPTools::For(0, count, kGrain,
+  vtkSMPTools::For(0, count, kPointsPerTask,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<double> geoid(static_cast<std::size_t>(end - begin), 0.0);

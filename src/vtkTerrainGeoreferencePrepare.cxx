@@ -3,6 +3,7 @@
 // The part of vtkTerrainGeoreference that turns settings into a frame, or into a reason why not.
 #include "vtkTerrainGeoreferenceInternals.h"
 
+#include "core/Constants.h"
 #include "core/GridReference.h"
 #include "vtkTerrainFieldData.h"
 #include "vtkTerrainHeightfield.h"
@@ -17,13 +18,13 @@ namespace
 using Kind = vtkTerrainCoordinateSystem::Kind;
 using vtkTerrainExtent::IsKnown;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using terrain::kNaN;
 // Points along each side of the extent that are looked at.
-constexpr int kSidePoints = 9;
+constexpr int kExtentPoints = 9;
 // Degrees that a geographic extent may exceed the earth by, for rounding.
 constexpr double kSlack = 1e-6;
 
-std::string Text(double value)
+std::string LongText(double value)
 {
   char text[40];
   std::snprintf(text, sizeof(text), "%.10g", value);
@@ -33,8 +34,8 @@ std::string Text(double value)
 
 std::string vtkTerrainExtent::ToText(const double extent[4])
 {
-  return "x " + Text(extent[0]) + " to " + Text(extent[1]) + ", y " + Text(extent[2]) + " to " +
-    Text(extent[3]);
+  return "x " + LongText(extent[0]) + " to " + LongText(extent[1]) + ", y " + LongText(extent[2]) +
+    " to " + LongText(extent[3]);
 }
 
 bool vtkTerrainExtent::IsKnown(const double extent[4])
@@ -47,9 +48,9 @@ std::vector<double> vtkTerrainExtent::Border(const double extent[4])
   std::vector<double> points;
   for (int side = 0; side < 4; ++side)
   {
-    for (int i = 0; i + 1 < kSidePoints; ++i)
+    for (int i = 0; i + 1 < kExtentPoints; ++i)
     {
-      const double t = static_cast<double>(i) / (kSidePoints - 1);
+      const double t = static_cast<double>(i) / (kExtentPoints - 1);
       const double along = side < 2 ? t : 1.0 - t;
       const bool horizontal = side % 2 == 0;
       const double u = horizontal ? along : (side == 1 ? 1.0 : 0.0);
@@ -183,7 +184,7 @@ std::string vtkTerrainGeoreference::WhyNotExtent()
   {
     this->Internals->Warning = "the data lie at " + vtkTerrainExtent::ToText(e) +
       ", which looks like degrees, but the coordinate system '" + system.GetName() +
-      "' counts in units of " + Text(system.GetMetres()) + " m";
+      "' counts in units of " + LongText(system.GetMetres()) + " m";
   }
   return {};
 }
@@ -255,8 +256,8 @@ void vtkTerrainGeoreference::PrepareFrame()
     if (!(std::abs(origin[1]) <= 90.0) || !std::isfinite(origin[0]) || !std::isfinite(origin[2]))
     {
       internals.HasFrame = false;
-      internals.WhyNot = "the origin (longitude " + Text(origin[0]) + ", latitude " +
-        Text(origin[1]) + ") is not on earth";
+      internals.WhyNot = "the origin (longitude " + LongText(origin[0]) + ", latitude " +
+        LongText(origin[1]) + ") is not on earth";
       return;
     }
     internals.Frame = terrain::SceneFrame::AtOrigin(

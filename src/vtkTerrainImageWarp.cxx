@@ -36,7 +36,7 @@ namespace
 using Frame = vtkTerrainGeoreference::FrameType;
 
 // Points along each side of the picture by which it is found in the scene.
-constexpr int kSidePoints = 65;
+constexpr int kOutlinePoints = 65;
 // Pixels of the picture by which an interpolated transformation may be wrong.
 constexpr double kApproximation = 0.05;
 
@@ -230,12 +230,12 @@ std::string vtkTerrainImageWarp::vtkInternals::Place(int maximumSize)
   const double width = GDALGetRasterXSize(this->File.get());
   const double height = GDALGetRasterYSize(this->File.get());
   std::vector<double> points;
-  for (int j = 0; j < kSidePoints; ++j)
+  for (int j = 0; j < kOutlinePoints; ++j)
   {
-    for (int i = 0; i < kSidePoints; ++i)
+    for (int i = 0; i < kOutlinePoints; ++i)
     {
       points.insert(
-        points.end(), { width * i / (kSidePoints - 1), height * j / (kSidePoints - 1), 0.0 });
+        points.end(), { width * i / (kOutlinePoints - 1), height * j / (kOutlinePoints - 1), 0.0 });
     }
   }
   this->PixelsToScene(points);

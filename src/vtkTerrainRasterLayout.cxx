@@ -3,7 +3,7 @@
 // The part of vtkTerrainRasterFile that knows coordinate reference systems and units.
 #include "vtkTerrainRasterFile.h"
 
-#include "core/Angles.h"
+#include "core/Constants.h"
 #include "vtkTerrainCoordinateSystem.h"
 
 #include <cpl_conv.h>

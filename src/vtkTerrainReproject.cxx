@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainReproject.h"
 
+#include "core/Constants.h"
 #include "core/HeightSampling.h"
 #include "vtkTerrainFieldData.h"
 #include "vtkTerrainHeightfield.h"
@@ -32,14 +33,14 @@ namespace
 {
 using Frame = vtkTerrainGeoreference::FrameType;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using terrain::kNaN;
 // Samples of a block, the unit of progress and abort.
 constexpr vtkIdType kBlockSamples = 1 << 18;
 // Steps after which the iteration of a Local frame ends in any case.
 constexpr int kMostSteps = 12;
 constexpr double kEarthRadius = 6371008.8;
 // Samples handed to one thread at a time.
-constexpr vtkIdType kGrain = 4096;
+constexpr vtkIdType kSamplesPerTask = 4096;
 
 /// Height at grid coordinates whose columns repeat after `turn` of them (0: never). Between the
 /// last and the first column it is the bilinear patch.
@@ -200,7 +201,7 @@ void vtkTerrainReproject::SampleTiles(const std::vector<double>& scene,
     vtkTerrainHeightfield::Dispatch(tile->Image,
       [&](const auto& view)
       {
-        vtkSMPTools::For(0, count, kGrain,
+        vtkSMPTools::For(0, count, kSamplesPerTask,
           [&](vtkIdType begin, vtkIdType end)
           {
             for (vtkIdType i = begin; i < end; ++i)
@@ -232,7 +233,7 @@ void vtkTerrainReproject::PlaceBlock(const int extent[4], std::vector<double>& s
   double origin[3];
   internals.Georeference->GetOrigin(origin);
   scene.resize(static_cast<std::size_t>(3 * count));
-  vtkSMPTools::For(0, count, kGrain,
+  vtkSMPTools::For(0, count, kSamplesPerTask,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -270,7 +271,7 @@ void vtkTerrainReproject::FillBlock(const int extent[4], double* heights, double
     // Up the scene's vertical by what the place's own vertical lacks: a contraction, since both are
     // nearly parallel.
     std::atomic<bool> moved{ false };
-    vtkSMPTools::For(0, count, kGrain,
+    vtkSMPTools::For(0, count, kSamplesPerTask,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)

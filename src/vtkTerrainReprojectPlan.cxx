@@ -23,7 +23,7 @@ using Frame = vtkTerrainGeoreference::FrameType;
 constexpr int kSidePoints = 129;
 constexpr int kInnerPoints = 33;
 
-std::string Text(double value)
+std::string ShortText(double value)
 {
   char text[40];
   std::snprintf(text, sizeof(text), "%.4g", value);
@@ -221,8 +221,9 @@ std::string vtkTerrainReproject::FitGrid(const double bounds[4])
   const double most = static_cast<double>(this->MaximumNumberOfSamples);
   if (this->Spacing > 0.0 && !(samples(this->Spacing) <= most))
   {
-    return "a spacing of " + Text(this->Spacing) + " m needs " + Text(samples(this->Spacing)) +
-      " samples, more than the " + Text(most) + " that are allowed";
+    return "a spacing of " + ShortText(this->Spacing) + " m needs " +
+      ShortText(samples(this->Spacing)) + " samples, more than the " + ShortText(most) +
+      " that are allowed";
   }
   while (samples(internals.Spacing) > most)
   {
@@ -275,9 +276,10 @@ void vtkTerrainReproject::CheckFlatness()
   if (error > this->Internals->Spacing)
   {
     this->WarningMessage += (this->WarningMessage.empty() ? "" : "; ") +
-      std::string("the flat scene is wrong by up to ") + Text(error) + " m (" + Text(horizontal) +
-      " m sideways, " + Text(vertical) + " m of the earth's curvature), its cells are " +
-      Text(this->Internals->Spacing) + " m: the frame Local is exact";
+      std::string("the flat scene is wrong by up to ") + ShortText(error) + " m (" +
+      ShortText(horizontal) + " m sideways, " + ShortText(vertical) +
+      " m of the earth's curvature), its cells are " + ShortText(this->Internals->Spacing) +
+      " m: the frame Local is exact";
   }
 }
 

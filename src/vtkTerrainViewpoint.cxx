@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainViewpoint.h"
 
+#include "core/Constants.h"
 #include "core/Geodesics.h"
 #include "core/HeightSampling.h"
 #include "core/SunPosition.h"
@@ -31,7 +32,7 @@ namespace
 {
 using FrameType = vtkTerrainGeoreference::FrameType;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using terrain::kNaN;
 // Metres that the terrain must stand above a line of sight to hide its end.
 constexpr double kTouch = 1e-3;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/CoarseMesh.h"
 
+#include "core/Constants.h"
 #include "core/SampleTypes.h"
 
 #include <array>
@@ -13,7 +14,6 @@ namespace terrain
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A range of values, empty to begin with.
 struct Range

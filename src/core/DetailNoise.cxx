@@ -11,10 +11,10 @@ namespace terrain
 {
 namespace
 {
-constexpr int kFewestCells = 4;     // of the lattice of the first octave
-constexpr int kShortestSamples = 4; // length of the last octave's lattice cells
-constexpr int kSmoothOctaves = 2;   // before those that are folded
-constexpr float kFalloff = 0.55F;   // amplitude of an octave over that of the one before
+constexpr int kFewestLatticeCells = 4; // of the lattice of the first octave
+constexpr int kShortestSamples = 4;    // length of the last octave's lattice cells
+constexpr int kSmoothOctaves = 2;      // before those that are folded
+constexpr float kFalloff = 0.55F;      // amplitude of an octave over that of the one before
 
 /// Adds the row of an octave whose lattice has cells x cells cells over the period.
 void AddOctaveRow(int size, int row, std::int64_t cells, bool folded, std::uint32_t seed,
@@ -57,7 +57,7 @@ std::vector<float> MakeDetailNoise(int size, std::uint32_t seed, const ParallelF
       {
         float amplitude = 1.0F;
         int octave = 0;
-        for (std::int64_t cells = kFewestCells; cells * kShortestSamples <= size; cells *= 2)
+        for (std::int64_t cells = kFewestLatticeCells; cells * kShortestSamples <= size; cells *= 2)
         {
           AddOctaveRow(size, static_cast<int>(row), cells, octave >= kSmoothOctaves,
             seed + static_cast<std::uint32_t>(octave), amplitude, heights.data() + row * size);

@@ -194,4 +194,5 @@ void HeightMeans::Update(const HeightfieldView<T>& view, const HeightCodes& code
     const HeightfieldView<T>&, const HeightCodes&, const GridRectangle&, const ParallelFor&)
 TERRAIN_INSTANTIATE(std::uint16_t);
 TERRAIN_INSTANTIATE(float);
+#undef TERRAIN_INSTANTIATE
 }

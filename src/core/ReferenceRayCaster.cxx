@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/ReferenceRayCaster.h"
 
+#include "core/Constants.h"
 #include "core/SampleTypes.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace terrain
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Distance at which a coordinate leaves the interval from low to high; infinite if it stands.
 double LeaveDistance(double origin, double direction, double low, double high)

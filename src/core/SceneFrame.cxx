@@ -5,7 +5,7 @@
 // through GeographicLib.
 #include "core/SceneFrame.h"
 
-#include "core/Angles.h"
+#include "core/Constants.h"
 
 #include <GeographicLib/Constants.hpp>
 #include <GeographicLib/Geocentric.hpp>
@@ -46,7 +46,7 @@ double PrimeVertical(double sinLatitude)
   return kA / std::sqrt(1.0 - kE2 * sinLatitude * sinLatitude);
 }
 
-bool IsOnEarth(const glm::dvec3& place)
+bool IsPlace(const glm::dvec3& place)
 {
   return std::abs(place.y) <= 90.0 && std::isfinite(place.x) && std::isfinite(place.z);
 }
@@ -72,7 +72,7 @@ namespace terrain
 {
 glm::dvec3 PlaceToGeocentric(const glm::dvec3& place, double longitudeOfX)
 {
-  if (!IsOnEarth(place))
+  if (!IsPlace(place))
   {
     return kNowhere;
   }
@@ -221,7 +221,7 @@ glm::dvec3 SceneFrame::PlaneToPlace(const glm::dvec3& scene) const
 
 glm::dvec3 SceneFrame::ZoneToScene(const glm::dvec3& place) const
 {
-  if (!IsOnEarth(place))
+  if (!IsPlace(place))
   {
     return kNowhere;
   }
@@ -251,7 +251,7 @@ glm::dvec3 SceneFrame::ZoneToPlace(const glm::dvec3& scene) const
       scene.x - kUtmEasting, scene.y - (this->IsNorthern ? 0.0 : kUtmNorthingSouth), place.y,
       place.x);
   }
-  return IsOnEarth(place) ? place : kNowhere;
+  return IsPlace(place) ? place : kNowhere;
 }
 
 glm::dmat3 SceneFrame::AxesAt(const glm::dvec3& place) const

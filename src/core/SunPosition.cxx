@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/SunPosition.h"
 
-#include "core/Angles.h"
+#include "core/Constants.h"
 
 #include <array>
 #include <cmath>

@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Units of angles.
+ * Numbers that many files need.
  */
-#ifndef terrain_Angles_h
-#define terrain_Angles_h
+#ifndef terrain_Constants_h
+#define terrain_Constants_h
 
 #include <glm/glm.hpp>
+
+#include <limits>
 
 namespace terrain
 {
 /// A degree in radians.
 constexpr double kDegree = glm::radians(1.0);
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 }
 
 #endif
