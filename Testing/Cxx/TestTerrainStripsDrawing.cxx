@@ -229,6 +229,8 @@ TEST(TerrainStripsDrawing, WithDetailTheyAreTheSurfaceOfTheRays)
     picture.Source->GetOutput()->GetScalarRange()[1] + 100.0);
   camera->SetClippingRange(0.002 * size, 2.0 * size);
   const std::vector<double> reference = picture.Depths();
+  const auto render = [&] { return vtkTerrainTesting::Render(picture.Scene.Window); };
+  const vtkSmartPointer<vtkImageData> surface = render();
 
   picture.Actor->SetMapper(picture.Mapper);
   picture.Strips->SetDetailConnection(detail->GetOutputPort());
@@ -239,8 +241,22 @@ TEST(TerrainStripsDrawing, WithDetailTheyAreTheSurfaceOfTheRays)
   std::printf("%g of the pixels beyond, %lld triangles\n", beyond,
     static_cast<long long>(picture.Strips->GetNumberOfTriangles()));
   EXPECT_LE(beyond, 0.001);
-  EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(
-    vtkTerrainTesting::Render(picture.Scene.Window), "TerrainStripsDetail"));
+  EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(render(), "TerrainStripsDetail"));
+
+  // Coarse strips: the terrain mapper lights them by what no triangle carries.
+  picture.Strips->SetTolerance(6.0);
+  const vtkIdType byPoints = vtkTerrainTesting::CountDifferentPixels(surface, render(), 20);
+  rays->SetInputConnection(0, picture.Strips->GetOutputPort());
+  rays->SetTechnique(vtkOpenGLTerrainMapper::Techniques::Mesh);
+  picture.Actor->SetMapper(rays);
+  const vtkSmartPointer<vtkImageData> shaded = render();
+  const vtkIdType byHeights = vtkTerrainTesting::CountDifferentPixels(surface, shaded, 20);
+  std::printf("pixels shaded otherwise: %lld by heights, %lld by points, %lld triangles\n",
+    static_cast<long long>(byHeights), static_cast<long long>(byPoints),
+    static_cast<long long>(picture.Strips->GetNumberOfTriangles()));
+  EXPECT_LT(2 * byHeights, byPoints);
+  picture.Actor->SetMapper(picture.Mapper);
+  picture.Strips->SetTolerance(1.0);
 
   // Without the detail they are another surface: the comparison can fail.
   picture.Strips->SetDetailScale(0.0);
