@@ -52,9 +52,9 @@ class UniformPasser
 {
 public:
   /// The vertex shader, and the lines that define what the fragment shader has defined.
-  UniformPasser(std::string vertexSource, const std::string& defines)
+  UniformPasser(std::string vertexSource, std::string defines)
     : VertexSource(std::move(vertexSource))
-    , Defines(defines)
+    , Defines(std::move(defines))
   {
   }
 
