@@ -18,8 +18,8 @@ inline TestField RandomDetail(glm::ivec2 period, double relief, int salt)
 {
   std::minstd_rand random(static_cast<unsigned>(17 + salt));
   random.discard(9);
-  return TestField("detail", period.x, period.y,
-    [&](int, int) { return relief * (static_cast<double>(random() % 4096u) / 4096.0 - 0.5); });
+  return { "detail", period.x, period.y,
+    [&](int, int) { return relief * (static_cast<double>(random() % 4096u) / 4096.0 - 0.5); } };
 }
 
 /// Base and detail as texels, with the pyramid of their sum.
