@@ -384,14 +384,16 @@ std::int64_t Refiner::Work::RunKernel(Sink& sink, RefinementMethod method, std::
   RefinementKernel<Switch, Sink> kernel(this->Frame, sink, this->Waiting);
   const std::uint32_t drawn = this->CentreSite().Record.Drawn();
   sink.Reserve();
-  if (method == RefinementMethod::Plain)
+  // Each pair of a kernel and a sink takes the compiler seconds: only what is used is made.
+  if constexpr (!std::is_same_v<Sink, CountSink>)
   {
-    kernel.Plain(this->Centre(), centre, drawn, corners);
+    if (method == RefinementMethod::Plain)
+    {
+      kernel.Plain(this->Centre(), centre, drawn, corners);
+      return kernel.Triangles();
+    }
   }
-  else
-  {
-    kernel.Improved(this->Centre(), centre, drawn, corners);
-  }
+  kernel.Improved(this->Centre(), centre, drawn, corners);
   return kernel.Triangles();
 }
 
@@ -415,7 +417,14 @@ std::int64_t Refiner::Work::Run(Sink& sink, RefinementMethod method, std::uint32
     return this->Hierarchy.Summary.HasHoles ? withDetail(culls, std::true_type())
                                             : withDetail(culls, std::false_type());
   };
-  return this->Frame.PlaneCount > 0 ? withHoles(std::true_type()) : withHoles(std::false_type());
+  if constexpr (!std::is_same_v<Sink, CountSink>)
+  {
+    if (this->Frame.PlaneCount == 0)
+    {
+      return withHoles(std::false_type());
+    }
+  }
+  return withHoles(std::true_type());
 }
 
 /// The tolerance of the options, raised until the budget suffices: counts how many triangles each
