@@ -9,7 +9,7 @@ add_library(vtkTerrainTestSupport STATIC
   vtkTerrainTestingScene.cxx
   vtkTerrainTestingShader.cxx)
 target_include_directories(vtkTerrainTestSupport PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
-target_compile_definitions(vtkTerrainTestSupport PRIVATE
+target_compile_definitions(vtkTerrainTestSupport PUBLIC # as all that is precompiled
   VTKTERRAIN_SHADER_DIR="${PROJECT_SOURCE_DIR}/shaders")
 target_link_libraries(vtkTerrainTestSupport
   PUBLIC
