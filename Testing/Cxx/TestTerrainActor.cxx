@@ -207,7 +207,7 @@ TEST_F(TerrainActor, ScalarBarHasItsColours)
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(this->Terrain->GetLookupTable());
   bar->SetMaximumNumberOfColors(256);
-  this->Scene.Renderer->AddActor2D(bar);
+  this->Scene.Renderer->AddViewProp(bar);
   for (const double factor : { 1.0, 3.0 })
   {
     scaleHeights(this->Heights, factor);
