@@ -92,7 +92,8 @@ bool vtkOpenGLTerrainMapper::vtkInternals::IsSoftware()
 bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
 {
   if (!this->CastsRays(act) || this->Technique != Techniques::Pyramid ||
-    this->ComputeMode == ComputeModes::Off || !vtkTerrainComputeProgram::IsSupported())
+    this->ComputeMode == ComputeModes::Off || !vtkTerrainComputeProgram::IsSupported() ||
+    this->Internals->SampleShading) // sightings are one a pixel
   {
     return false;
   }
