@@ -32,7 +32,7 @@ if (VTK_VERSION VERSION_LESS 9.4) # Since then the functions of OpenGL come with
 endif ()
 
 function (vtkterrain_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "CORE;IMAGE;DATA" "" "WINDOWS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "CORE;IMAGE;DATA;OPTIMIZED" "" "WINDOWS")
   add_executable(${name} ${name}.cxx)
   target_link_libraries(${name} PRIVATE
     vtkTerrainTestSupport vtkTerrainWarnings
@@ -57,13 +57,14 @@ function (vtkterrain_add_test name)
   endif ()
   set(class_egl vtkEGLRenderWindow)
   set(class_osmesa vtkOSOpenGLRenderWindow)
-  # Of what these tests take, Mesa's compiler takes most: once with optimized code is enough.
-  set(mesa_egl "")
-  set(mesa_osmesa "GALLIVM_PERF=nopt")
+  # Of what most of these tests take, Mesa's compiler takes most: a third to a half less so.
+  if (NOT arg_OPTIMIZED)
+    list(APPEND environment "GALLIVM_PERF=nopt")
+  endif ()
   foreach (window IN LISTS arg_WINDOWS)
     add_test(NAME ${name}-${window} COMMAND ${name})
     set_tests_properties(${name}-${window} PROPERTIES
       LABELS image SKIP_RETURN_CODE 77 TIMEOUT 300
-      ENVIRONMENT "${environment};VTK_DEFAULT_OPENGL_WINDOW=${class_${window}};${mesa_${window}}")
+      ENVIRONMENT "${environment};VTK_DEFAULT_OPENGL_WINDOW=${class_${window}}")
   endforeach ()
 endfunction ()
