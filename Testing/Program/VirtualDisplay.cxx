@@ -375,8 +375,14 @@ Screenshot VirtualDisplay::CaptureStill()
 }
 
 //------------------------------------------------------------------------------
+bool VirtualDisplay::WaitForChange(const Screenshot& before)
+{
+  return WaitUntil([&] { return !(this->Capture() == before); });
+}
+
+//------------------------------------------------------------------------------
 Screenshot VirtualDisplay::CaptureChange(const Screenshot& before)
 {
-  WaitUntil([&] { return !(this->Capture() == before); });
+  this->WaitForChange(before);
   return this->CaptureStill();
 }

@@ -74,6 +74,8 @@ public:
   Screenshot Capture();
   /// The window once it has stopped changing, and its program computes nothing more.
   Screenshot CaptureStill();
+  /// Waits for a picture other than one before; false if there comes none.
+  bool WaitForChange(const Screenshot& before);
   /// The window once it differs from a picture, and has stopped changing; that picture if it never
   /// does.
   Screenshot CaptureChange(const Screenshot& before);
