@@ -7,10 +7,11 @@ build_dir=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."
 passed=$build_dir/lint-passed
 mkdir -p "$passed"
-# Every file by itself, and without the headers that GCC has precompiled, which clang cannot read.
+# Every file by itself, and without the headers that GCC has precompiled, which clang cannot read;
+# the headers made from shaders are those of the build.
 cmake -G Ninja -S . -B "$passed/separate" -DCMAKE_UNITY_BUILD=OFF \
   -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DVTKTERRAIN_BUILD_EXAMPLES=ON >"$passed/configured.log"
-sed "s|$passed/separate/|$build_dir/|g" "$passed/separate/compile_commands.json" \
+sed "s|$passed/separate/module/|$build_dir/module/|g" "$passed/separate/compile_commands.json" \
   >"$passed/compile_commands.json"
 
 common=$(cat .clang-tidy $(git ls-files '*.h') | cksum | tr -d ' ')
