@@ -7,6 +7,7 @@
  */
 #include "vtkOpenGLTerrainMapper.h"
 
+#include "vtkTerrainGL.h"
 #include "vtkTerrainMapperInternals.h"
 
 #include "vtkTerrainCast.h"
@@ -266,7 +267,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
     this->FollowDepth(shaders, act);
     this->FollowValues(shaders);
   }
-  if (this->CastsRays(act) && this->Technique == Techniques::Pyramid && vtkInternals::IsSoftware())
+  if (this->CastsRays(act) && this->Technique == Techniques::Pyramid && vtkTerrainIsSoftware())
   {
     // its proxy is a box, whose few vertices cost nothing
     UniformPasser passer(shaders[vtkShader::Vertex]->GetSource(), defines);

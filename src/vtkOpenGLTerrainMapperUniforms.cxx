@@ -38,7 +38,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -82,13 +81,6 @@ void setVector(vtkTerrainUniforms& uniforms, const char* name, const terrain::Pi
 }
 
 //------------------------------------------------------------------------------
-bool vtkOpenGLTerrainMapper::vtkInternals::IsSoftware()
-{
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return renderer && std::strstr(renderer, "llvmpipe");
-}
-
-//------------------------------------------------------------------------------
 bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
 {
   if (!this->CastsRays(act) || this->Technique != Techniques::Pyramid ||
@@ -97,7 +89,7 @@ bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
   {
     return false;
   }
-  return this->ComputeMode == ComputeModes::On || !vtkInternals::IsSoftware();
+  return this->ComputeMode == ComputeModes::On || !vtkTerrainIsSoftware();
 }
 
 //------------------------------------------------------------------------------

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <sstream>
 #include <vector>
 
@@ -106,8 +105,7 @@ void clampToEdge(vtkTextureObject* texture)
 /// Anisotropy of textures. llvmpipe's filter (Mesa 22) takes wrong texels with explicit gradients.
 float supportedAnisotropy()
 {
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return renderer && std::strstr(renderer, "llvmpipe") ? 1.0f : LargestAnisotropy;
+  return vtkTerrainIsSoftware() ? 1.0f : LargestAnisotropy;
 }
 
 /// Multiplies the colours of an image with alpha, of 2 or 4 components, by it: only so may texels

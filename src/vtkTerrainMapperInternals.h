@@ -35,9 +35,6 @@ public:
                                             "#define TERRAIN_GATHER\n"
                                             "#endif\n";
 
-  /// True if the current context draws on the processor, with Mesa's llvmpipe.
-  static bool IsSoftware();
-
   vtkTerrainHeightTexture Heights;
   /// Why the heights cannot be used; empty if they can.
   std::string Why;
