@@ -29,8 +29,7 @@ struct SampleRectangle
 
 /// Twin of terrainClipRange(): the part of the distances [range.x, range.y] of a ray that no plane
 /// cuts off, kept being dot(plane, (x, y, z, 1)) >= 0; and the plane at which it begins, or -1.
-/// range.x
-/// >= range.y if nothing is left.
+/// Nothing is left if range.x >= range.y.
 inline glm::vec2 ClipRange(const std::vector<glm::vec4>& planes, const glm::vec3& origin,
   const glm::vec3& direction, glm::vec2 range, int& begin)
 {

@@ -28,9 +28,9 @@ float TexelHeight(const Heights& heights, glm::ivec2 cell, glm::vec2 position)
 }
 
 /// Gradient at a position in a cell, in codes per cell, as the central difference over a width in
-/// cells: the mean slope along it. Continuous everywhere, and for a width of 1 the gradient of the
-/// patch at the centre of a cell. At the border, and where there are no heights, the difference
-/// ends; without any it is the patch's own. Codes: of the cell's corners.
+/// cells: the mean slope along it. Continuous away from holes, and for a width of 1 the gradient of
+/// the patch at the centre of a cell. The difference ends at the border, and at the position where
+/// there are no heights; without any it is the patch's own. Codes: of the cell's corners.
 template <typename Heights>
 glm::vec2 WideGradient(
   const Heights& heights, glm::ivec2 cell, glm::vec2 fraction, const glm::vec4& codes, float width)
