@@ -35,6 +35,32 @@ std::vector<double> Count(std::size_t samples, double first = 0.0)
   return values;
 }
 
+/// An empty folder.
+std::filesystem::path MakeFolder(const std::string& name)
+{
+  const std::filesystem::path folder = TemporaryFile(name);
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+/// A tile with a coordinate system and so many samples, whose north-western corner lies so far east
+/// and north of the first one's, in metres.
+RasterFile MakeTile(int width, int height, double east, double north)
+{
+  RasterFile tile;
+  tile.Width = width;
+  tile.Height = height;
+  tile.EPSG = 32633;
+  tile.GeoTransform = { 500000.0 + east, 10.0, 0.0, 5000060.0 + north, 0.0, -10.0 };
+  return tile;
+}
+
+std::string TilePath(const std::filesystem::path& folder, int number)
+{
+  return (folder / ("tile" + std::to_string(number) + ".tif")).string();
+}
+
 double Height(vtkImageData* image, int i, int j)
 {
   return image->GetScalarComponentAsDouble(i, j, 0, 0);
@@ -44,19 +70,12 @@ double Height(vtkImageData* image, int i, int j)
 TEST(TerrainRasterReaderTiles, DirectoryIsOneTerrain)
 {
   // Three tiles of 4 x 3: two side by side, one below the first of them.
-  const std::filesystem::path folder = TemporaryFile("tiles");
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  RasterFile tile;
-  tile.Width = 4;
-  tile.Height = 3;
-  tile.EPSG = 32633;
+  const std::filesystem::path folder = MakeFolder("tiles");
   for (int k = 0; k < 3; ++k)
   {
-    tile.GeoTransform = { 500000.0 + 40.0 * (k % 2), 10.0, 0.0, 5000060.0 - (k < 2 ? 0.0 : 30.0),
-      0.0, -10.0 };
+    RasterFile tile = MakeTile(4, 3, 40.0 * (k % 2), k < 2 ? 0.0 : -30.0);
     tile.Values = Count(12, 100.0 * (k + 1));
-    tile.Write((folder / ("tile" + std::to_string(k) + ".tif")).string());
+    tile.Write(TilePath(folder, k));
   }
   std::ofstream(folder / "readme.txt") << "no tile";
   vtkNew<vtkTerrainRasterReader> reader;
@@ -84,19 +103,12 @@ TEST(TerrainRasterReaderTiles, HolesWithinTilesStayHoles)
   // The first tile declares nothing; the second has a value for no data, or a mask.
   for (const bool masked : { false, true })
   {
-    const std::filesystem::path folder =
-      TemporaryFile(masked ? "masked-tiles" : "tiles-with-holes");
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    RasterFile tile;
-    tile.Width = 2;
-    tile.Height = 2;
-    tile.EPSG = 32633;
+    const std::filesystem::path folder = MakeFolder(masked ? "masked-tiles" : "tiles-with-holes");
     for (int k = 0; k < 2; ++k)
     {
-      tile.GeoTransform = { 500000.0 + 20.0 * k, 10.0, 0.0, 5000020.0, 0.0, -10.0 };
+      RasterFile tile = MakeTile(2, 2, 20.0 * k, 0.0);
       tile.Values = { 5.0, 6.0, 7.0, k == 1 ? -9999.0 : 8.0 };
-      GDALDatasetH dataset = tile.Create((folder / ("tile" + std::to_string(k) + ".tif")).string());
+      GDALDatasetH dataset = tile.Create(TilePath(folder, k));
       if (k == 1 && !masked)
       {
         EXPECT_EQ(GDALSetRasterNoDataValue(GDALGetRasterBand(dataset, 1), -9999.0), CE_None);
