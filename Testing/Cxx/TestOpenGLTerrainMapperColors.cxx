@@ -25,6 +25,7 @@
 #include <cmath>
 #include <limits>
 
+using vtkTerrainTesting::CountPixels;
 using vtkTerrainTesting::Demands;
 using vtkTerrainTesting::DrawsAsTheMesh;
 using vtkTerrainTesting::DrawsAsThePlainMesh;
@@ -551,18 +552,11 @@ TEST(OpenGLTerrainMapperColors, ContoursTooCloseToTellFade)
     terrain.Mapper->SetContourInterval(0.2);
   };
   const auto picture = vtkTerrainTesting::DrawScene(draw);
-  int terrain = 0;
-  int dark = 0;
-  for (int y = 0; y < 150; ++y)
-  {
-    for (int x = 0; x < 200; ++x)
-    {
-      const auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0));
-      const bool grey = pixel[0] == pixel[2]; // the background is blue
-      terrain += grey ? 1 : 0;
-      dark += grey && pixel[0] < 120 ? 1 : 0;
-    }
-  }
+  using Pixel = const unsigned char*;
+  const auto isGrey = [](Pixel pixel) { return pixel[0] == pixel[2]; }; // the background is blue
+  const int terrain = CountPixels(picture, isGrey);
+  const int dark =
+    CountPixels(picture, [&](Pixel pixel) { return isGrey(pixel) && pixel[0] < 120; });
   EXPECT_GT(terrain, 5000);
   EXPECT_LT(dark, terrain / 20); // level places show single lines
 }

@@ -20,6 +20,7 @@
 
 #include <gtest/gtest.h>
 
+using vtkTerrainTesting::CountPixels;
 using vtkTerrainTesting::Demands;
 using vtkTerrainTesting::DrawsAsTheMesh;
 using vtkTerrainTesting::DrawsAsThePlainMesh;
@@ -264,19 +265,9 @@ TEST(OpenGLTerrainMapperCutting, APictureCoversTheWallsToo)
     scene.Renderer->SetBackground(0.0, 0.0, 0.0);
   };
   const auto picture = vtkTerrainTesting::DrawScene(drape);
-  int covered = 0;
-  int red = 0;
-  for (int y = 0; y < 150; ++y)
-  {
-    for (int x = 0; x < 200; ++x)
-    {
-      const auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0));
-      covered += pixel[0] > 0 ? 1 : 0;
-      red += pixel[0] > pixel[1] + 8 ? 1 : 0;
-    }
-  }
-  EXPECT_GT(covered, 5000);
-  EXPECT_EQ(red, 0);
+  using Pixel = const unsigned char*;
+  EXPECT_GT(CountPixels(picture, [](Pixel pixel) { return pixel[0] > 0; }), 5000);
+  EXPECT_EQ(CountPixels(picture, [](Pixel pixel) { return pixel[0] > pixel[1] + 8; }), 0); // red
 }
 
 TEST(OpenGLTerrainMapperCutting, SaysThatPlanesAreTooMany)

@@ -45,6 +45,19 @@ vtkSmartPointer<vtkImageData> ReadColor(vtkRenderWindow* window);
 /// drawn), row 0 at the bottom.
 std::vector<float> ReadDepth(vtkRenderWindow* window);
 
+/// Number of pixels of a picture for which a function of their components is true.
+template <typename Predicate>
+int CountPixels(vtkImageData* picture, const Predicate& predicate)
+{
+  const auto* pixels = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  int count = 0;
+  for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
+  {
+    count += predicate(pixels + i * picture->GetNumberOfScalarComponents()) ? 1 : 0;
+  }
+  return count;
+}
+
 /// Number of pixels in which a channel differs by more than channelTolerance (0 to 255); all pixels
 /// if the pictures differ in size.
 vtkIdType CountDifferentPixels(vtkImageData* a, vtkImageData* b, int channelTolerance = 0);
