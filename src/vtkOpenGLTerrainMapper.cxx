@@ -10,6 +10,7 @@
 
 #include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
@@ -415,15 +416,10 @@ void vtkOpenGLTerrainMapper::ComputeBounds()
   const terrain::SampleRectangle drawn = this->DrawnRectangle();
   const glm::dvec3 low = geometry.ToModel(drawn.First, cutting.Lowest(codes.ToHeight(0.0)));
   const glm::dvec3 high = geometry.ToModel(drawn.Last, codes.ToHeight(codes.MaximumCode));
-  if (cutting.Extracts)
-  {
-    this->Bounds[0] = low.x;
-    this->Bounds[1] = high.x;
-    this->Bounds[2] = low.y;
-    this->Bounds[3] = high.y;
-  }
-  this->Bounds[4] = low.z;
-  this->Bounds[5] = high.z;
+  vtkBoundingBox box;
+  box.AddPoint(low.x, low.y, low.z);
+  box.AddPoint(high.x, high.y, high.z);
+  box.GetBounds(this->Bounds);
 }
 
 //------------------------------------------------------------------------------

@@ -4,10 +4,14 @@
 
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainHeightfield.h"
+#include "vtkTerrainStrips.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -17,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 
 vtkStandardNewMacro(vtkTerrainActor);
 
@@ -36,6 +41,35 @@ constexpr std::array<Tint, 3> SeaTints = { { { 0.0, { 0.07, 0.19, 0.36 } },
   { 0.7, { 0.25, 0.48, 0.66 } }, { 0.999, { 0.60, 0.77, 0.83 } } } };
 /// Part of the range that lies below 0 from which on there is a sea.
 constexpr double LeastSea = 0.1;
+
+/// Length of what a matrix makes of a unit of one axis.
+double scaleOf(vtkMatrix4x4* matrix, int axis)
+{
+  return std::hypot(
+    matrix->GetElement(0, axis), matrix->GetElement(1, axis), matrix->GetElement(2, axis));
+}
+
+/// Makes a camera see a model as another one sees it in the world; toWorld: turns, shifts, and
+/// scales all axes by as much.
+void placeInModel(vtkCamera* world, vtkMatrix4x4* toWorld, vtkCamera* model)
+{
+  vtkNew<vtkMatrix4x4> toModel;
+  vtkMatrix4x4::Invert(toWorld, toModel);
+  const auto place = [&toModel](const double* vector, double w)
+  {
+    std::array<double, 4> placed{ vector[0], vector[1], vector[2], w };
+    toModel->MultiplyPoint(placed.data(), placed.data());
+    return placed;
+  };
+  model->SetPosition(place(world->GetPosition(), 1.0).data());
+  model->SetFocalPoint(place(world->GetFocalPoint(), 1.0).data());
+  model->SetViewUp(place(world->GetViewUp(), 0.0).data());
+  model->SetParallelProjection(world->GetParallelProjection());
+  model->SetParallelScale(world->GetParallelScale() / scaleOf(toWorld, 0));
+  model->SetUseHorizontalViewAngle(world->GetUseHorizontalViewAngle());
+  model->SetViewAngle(world->GetViewAngle());
+  model->SetWindowCenter(world->GetWindowCenter()[0], world->GetWindowCenter()[1]);
+}
 
 /// True if some cell has a surface. Cost: up to the first such cell.
 template <typename T>
@@ -71,10 +105,12 @@ vtkTerrainActor::vtkTerrainActor()
   : TerrainMapper(vtkSmartPointer<vtkOpenGLTerrainMapper>::New())
   , CoarseMesh(vtkSmartPointer<vtkTerrainCoarseMesh>::New())
   , FullMesh(vtkSmartPointer<vtkTerrainCoarseMesh>::New())
+  , Strips(vtkSmartPointer<vtkTerrainStrips>::New())
   , ReliefColors(vtkSmartPointer<vtkColorTransferFunction>::New())
 {
   this->FullMesh->SetSamplesPerQuad(1);
   this->FullMesh->PushUpOff();
+  this->Strips->ExaggeratePointsOff(); // the mapper does
   this->SetMapper(this->TerrainMapper);
   this->GetProperty()->SetAmbient(0.0);
   this->GetProperty()->SetDiffuse(1.0);
@@ -91,6 +127,8 @@ void vtkTerrainActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TerrainMapper: " << this->TerrainMapper << "\n";
   os << indent << "CoarseMesh: " << this->CoarseMesh << "\n";
   os << indent << "Technique: " << static_cast<int>(this->GetTechnique()) << "\n";
+  os << indent << "UseStrips: " << this->UseStrips << "\n";
+  os << indent << "Strips: " << this->Strips << "\n";
   os << indent << "VerticalExaggeration: " << this->GetVerticalExaggeration() << "\n";
   os << indent << "ColorByHeight: " << this->ColorByHeight << "\n";
   os << indent << "LevelOfDetail: " << this->LevelOfDetail << "\n";
@@ -103,6 +141,7 @@ void vtkTerrainActor::SetInputConnection(vtkAlgorithmOutput* heights)
   this->TerrainMapper->SetHeightsConnection(heights);
   this->CoarseMesh->SetInputConnection(heights);
   this->FullMesh->SetInputConnection(heights);
+  this->Strips->SetInputConnection(heights);
 }
 
 //------------------------------------------------------------------------------
@@ -111,6 +150,7 @@ void vtkTerrainActor::SetInputData(vtkImageData* heights)
   this->TerrainMapper->SetHeightsData(heights);
   this->CoarseMesh->SetInputData(heights);
   this->FullMesh->SetInputData(heights);
+  this->Strips->SetInputData(heights);
 }
 
 //------------------------------------------------------------------------------
@@ -129,6 +169,22 @@ vtkOpenGLTerrainMapper* vtkTerrainActor::GetTerrainMapper()
 vtkTerrainCoarseMesh* vtkTerrainActor::GetCoarseMesh()
 {
   return this->CoarseMesh;
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainStrips* vtkTerrainActor::GetStrips()
+{
+  return this->Strips;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::SetUseStrips(bool use)
+{
+  if (this->UseStrips != use)
+  {
+    this->UseStrips = use;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -229,11 +285,17 @@ bool vtkTerrainActor::HasSurface()
 }
 
 //------------------------------------------------------------------------------
+bool vtkTerrainActor::DrawsStrips() const
+{
+  return this->UseStrips && this->GetTechnique() == Techniques::Mesh;
+}
+
+//------------------------------------------------------------------------------
 vtkTerrainCoarseMesh* vtkTerrainActor::GetUsedMesh()
 {
   if (this->GetTechnique() == Techniques::Mesh)
   {
-    return this->FullMesh;
+    return this->UseStrips ? nullptr : this->FullMesh.Get();
   }
   const bool isSurface = this->GetProperty()->GetRepresentation() == VTK_SURFACE;
   const bool castsFromBox = isSurface && this->GetTechnique() == Techniques::Pyramid;
@@ -241,9 +303,41 @@ vtkTerrainCoarseMesh* vtkTerrainActor::GetUsedMesh()
 }
 
 //------------------------------------------------------------------------------
+// In coordinates in which nothing has to be scaled but the heights, from the origin's on.
+void vtkTerrainActor::RefineFor(vtkRenderer* renderer)
+{
+  vtkNew<vtkMatrix4x4> toWorld;
+  this->GetMatrix(toWorld);
+  const double horizontal = std::min(scaleOf(toWorld, 0), scaleOf(toWorld, 1));
+  const double vertical = scaleOf(toWorld, 2) / horizontal;
+  const double origin = this->GetHeights() ? this->GetHeights()->GetOrigin()[2] : 0.0;
+  for (int row = 0; row < 3; ++row)
+  {
+    const double up = toWorld->GetElement(row, 2);
+    toWorld->SetElement(row, 2, up / vertical);
+    toWorld->SetElement(row, 3, toWorld->GetElement(row, 3) + origin * (up - up / vertical));
+  }
+  if (!this->Strips->GetCamera())
+  {
+    this->Strips->SetCamera(vtkSmartPointer<vtkCamera>::New());
+  }
+  placeInModel(renderer->GetActiveCamera(), toWorld, this->Strips->GetCamera());
+  this->Strips->SetExaggeration(this->GetVerticalExaggeration() * vertical);
+  this->Strips->SetViewportSize(renderer->GetSize());
+  // the camera's sides are planes that cut other parts where the ground is stretched one way
+  const bool isStretched = std::abs(scaleOf(toWorld, 0) / scaleOf(toWorld, 1) - 1.0) > 1e-6;
+  this->Strips->SetCulling(
+    isStretched ? vtkTerrainStrips::CullingMode::Off : vtkTerrainStrips::CullingMode::Nested);
+}
+
+//------------------------------------------------------------------------------
 void vtkTerrainActor::UpdateMesh()
 {
-  vtkTerrainCoarseMesh* mesh = this->GetUsedMesh();
+  vtkAlgorithm* mesh = this->GetUsedMesh();
+  if (this->DrawsStrips() && this->Strips->GetCamera())
+  {
+    mesh = this->Strips;
+  }
   if (this->ConnectedMesh == mesh)
   {
     return;
@@ -293,6 +387,10 @@ double* vtkTerrainActor::GetBounds()
 //------------------------------------------------------------------------------
 void vtkTerrainActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
+  if (this->DrawsStrips())
+  {
+    this->RefineFor(renderer);
+  }
   this->UpdateMesh();
   this->UpdateColors();
   if (this->LevelOfDetail && this->AllocatedRenderTime < LongestInteraction &&
@@ -339,6 +437,8 @@ void vtkTerrainActor::ShallowCopy(vtkProp* prop)
     this->TerrainMapper = other->TerrainMapper;
     this->CoarseMesh = other->CoarseMesh;
     this->FullMesh = other->FullMesh;
+    this->Strips = other->Strips;
+    this->UseStrips = other->UseStrips;
     this->LookupTable = other->LookupTable;
     this->ReliefColors = other->ReliefColors;
     this->ReliefRange = other->ReliefRange;

@@ -18,7 +18,10 @@
  * heights, unless told otherwise; both follow the heights when these change.
  *
  * The coarse mesh is made when it is first needed: never for the technique Pyramid drawn as a
- * surface; for the searches a coarse one, for Mesh the full one; wireframe and points show it.
+ * surface; for the searches a coarse one, for Mesh the full one; wireframe and points show it. With
+ * UseStrips the technique Mesh draws vtkTerrainStrips instead, refined for the camera at each
+ * frame: triangles within a tolerance, lit and coloured by the heights themselves as all else. An
+ * actor whose scales in x and y differ makes their tolerance as much larger.
  *
  * Level of detail: while the renderer allots this actor less than LongestInteraction seconds a
  * frame, as interactors do while the mouse is down, and the last frame took more, the pixel
@@ -26,7 +29,8 @@
  * third, it is halved again. The first frame that is allotted more is drawn with the tolerance of
  * the mapper itself, by default exactly. Only the technique Pyramid has a tolerance.
  *
- * @sa vtkOpenGLTerrainMapper vtkTerrainPicker vtkTerrainCoarseMesh vtkTerrainRasterReader
+ * @sa vtkOpenGLTerrainMapper vtkTerrainPicker vtkTerrainCoarseMesh vtkTerrainStrips
+ * vtkTerrainRasterReader
  */
 #ifndef vtkTerrainActor_h
 #define vtkTerrainActor_h
@@ -38,11 +42,13 @@
 
 #include <array> // For members
 
+class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkColorTransferFunction;
 class vtkImageData;
 class vtkScalarsToColors;
 class vtkTerrainCoarseMesh;
+class vtkTerrainStrips;
 
 class VTKTERRAIN_EXPORT vtkTerrainActor : public vtkOpenGLActor
 {
@@ -63,8 +69,12 @@ public:
   /// What makes the coarse mesh when it is needed: set its SamplesPerQuad here.
   vtkTerrainCoarseMesh* GetCoarseMesh();
 
+  /// What refines with UseStrips: set its Tolerance or TriangleBudget here. The actor keeps its
+  /// heights, camera, viewport, culling and exaggeration.
+  vtkTerrainStrips* GetStrips();
+
   /// The mesh that the technique and the representation need: the coarse mesh, the full one, or
-  /// null.
+  /// null where that is none or strips.
   vtkTerrainCoarseMesh* GetUsedMesh();
 
   using Techniques = vtkOpenGLTerrainMapper::Techniques;
@@ -72,6 +82,16 @@ public:
   /// How the surface is drawn; default Pyramid.
   void SetTechnique(Techniques technique);
   Techniques GetTechnique() const;
+  ///@}
+
+  ///@{
+  /// Whether the technique Mesh draws strips refined for the camera, in place of the full mesh
+  /// (class comment); default off.
+  void SetUseStrips(bool use);
+  bool GetUseStrips() const
+  {
+    return this->UseStrips;
+  }
   ///@}
 
   ///@{
@@ -139,6 +159,8 @@ protected:
   ~vtkTerrainActor() override;
 
 private:
+  bool DrawsStrips() const;
+  void RefineFor(vtkRenderer* renderer);
   void UpdateMesh();
   void UpdateColors();
   void RenderInTime(vtkRenderer* renderer, vtkMapper* mapper);
@@ -146,12 +168,14 @@ private:
   vtkSmartPointer<vtkOpenGLTerrainMapper> TerrainMapper;
   vtkSmartPointer<vtkTerrainCoarseMesh> CoarseMesh;
   vtkSmartPointer<vtkTerrainCoarseMesh> FullMesh;
+  vtkSmartPointer<vtkTerrainStrips> Strips;
   /// What is connected to the mapper's port 0: one of these, or null.
-  vtkTerrainCoarseMesh* ConnectedMesh = nullptr;
+  vtkAlgorithm* ConnectedMesh = nullptr;
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
   vtkSmartPointer<vtkColorTransferFunction> ReliefColors;
   /// Heights that they were made for.
   std::array<double, 2> ReliefRange{};
+  bool UseStrips = false;
   bool ColorByHeight = true;
   bool LevelOfDetail = true;
   double InteractionTolerance = 0.0;

@@ -255,6 +255,7 @@ void vtkTerrainStrips::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "TriangleBudget: " << this->TriangleBudget << "\n"
      << indent << "Exaggeration: " << this->Exaggeration << "\n"
+     << indent << "ExaggeratePoints: " << this->ExaggeratePoints << "\n"
      << indent << "DetailCells: " << this->DetailCells << "\n"
      << indent << "DetailScale: " << this->DetailScale << "\n"
      << indent << "Morphing: " << this->Morphing << "\n"
@@ -521,8 +522,9 @@ int vtkTerrainStrips::RequestData(
   }
   vtkTerrainStripsFill(internals.Mesh,
     { internals.MeshJob.Data->View(), internals.MeshJob.Detail.get() },
-    { internals.MeshJob.View.Exaggeration, internals.MeshJob.View.DetailScale, this->Normals,
-      this->TextureCoordinates, this->LevelColors, this->TriangleOutput },
+    { this->ExaggeratePoints ? internals.MeshJob.View.Exaggeration : 1.0,
+      internals.MeshJob.View.DetailScale, this->Normals, this->TextureCoordinates,
+      this->LevelColors, this->TriangleOutput },
     vtkPolyData::GetData(outputVector));
   if (internals.MeshJob.Data->IsDamaged())
   {

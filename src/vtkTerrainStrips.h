@@ -17,7 +17,7 @@
  *   TextureCoordinates   float 2, 0 to 1 from the first to the last sample east and north
  *   Depth                unsigned char 3, the depth in the hierarchy as a colour (LevelColors)
  * Points are double, in model coordinates (those of the heights), z = origin z + Exaggeration *
- * height.
+ * height (see ExaggeratePoints).
  *
  * With detail (port 1) the surface is the heights plus DetailScale times the detail, repeated all
  * over them as vtkOpenGLTerrainMapper does. Refinement runs on below the samples of the heights,
@@ -143,6 +143,13 @@ public:
   vtkGetMacro(Exaggeration, double);
   ///@}
   ///@{
+  /// Whether points are drawn as high as they are exaggerated (default), or stay at their true
+  /// height for a mapper that exaggerates them itself.
+  vtkSetMacro(ExaggeratePoints, bool);
+  vtkGetMacro(ExaggeratePoints, bool);
+  vtkBooleanMacro(ExaggeratePoints, bool);
+  ///@}
+  ///@{
   /// Vertices move into their place with the camera instead of jumping; more triangles for the same
   /// tolerance. Default off.
   vtkSetMacro(Morphing, bool);
@@ -239,6 +246,7 @@ private:
   double DetailScale = 1.0;
   vtkIdType TriangleBudget = 0;
   CullingMode Culling = CullingMode::Nested;
+  bool ExaggeratePoints = true;
   bool Morphing = false;
   bool PlainRefinement = false;
   bool Normals = false;

@@ -6,6 +6,7 @@
 
 #include "vtkTerrainActor.h"
 #include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainStrips.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -17,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkScalarBarActor.h"
+#include "vtkTransform.h"
 
 #include <gtest/gtest.h>
 
@@ -160,6 +162,69 @@ TEST_F(TerrainActor, MakesMeshesOnlyWhereTheyAreNeeded)
   EXPECT_EQ(full->GetNumberOfPolys(), 0); // its memory is given back
   this->Terrain->SetTechnique(Techniques::Mesh);
   EXPECT_GT(countDrawn(this->Draw()), 160 * 120 / 6);
+}
+
+TEST_F(TerrainActor, StripsAreTheMeshWithinTheTolerance)
+{
+  this->Terrain->SetTechnique(Techniques::Mesh);
+  this->Terrain->SetVerticalExaggeration(1.5);
+  this->Terrain->GetStrips()->SetTolerance(0.25);
+  for (const double stretch : { 1.0, 20.0 })
+  {
+    this->Terrain->SetScale(2.0, 2.0 * stretch, 3.0);
+    this->Terrain->SetPosition(300.0, -200.0, 40.0);
+    this->Terrain->SetOrientation(0.0, 0.0, 5.0);
+    const Bounds bounds = this->ActorBounds();
+    vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+    const double east = 0.5 * (bounds[0] + bounds[1]);
+    const double north = 0.5 * (bounds[2] + bounds[3]);
+    camera->SetPosition(east, north - 500.0, bounds[5] + 300.0);
+    camera->SetFocalPoint(east, north + 500.0, bounds[4]);
+    camera->SetViewAngle(70.0);
+    this->Scene.Renderer->ResetCameraClippingRange();
+    this->Terrain->SetUseStrips(false);
+    const auto mesh = this->Draw();
+    this->Terrain->SetUseStrips(true);
+    const auto strips = this->Draw();
+    EXPECT_GT(countDrawn(mesh), 160 * 120 / 3);
+    EXPECT_LT(
+      vtkTerrainTesting::CountDifferentPixels(mesh, strips, 32), 160 * 120 / 50); // silhouettes
+    EXPECT_LT(this->Terrain->GetStrips()->GetNumberOfTriangles(), 2 * 128 * 128);
+    EXPECT_EQ(this->ActorBounds(), bounds); // of all of it, not of what the camera sees
+  }
+}
+
+// What an actor does to the heights is done to the camera instead.
+TEST_F(TerrainActor, StripsFollowTheCamera)
+{
+  this->Heights->SetOrigin(0.0, 0.0, 50.0);
+  this->Terrain->SetTechnique(Techniques::Mesh);
+  this->Terrain->SetUseStrips(true);
+  this->Terrain->SetVerticalExaggeration(3.0);
+  this->Draw();
+  const vtkIdType triangles = this->Terrain->GetStrips()->GetNumberOfTriangles();
+  EXPECT_GT(triangles, 1000);
+
+  vtkNew<vtkTransform> move;
+  move->Translate(1000.0, 5000.0, -300.0);
+  move->RotateWXYZ(50.0, 0.2, 0.5, 0.8);
+  move->Scale(4.0, 4.0, 4.0);
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+  camera->ApplyTransform(move);
+  // as high as before by a scale: 50 + 3 h = 2 (50 + 1.5 h) - 50
+  move->Translate(0.0, 0.0, -50.0);
+  move->Scale(1.0, 1.0, 2.0);
+  this->Terrain->SetUserTransform(move);
+  this->Terrain->SetVerticalExaggeration(1.5);
+  this->Scene.Renderer->ResetCameraClippingRange();
+  this->Draw();
+  const auto near = [triangles](double count) { return std::abs(count - triangles) <= 4.0; };
+  EXPECT_PRED1(near, this->Terrain->GetStrips()->GetNumberOfTriangles()); // rounding
+
+  camera->Dolly(0.25);
+  this->Scene.Renderer->ResetCameraClippingRange();
+  this->Draw();
+  EXPECT_LT(2 * this->Terrain->GetStrips()->GetNumberOfTriangles(), triangles);
 }
 
 TEST_F(TerrainActor, ShowsTheCoarseMeshAsWireframe)
