@@ -6,10 +6,10 @@
 // Needs vtkTerrainHeights.glsl and vtkTerrainView.glsl. Twin of what reads samples:
 // src/core/HeightGradient.h.
 
-uniform sampler2D terrainMeans;  // mean codes of squares of texels: src/core/HeightMeans.h
-uniform float terrainMeansScale; // codes per unit of terrainMeans
+uniform sampler2D terrainSlopes;   // mean slopes of squares of cells: src/core/HeightSlopes.h
+uniform float terrainSlopesScale; // codes per cell and unit of terrainSlopes
 
-const float terrainFirstMeanLevel = 3.0; // twin: kFirstMeanLevel in src/core/HeightMeans.h
+const float terrainFirstSlopeLevel = 4.0; // twin: kFirstSlopeLevel in src/core/HeightSlopes.h
 
 // Code of the texels' surface at a position relative to a cell of texels; negative where there is none.
 float terrainTexelHeight(ivec2 cell, vec2 position)
@@ -41,34 +41,23 @@ vec2 terrainWideGradient(ivec2 cell, vec2 fraction, vec4 codes, float width)
     bvec2(noLow.x && noHigh.x, noLow.y && noHigh.y));
 }
 
-// The same of the means of squares of 2^level texels a side, level >= terrainFirstMeanLevel.
+// The mean gradient over squares of 2^level cells of texels a side, level >= terrainFirstSlopeLevel, at
+// a position in cells.
 vec2 terrainMeanGradient(vec2 position, float level)
 {
-  vec2 size = vec2(textureSize(terrainHeights, 0));
-  float side = exp2(level);
-  vec2 edge = min(vec2(0.5 * side - 0.5), 0.5 * (size - 1.0)); // means end half a square from the border
-  vec2 low = clamp(position - 0.5 * side, edge, size - 1.0 - edge);
-  vec2 high = clamp(position + 0.5 * side, edge, size - 1.0 - edge);
-  float lod = level - terrainFirstMeanLevel;
-  vec2 at = (position + 0.5) / size;
-  vec2 atLow = (low + 0.5) / size;
-  vec2 atHigh = (high + 0.5) / size;
-  vec2 difference =
-    vec2(textureLod(terrainMeans, vec2(atHigh.x, at.y), lod).r -
-        textureLod(terrainMeans, vec2(atLow.x, at.y), lod).r,
-      textureLod(terrainMeans, vec2(at.x, atHigh.y), lod).r -
-        textureLod(terrainMeans, vec2(at.x, atLow.y), lod).r);
-  return terrainMeansScale * difference / max(high - low, 1e-3);
+  vec2 cells = vec2(textureSize(terrainHeights, 0) - 1);
+  return terrainSlopesScale *
+    textureLod(terrainSlopes, position / cells, level - terrainFirstSlopeLevel).rg;
 }
 
 // Gradient of the texels' surface at a position in a cell of texels over squares of 2^level texels a
 // side; of one texel if level < 0. Codes: of the cell's corners.
 vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
 {
-  float fine = clamp(level, 0.0, terrainFirstMeanLevel);
-  vec2 means = terrainMeanGradient(vec2(cell) + fraction, max(level, terrainFirstMeanLevel));
-  return mix(terrainWideGradient(cell, fraction, codes, exp2(fine)), means,
-    clamp(level - terrainFirstMeanLevel + 1.0, 0.0, 1.0));
+  float fine = clamp(level, 0.0, terrainFirstSlopeLevel);
+  vec2 mean = terrainMeanGradient(vec2(cell) + fraction, max(level, terrainFirstSlopeLevel));
+  return mix(terrainWideGradient(cell, fraction, codes, exp2(fine)), mean,
+    clamp(level - terrainFirstSlopeLevel + 1.0, 0.0, 1.0));
 }
 
 #ifdef TERRAIN_DETAIL

@@ -38,13 +38,13 @@ set(private_sources
   vtkTerrainDetailTexture
   vtkTerrainGeoreferencePrepare
   vtkTerrainHeightTexture
-  vtkTerrainMeanTexture
   vtkTerrainRasterFile
   vtkTerrainRasterLayout
   vtkTerrainRasterPiece
   vtkTerrainRasterTiles
   vtkTerrainRayCaster
   vtkTerrainReprojectPlan
+  vtkTerrainSlopeTexture
   vtkTerrainStripsOutput
 )
 
@@ -95,8 +95,8 @@ set(core
   GeographicText
   GeoidGrid
   GridReference
-  HeightMeans
   HeightSearch
+  HeightSlopes
   HeightUnits
   HierarchyBands
   HierarchyBuild

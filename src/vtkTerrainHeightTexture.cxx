@@ -133,7 +133,7 @@ vtkIdType vtkTerrainHeightTexture::GetMemorySize() const
              return static_cast<vtkIdType>(all);
            },
            this->Data) +
-    this->Detail.GetMemorySize() + this->Means.GetMemorySize();
+    this->Detail.GetMemorySize() + this->Slopes.GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -195,7 +195,7 @@ bool vtkTerrainHeightTexture::UploadHeights(Store<Texel>& store)
       terrain::EncodeHeights(view, this->Codes, 0, this->Size.x, 0, this->Size.y,
         store.Texels.data(), vtkTerrainParallelFor);
     });
-  this->Means.GetMeans().Build(this->TexelView(store), this->Codes, vtkTerrainParallelFor);
+  this->Slopes.GetSlopes().Build(this->TexelView(store), this->Codes, vtkTerrainParallelFor);
   this->NumberOfUploadedTexels += static_cast<vtkIdType>(store.Texels.size());
   return this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Size.x),
     static_cast<unsigned int>(this->Size.y), 1,
@@ -269,8 +269,7 @@ void vtkTerrainHeightTexture::UploadPart(Store<Texel>& store, const terrain::Gri
           store.Texels.data() + at({ samples.First.x, row }, this->Size.x), terrain::SerialFor);
       }
     });
-  this->Means.GetMeans().Update(
-    this->TexelView(store), this->Codes, samples, vtkTerrainParallelFor);
+  this->Slopes.GetSlopes().Update(this->TexelView(store), samples, vtkTerrainParallelFor);
   this->SendTexels(this->Texture, 0, samples, this->Size.x,
     store.Texels.data() + at(samples.First, this->Size.x), vtkType, 1);
   if (this->PyramidTime != this->WholeTime)
@@ -305,7 +304,7 @@ std::string vtkTerrainHeightTexture::Upload(vtkOpenGLRenderWindow* window, bool 
       return why;
     }
     done = std::visit([this](auto& store) { return this->UploadHeights(store); }, this->Data);
-    done = done && this->Means.Upload(window);
+    done = done && this->Slopes.Upload(window);
     this->UploadTime = done ? this->WholeTime : 0;
     this->Parts.clear();
     ++this->NumberOfUploads;
@@ -314,7 +313,7 @@ std::string vtkTerrainHeightTexture::Upload(vtkOpenGLRenderWindow* window, bool 
   {
     std::visit([&](auto& store) { this->UploadPart(store, part); }, this->Data);
   }
-  done = done && (this->Parts.empty() || this->Means.Upload(window));
+  done = done && (this->Parts.empty() || this->Slopes.Upload(window));
   this->Parts.clear();
   if (done && withPyramid && this->PyramidTime != this->WholeTime)
   {
@@ -331,7 +330,7 @@ void vtkTerrainHeightTexture::ReleaseGraphicsResources(vtkWindow* window)
   this->Texture->ReleaseGraphicsResources(window);
   this->PyramidTexture->ReleaseGraphicsResources(window);
   this->Detail.ReleaseGraphicsResources(window);
-  this->Means.ReleaseGraphicsResources(window);
+  this->Slopes.ReleaseGraphicsResources(window);
   this->UploadTime = 0;
   this->PyramidTime = 0;
 }
@@ -341,7 +340,7 @@ void vtkTerrainHeightTexture::Activate()
 {
   this->Texture->Activate();
   this->Detail.Activate();
-  this->Means.Activate();
+  this->Slopes.Activate();
   if (this->PyramidTime)
   {
     this->PyramidTexture->Activate();
@@ -353,7 +352,7 @@ void vtkTerrainHeightTexture::Deactivate()
 {
   this->Texture->Deactivate();
   this->Detail.Deactivate();
-  this->Means.Deactivate();
+  this->Slopes.Deactivate();
   if (this->PyramidTime)
   {
     this->PyramidTexture->Deactivate();
@@ -367,7 +366,7 @@ void vtkTerrainHeightTexture::SetUniforms(vtkTerrainUniforms& uniforms)
   uniforms.Set("terrainSize", this->Sum.Size);
   uniforms.Set("terrainBias", static_cast<float>(this->Codes.Bias));
   uniforms.Set("terrainMaximumCode", static_cast<float>(this->Sum.Codes.MaximumCode));
-  this->Means.SetUniforms(uniforms, this->Codes.MaximumCode);
+  this->Slopes.SetUniforms(uniforms);
   this->Detail.SetUniforms(uniforms, this->DetailLevel, this->DetailScale);
   if (uniforms.Uses("terrainPyramid"))
   {

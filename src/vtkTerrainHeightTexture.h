@@ -10,7 +10,7 @@
 #define vtkTerrainHeightTexture_h
 
 #include "vtkTerrainDetailTexture.h"
-#include "vtkTerrainMeanTexture.h"
+#include "vtkTerrainSlopeTexture.h"
 
 #include "core/Coordinates.h"
 #include "core/HeightCodes.h"
@@ -155,7 +155,7 @@ private:
   };
   Surface Sum;
   vtkTerrainDetailTexture Detail;
-  vtkTerrainMeanTexture Means;
+  vtkTerrainSlopeTexture Slopes;
   int DetailLevel = 0;
   double DetailScale = 1.0;
   vtkNew<vtkTextureObject> Texture;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The means of heights (core/HeightMeans.h) as a texture with mip levels, for
+ * The mean slopes of heights (core/HeightSlopes.h) as a texture with mip levels, for
  * shaders/vtkTerrainGradient.glsl. Private to the module.
  */
-#ifndef vtkTerrainMeanTexture_h
-#define vtkTerrainMeanTexture_h
+#ifndef vtkTerrainSlopeTexture_h
+#define vtkTerrainSlopeTexture_h
 
-#include "core/HeightMeans.h"
+#include "core/HeightSlopes.h"
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
@@ -17,13 +17,13 @@ class vtkOpenGLRenderWindow;
 class vtkTerrainUniforms;
 class vtkWindow;
 
-class vtkTerrainMeanTexture
+class vtkTerrainSlopeTexture
 {
 public:
-  /// The means to be uploaded; change them before Upload().
-  terrain::HeightMeans& GetMeans()
+  /// The slopes to be uploaded; change them before Upload().
+  terrain::HeightSlopes& GetSlopes()
   {
-    return this->Means;
+    return this->Slopes;
   }
 
   /// Uploads all levels; false if that failed. True also if there are none.
@@ -31,13 +31,12 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
   void Activate();
   void Deactivate();
-  /// maximumCode: the largest code of the heights.
-  void SetUniforms(vtkTerrainUniforms& uniforms, double maximumCode);
+  void SetUniforms(vtkTerrainUniforms& uniforms);
   /// Bytes of the texture.
   vtkIdType GetMemorySize() const;
 
 private:
-  terrain::HeightMeans Means;
+  terrain::HeightSlopes Slopes;
   vtkNew<vtkTextureObject> Texture;
 };
 

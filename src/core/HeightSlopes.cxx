@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/HeightMeans.h"
+#include "core/HeightSlopes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace terrain
 {
 namespace
 {
-using Sum = HeightMeans::Sum;
+using Sum = HeightSlopes::Sum;
 
 /// The sums of a level, row by row.
 struct SumLevel
@@ -39,23 +39,29 @@ std::int64_t PartOf(std::int64_t index, std::int64_t parts, std::int64_t count)
   return part;
 }
 
-/// The sum of the samples first <= (i, j) < end.
+/// The sum of the cells first <= (i, j) < end.
 template <typename T>
-Sum SumSamples(
-  const HeightfieldView<T>& view, double bias, const glm::i64vec2& first, const glm::i64vec2& end)
+Sum SumCells(const HeightfieldView<T>& view, const glm::i64vec2& first, const glm::i64vec2& end)
 {
-  double codes = 0.0;
+  glm::dvec2 slope(0.0);
   double count = 0.0;
   for (std::int64_t j = first.y; j < end.y; ++j)
   {
-    for (std::int64_t index = view.Index(first.x, j); index < view.Index(end.x, j); ++index)
+    for (std::int64_t i = first.x; i < end.x; ++i)
     {
-      const bool valid = view.IsValid(index);
-      codes += valid ? static_cast<double>(view.Samples[index]) - bias : 0.0;
-      count += valid ? 1.0 : 0.0;
+      if (view.IsCellValid(i, j))
+      {
+        const T* southWest = view.Samples + view.Index(i, j);
+        const T* northWest = southWest + view.Width;
+        const double rising = static_cast<double>(northWest[1]) - static_cast<double>(southWest[0]);
+        const double falling =
+          static_cast<double>(southWest[1]) - static_cast<double>(northWest[0]);
+        slope += 0.5 * glm::dvec2(rising + falling, rising - falling);
+        count += 1.0;
+      }
     }
   }
-  return { static_cast<float>(codes), static_cast<float>(count) };
+  return { glm::vec2(slope), static_cast<float>(count) };
 }
 
 /// The next level up: parts of what is below, by how much of it they cover.
@@ -70,7 +76,8 @@ SumLevel SumLevelBelow(const SumLevel& below)
       const glm::dvec2 low = glm::dvec2(x, y) * glm::dvec2(below.Size) / glm::dvec2(level.Size);
       const glm::dvec2 high =
         glm::dvec2(x + 1, y + 1) * glm::dvec2(below.Size) / glm::dvec2(level.Size);
-      glm::dvec2 sum(0.0);
+      glm::dvec2 slope(0.0);
+      double count = 0.0;
       for (int j = static_cast<int>(low.y); j < std::min(std::ceil(high.y), 1.0 * below.Size.y);
            ++j)
       {
@@ -80,33 +87,49 @@ SumLevel SumLevelBelow(const SumLevel& below)
           const double part = std::max(std::min(high.x, i + 1.0) - std::max(low.x, 1.0 * i), 0.0) *
             std::max(std::min(high.y, j + 1.0) - std::max(low.y, 1.0 * j), 0.0);
           const Sum& texel = below.Sums[TexelIndex(below.Size, i, j)];
-          sum += part * glm::dvec2(texel.Codes, texel.Count);
+          slope += part * glm::dvec2(texel.Slope);
+          count += part * static_cast<double>(texel.Count);
         }
       }
-      level.Sums.push_back({ static_cast<float>(sum.x), static_cast<float>(sum.y) });
+      level.Sums.push_back({ glm::vec2(slope), static_cast<float>(count) });
     }
   }
   return level;
 }
 
-/// Texels of a level; those without heights are of the level above it, if there is one.
-MeanLevel Encode(const SumLevel& sums, const HeightCodes& codes, const MeanLevel* above)
+glm::dvec2 Mean(const Sum& sum)
 {
-  MeanLevel level;
+  return glm::dvec2(sum.Slope) / std::max(static_cast<double>(sum.Count), 1e-30);
+}
+
+/// The steepest of a level either way.
+double Steepest(const SumLevel& level)
+{
+  double steepest = 0.0;
+  for (const Sum& sum : level.Sums)
+  {
+    const glm::dvec2 slope = glm::abs(Mean(sum));
+    steepest = std::max({ steepest, slope.x, slope.y });
+  }
+  return steepest;
+}
+
+/// Texels of a level; those without a surface are of the level above it, if there is one.
+SlopeLevel Encode(const SumLevel& sums, double scale, const SlopeLevel* above)
+{
+  SlopeLevel level;
   level.Size = sums.Size;
   level.Texels.reserve(sums.Sums.size());
-  const double scale = 65535.0 / std::max(codes.MaximumCode, 1e-300);
   for (int y = 0; y < level.Size.y; ++y)
   {
     for (int x = 0; x < level.Size.x; ++x)
     {
       const Sum& sum = sums.Sums[TexelIndex(level.Size, x, y)];
-      std::uint16_t texel = 0;
+      SlopeTexel texel(0);
       if (sum.Count > 0.0f)
       {
-        texel = static_cast<std::uint16_t>(
-          std::clamp(scale * static_cast<double>(sum.Codes) / static_cast<double>(sum.Count) + 0.5,
-            0.0, 65535.0));
+        texel = SlopeTexel(glm::round(
+          glm::clamp(32767.0 / scale * Mean(sum), glm::dvec2(-32767.0), glm::dvec2(32767.0))));
       }
       else if (above)
       {
@@ -121,9 +144,10 @@ MeanLevel Encode(const SumLevel& sums, const HeightCodes& codes, const MeanLevel
 }
 
 //------------------------------------------------------------------------------
-void HeightMeans::MakeLevels(const HeightCodes& codes)
+void HeightSlopes::MakeLevels()
 {
   std::vector<SumLevel> sums{ { this->Size, this->Sums } };
+  this->Scale = std::max(Steepest(sums[0]), 1e-30);
   while (std::max(sums.back().Size.x, sums.back().Size.y) > 1)
   {
     sums.push_back(SumLevelBelow(sums.back()));
@@ -131,13 +155,14 @@ void HeightMeans::MakeLevels(const HeightCodes& codes)
   this->Levels.resize(sums.size());
   for (std::size_t k = sums.size(); k-- > 0;)
   {
-    this->Levels[k] = Encode(sums[k], codes, k + 1 < sums.size() ? &this->Levels[k + 1] : nullptr);
+    this->Levels[k] =
+      Encode(sums[k], this->Scale, k + 1 < sums.size() ? &this->Levels[k + 1] : nullptr);
   }
 }
 
 //------------------------------------------------------------------------------
 template <typename T>
-void HeightMeans::Build(
+void HeightSlopes::Build(
   const HeightfieldView<T>& view, const HeightCodes& codes, const ParallelFor& parallelFor)
 {
   this->Levels.clear();
@@ -147,28 +172,29 @@ void HeightMeans::Build(
     return;
   }
   this->Size = glm::max(
-    glm::ivec2(view.Width >> kFirstMeanLevel, view.Height >> kFirstMeanLevel), glm::ivec2(1));
+    glm::ivec2((view.Width - 1) >> kFirstSlopeLevel, (view.Height - 1) >> kFirstSlopeLevel),
+    glm::ivec2(1));
   this->Sums.resize(
     static_cast<std::size_t>(this->Size.x) * static_cast<std::size_t>(this->Size.y));
-  const GridRectangle all{ { 0, 0 }, { view.Width, view.Height } };
-  this->Update(view, codes, all, parallelFor);
+  this->Update(view, { { 0, 0 }, { view.Width, view.Height } }, parallelFor);
 }
 
 //------------------------------------------------------------------------------
 template <typename T>
-void HeightMeans::Update(const HeightfieldView<T>& view, const HeightCodes& codes,
-  const GridRectangle& samples, const ParallelFor& parallelFor)
+void HeightSlopes::Update(
+  const HeightfieldView<T>& view, const GridRectangle& samples, const ParallelFor& parallelFor)
 {
   if (this->Sums.empty() || samples.IsEmpty())
   {
     return;
   }
   const glm::i64vec2 size(this->Size);
-  const glm::i64vec2 count(view.Width, view.Height);
+  const glm::i64vec2 cells(view.Width - 1, view.Height - 1);
+  const glm::i64vec2 firstCell(glm::max(samples.First - 1, glm::ivec2(0)));
+  const glm::i64vec2 lastCell = glm::min(glm::i64vec2(samples.End), cells) - glm::i64vec2(1);
   const glm::i64vec2 first(
-    PartOf(samples.First.x, size.x, count.x), PartOf(samples.First.y, size.y, count.y));
-  const glm::i64vec2 last(
-    PartOf(samples.End.x - 1, size.x, count.x), PartOf(samples.End.y - 1, size.y, count.y));
+    PartOf(firstCell.x, size.x, cells.x), PartOf(firstCell.y, size.y, cells.y));
+  const glm::i64vec2 last(PartOf(lastCell.x, size.x, cells.x), PartOf(lastCell.y, size.y, cells.y));
   parallelFor(last.y + 1 - first.y,
     [&](std::int64_t begin, std::int64_t end)
     {
@@ -176,22 +202,21 @@ void HeightMeans::Update(const HeightfieldView<T>& view, const HeightCodes& code
       {
         for (std::int64_t x = first.x; x <= last.x; ++x)
         {
-          const glm::i64vec2 from(PartBegin(x, size.x, count.x), PartBegin(y, size.y, count.y));
+          const glm::i64vec2 from(PartBegin(x, size.x, cells.x), PartBegin(y, size.y, cells.y));
           const glm::i64vec2 to(
-            PartBegin(x + 1, size.x, count.x), PartBegin(y + 1, size.y, count.y));
-          this->Sums[static_cast<std::size_t>(x + size.x * y)] =
-            SumSamples(view, codes.Bias, from, to);
+            PartBegin(x + 1, size.x, cells.x), PartBegin(y + 1, size.y, cells.y));
+          this->Sums[static_cast<std::size_t>(x + size.x * y)] = SumCells(view, from, to);
         }
       }
     });
-  this->MakeLevels(codes);
+  this->MakeLevels();
 }
 
 #define TERRAIN_INSTANTIATE(T)                                                                     \
-  template void HeightMeans::Build(                                                                \
+  template void HeightSlopes::Build(                                                               \
     const HeightfieldView<T>&, const HeightCodes&, const ParallelFor&);                            \
-  template void HeightMeans::Update(                                                               \
-    const HeightfieldView<T>&, const HeightCodes&, const GridRectangle&, const ParallelFor&)
+  template void HeightSlopes::Update(                                                              \
+    const HeightfieldView<T>&, const GridRectangle&, const ParallelFor&)
 TERRAIN_INSTANTIATE(std::uint16_t);
 TERRAIN_INSTANTIATE(float);
 #undef TERRAIN_INSTANTIATE
