@@ -9,10 +9,14 @@
 //                        own texels: RG16UI where TERRAIN_HEIGHTS_INTEGER is defined, else RG32F.
 //                        Mip level k - 1 is level k of MinMaxPyramid, same sizes. Filters NEAREST
 //                        (and NEAREST_MIPMAP_NEAREST), GL_TEXTURE_MAX_LEVEL = LevelCount() - 1.
+//                        With TERRAIN_PYRAMID_BUFFER a buffer instead: MinMaxPyramid::AllNodes().
+//   terrainPyramidLayout, terrainPyramidLevels  with it: Quarters and Halves, and Top of
+//                        terrain::PyramidLayout
 //   terrainPyramidSize   size of level 1, texels
 //   terrainPyramidTop    LevelCount(), with detail of the sum; 0 where the grid has no cells
 //   terrainPyramidStart  level of the first node, 1..top (0 if there are no cells)
 // Defines:
+//   TERRAIN_PYRAMID_BUFFER  optional: see terrainPyramid
 //   TERRAIN_COLUMNS   optional: the surface of constant columns instead of bilinear patches; needs
 //                     vtkTerrainColumns.glsl
 //   TERRAIN_WITHIN    optional: tolerances count; without, terrainTracePyramidWithin() is exact
@@ -21,7 +25,11 @@
 //   TERRAIN_DETAIL    see vtkTerrainHeights.glsl; twin of its part: src/core/DetailHeights.h, with
 //                     the uniforms declared below
 
-#ifdef TERRAIN_HEIGHTS_INTEGER
+#if defined(TERRAIN_PYRAMID_BUFFER) && defined(TERRAIN_HEIGHTS_INTEGER)
+uniform usamplerBuffer terrainPyramid;
+#elif defined(TERRAIN_PYRAMID_BUFFER)
+uniform samplerBuffer terrainPyramid;
+#elif defined(TERRAIN_HEIGHTS_INTEGER)
 uniform usampler2D terrainPyramid;
 #else
 uniform sampler2D terrainPyramid;
@@ -71,11 +79,30 @@ struct TerrainSpan
   float z;
 };
 
+#ifdef TERRAIN_PYRAMID_BUFFER
+uniform ivec2 terrainPyramidLayout;
+uniform int terrainPyramidLevels;
+
+// Where the nodes of a level begin in the buffer. Twin: PyramidLayout::Begin() in
+// src/core/MinMaxPyramid.h.
+int terrainLevelBegin(int level)
+{
+  return (terrainPyramidLayout.x >> (2 * level - 2)) + (terrainPyramidLayout.y >> (level - 1)) +
+    2 * (terrainPyramidLevels - level);
+}
+#endif
+
 // Highest and lowest code of a node of the texels; level >= 1.
 vec2 terrainTexelExtremes(ivec2 node, int level)
 {
-  ivec2 lastTexel = max(terrainPyramidSize >> (level - 1), ivec2(1)) - 1;
-  return vec2(texelFetch(terrainPyramid, min(node, lastTexel), level - 1).rg) - terrainBias;
+  ivec2 size = max(terrainPyramidSize >> (level - 1), ivec2(1));
+  ivec2 texel = min(node, size - 1);
+#ifdef TERRAIN_PYRAMID_BUFFER
+  int index = terrainLevelBegin(level) + texel.x + size.x * texel.y;
+  return vec2(texelFetch(terrainPyramid, index).rg) - terrainBias;
+#else
+  return vec2(texelFetch(terrainPyramid, texel, level - 1).rg) - terrainBias;
+#endif
 }
 
 #ifdef TERRAIN_DETAIL

@@ -186,6 +186,7 @@ std::string vtkOpenGLTerrainMapper::HeightDefines() const
   {
     defines += "#define TERRAIN_HEIGHTS_INTEGER\n";
   }
+  defines += heights.HasPyramidBuffer() ? "#define TERRAIN_PYRAMID_BUFFER\n" : "";
   defines += heights.HasDetail() ? "#define TERRAIN_DETAIL\n" : "";
   return defines;
 }

@@ -159,6 +159,7 @@ std::string vtkTerrainHeightTexture::Prepare(vtkOpenGLRenderWindow* window)
       " samples exceed the largest texture of this graphics driver, " + std::to_string(limit);
   }
   const bool integer = this->Codes.Format == terrain::HeightCodes::TexelFormat::UInt16;
+  this->PyramidIsBuffer = vtkTerrainIsSoftware();
   for (vtkTextureObject* texture : { this->Texture.Get(), this->PyramidTexture.Get() })
   {
     texture->ReleaseGraphicsResources(texture->GetContext());
@@ -213,20 +214,41 @@ bool vtkTerrainHeightTexture::UploadPyramid(Store<Texel>& store)
     return true;
   }
   this->PyramidSize = store.Pyramid.LevelSize(1);
+  this->PyramidLayout = store.Pyramid.GetLayout();
   this->NumberOfUploadedTexels +=
     static_cast<vtkIdType>(store.Pyramid.MemorySize() / sizeof(terrain::PyramidNode<Texel>));
+  return this->PyramidIsBuffer ? this->UploadPyramidBuffer(store.Pyramid)
+                               : this->UploadPyramidLevels(store.Pyramid);
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+bool vtkTerrainHeightTexture::UploadPyramidBuffer(const terrain::MinMaxPyramid<Texel>& pyramid)
+{
+  const int vtkType = std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT;
+  const bool done = this->PyramidBuffer->Upload(
+    pyramid.AllNodes(), pyramid.NumberOfNodes(), vtkOpenGLBufferObject::TextureBuffer);
+  return done &&
+    this->PyramidTexture->CreateTextureBuffer(
+      static_cast<unsigned int>(pyramid.NumberOfNodes()), 2, vtkType, this->PyramidBuffer);
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+bool vtkTerrainHeightTexture::UploadPyramidLevels(const terrain::MinMaxPyramid<Texel>& pyramid)
+{
   this->PyramidTexture->SetMinificationFilter(vtkTextureObject::NearestMipmapNearest);
   this->PyramidTexture->SetMaxLevel(this->PyramidTop - 1);
   const int vtkType = std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT;
   // Create2DFromRaw takes no const data, and changes none
   auto nodes = [&](int level)
-  { return const_cast<terrain::PyramidNode<Texel>*>(store.Pyramid.LevelNodes(level)); };
+  { return const_cast<terrain::PyramidNode<Texel>*>(pyramid.LevelNodes(level)); };
   bool done = this->PyramidTexture->Create2DFromRaw(static_cast<unsigned int>(this->PyramidSize.x),
     static_cast<unsigned int>(this->PyramidSize.y), 2, vtkType, nodes(1));
   this->PyramidTexture->Activate();
   for (int level = 2; done && level <= this->PyramidTop; ++level)
   {
-    const glm::ivec2 size = store.Pyramid.LevelSize(level);
+    const glm::ivec2 size = pyramid.LevelSize(level);
     glTexImage2D(GL_TEXTURE_2D, level - 1,
       static_cast<GLint>(this->PyramidTexture->GetInternalFormat(vtkType, 2, false)), size.x,
       size.y, 0, this->PyramidTexture->GetFormat(vtkType, 2, false),
@@ -251,6 +273,25 @@ void vtkTerrainHeightTexture::SendTexels(vtkTextureObject* texture, int level,
     static_cast<GLenum>(texture->GetDataType(vtkType)), texels);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   texture->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+void vtkTerrainHeightTexture::SendNodes(
+  const terrain::MinMaxPyramid<Texel>& pyramid, int level, const terrain::GridRectangle& part)
+{
+  using Node = terrain::PyramidNode<Texel>;
+  const glm::ivec2 size = part.End - part.First;
+  this->NumberOfUploadedTexels += vtkIdType{ size.x } * size.y;
+  this->PyramidBuffer->Bind();
+  for (int y = part.First.y; y < part.End.y; ++y)
+  {
+    const std::int64_t first = pyramid.GetLayout().Begin(level) + part.First.x +
+      std::int64_t{ pyramid.LevelSize(level).x } * y;
+    glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(first * sizeof(Node)),
+      static_cast<GLsizeiptr>(size.x * sizeof(Node)), pyramid.AllNodes() + first);
+  }
+  this->PyramidBuffer->Release();
 }
 
 //------------------------------------------------------------------------------
@@ -282,7 +323,11 @@ void vtkTerrainHeightTexture::UploadPart(Store<Texel>& store, const terrain::Gri
   {
     const terrain::GridRectangle& part = nodes[static_cast<std::size_t>(level) - 1];
     const int width = store.Pyramid.LevelSize(level).x;
-    if (!part.IsEmpty())
+    if (!part.IsEmpty() && this->PyramidIsBuffer)
+    {
+      this->SendNodes(store.Pyramid, level, part);
+    }
+    else if (!part.IsEmpty())
     {
       this->SendTexels(this->PyramidTexture, level - 1, part, width,
         store.Pyramid.LevelNodes(level) + at(part.First, width), vtkType, 2);
@@ -329,6 +374,7 @@ void vtkTerrainHeightTexture::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
   this->PyramidTexture->ReleaseGraphicsResources(window);
+  this->PyramidBuffer->ReleaseGraphicsResources();
   this->Detail.ReleaseGraphicsResources(window);
   this->Slopes.ReleaseGraphicsResources(window);
   this->UploadTime = 0;
@@ -372,6 +418,9 @@ void vtkTerrainHeightTexture::SetUniforms(vtkTerrainUniforms& uniforms)
   {
     uniforms.Set("terrainPyramid", this->PyramidTexture->GetTextureUnit());
     uniforms.Set("terrainPyramidSize", this->PyramidSize);
+    uniforms.Set(
+      "terrainPyramidLayout", glm::ivec2(this->PyramidLayout.Quarters, this->PyramidLayout.Halves));
+    uniforms.Set("terrainPyramidLevels", this->PyramidLayout.Top);
     uniforms.Set(
       "terrainPyramidTop", this->PyramidTop > 0 ? this->PyramidTop + this->GetDetailLevel() : 0);
     // Rays start near the surface: from the top down, most levels would be visited in vain.

@@ -18,6 +18,7 @@
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
 
@@ -93,6 +94,11 @@ public:
   /// True if there is at least one cell and one height.
   bool HasSurface() const;
 
+  /// True if the pyramid is a buffer, TERRAIN_PYRAMID_BUFFER in shaders.
+  bool HasPyramidBuffer() const
+  {
+    return this->PyramidIsBuffer;
+  }
   /// Top level of the pyramid on the graphics card.
   int GetPyramidTop() const
   {
@@ -128,7 +134,14 @@ private:
   template <typename Texel>
   bool UploadPyramid(Store<Texel>& store);
   template <typename Texel>
+  bool UploadPyramidBuffer(const terrain::MinMaxPyramid<Texel>& pyramid);
+  template <typename Texel>
+  bool UploadPyramidLevels(const terrain::MinMaxPyramid<Texel>& pyramid);
+  template <typename Texel>
   void UploadPart(Store<Texel>& store, const terrain::GridRectangle& samples);
+  template <typename Texel>
+  void SendNodes(
+    const terrain::MinMaxPyramid<Texel>& pyramid, int level, const terrain::GridRectangle& part);
   void SendTexels(vtkTextureObject* texture, int level, const terrain::GridRectangle& part,
     int rowLength, const void* texels, int vtkType, int components);
   std::string Prepare(vtkOpenGLRenderWindow* window);
@@ -160,6 +173,11 @@ private:
   double DetailScale = 1.0;
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkTextureObject> PyramidTexture;
+  /// Mesa's llvmpipe finds a mip level for each pixel by itself, in some 150 instructions: for it
+  /// the pyramid is a buffer of all nodes.
+  vtkNew<vtkOpenGLBufferObject> PyramidBuffer;
+  bool PyramidIsBuffer = false;
+  terrain::PyramidLayout PyramidLayout;
   int NumberOfUploads = 0;
   vtkIdType NumberOfUploadedTexels = 0;
 };

@@ -11,6 +11,7 @@
 #include "vtkTerrainGL.h"
 
 #include "vtkNew.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -91,6 +92,19 @@ void uploadPyramid(
   }
 }
 
+/// The same as a buffer.
+template <typename Texel>
+void uploadPyramidBuffer(vtkRenderWindow* window, vtkTextureObject* texture,
+  vtkOpenGLBufferObject* buffer, const terrain::MinMaxPyramid<Texel>& pyramid)
+{
+  constexpr bool integer = std::is_integral_v<Texel>;
+  prepare(window, texture, integer ? GL_RG16UI : GL_RG32F, integer ? GL_RG_INTEGER : GL_RG);
+  buffer->Upload(pyramid.AllNodes(), pyramid.NumberOfNodes(), vtkOpenGLBufferObject::TextureBuffer);
+  texture->CreateTextureBuffer(static_cast<unsigned int>(pyramid.NumberOfNodes()), 2,
+    integer ? VTK_UNSIGNED_SHORT : VTK_FLOAT, buffer);
+  texture->Activate();
+}
+
 /// Sets the uniforms that a heightfield and a sum have in common.
 template <typename Coded>
 void setUniforms(vtkShaderProgram* program, const Coded& coded)
@@ -108,12 +122,21 @@ class FieldTextures
 public:
   static constexpr bool Integer = std::is_integral_v<Texel>;
 
-  FieldTextures(vtkRenderWindow* window, const terrain::CodedField<Texel>& field)
+  /// The pyramid as a buffer, or as a texture with mip levels.
+  FieldTextures(vtkRenderWindow* window, const terrain::CodedField<Texel>& field, bool inBuffer)
     : Coded(field.Coded)
     , Field(field)
+    , InBuffer(inBuffer)
   {
     uploadTexels(window, this->Heights, glm::uvec2(field.Coded.heights.size), field.Texels.data());
-    uploadPyramid(window, this->Pyramid, field.Pyramid);
+    if (inBuffer)
+    {
+      uploadPyramidBuffer(window, this->Pyramid, this->Buffer, field.Pyramid);
+    }
+    else
+    {
+      uploadPyramid(window, this->Pyramid, field.Pyramid);
+    }
   }
   FieldTextures(const FieldTextures&) = delete;
   FieldTextures& operator=(const FieldTextures&) = delete;
@@ -125,7 +148,8 @@ public:
 
   std::string Defines() const
   {
-    return this->Coded.columns ? "#define TERRAIN_COLUMNS\n" : "";
+    return std::string(this->Coded.columns ? "#define TERRAIN_COLUMNS\n" : "") +
+      (this->InBuffer ? "#define TERRAIN_PYRAMID_BUFFER\n" : "");
   }
 
   void SetUniforms(vtkShaderProgram* program)
@@ -135,6 +159,10 @@ public:
     program->SetUniformi("terrainPyramid", this->Pyramid->GetTextureUnit());
     program->SetUniformf("terrainBias", static_cast<float>(this->Coded.heights.bias));
     program->SetUniform2i("terrainPyramidSize", &nodes[0]);
+    const terrain::PyramidLayout& layout = this->Field.Pyramid.GetLayout();
+    const glm::ivec2 parts(layout.Quarters, layout.Halves);
+    program->SetUniform2i("terrainPyramidLayout", &parts[0]);
+    program->SetUniformi("terrainPyramidLevels", layout.Top);
     setUniforms(program, this->Coded);
   }
 
@@ -142,6 +170,8 @@ public:
 
 private:
   const terrain::CodedField<Texel>& Field;
+  bool InBuffer;
+  vtkNew<vtkOpenGLBufferObject> Buffer;
   vtkNew<vtkTextureObject> Heights;
   vtkNew<vtkTextureObject> Pyramid;
 };
@@ -156,7 +186,7 @@ public:
   SumTextures(vtkRenderWindow* window, const terrain::CodedSum<Texel>& sum)
     : Coded(sum.Coded)
     , Sum(sum)
-    , Base(window, sum.Base)
+    , Base(window, sum.Base, Integer)
   {
     uploadTexels(
       window, this->Detail, glm::uvec2(sum.Coded.heights.period), sum.Detail.Texels.data());
@@ -172,7 +202,7 @@ public:
 
   std::string Defines() const
   {
-    return "#define TERRAIN_DETAIL\n";
+    return this->Base.Defines() + "#define TERRAIN_DETAIL\n";
   }
 
   void SetUniforms(vtkShaderProgram* program)
@@ -330,7 +360,7 @@ void compareField(vtkRenderWindow* window, const terrain::TestField& test, unsig
   terrain::CodedField<Texel> field(test);
   field.Coded.start = 1 + static_cast<int>(seed % 6);
   const Beams beams({ test.Width, test.Height }, field.Codes.MaximumCode, seed);
-  FieldTextures<Texel> textures(window, field);
+  FieldTextures<Texel> textures(window, field, seed % 4 < 2);
   const float size = static_cast<float>(field.Codes.MaximumCode);
   comparePaths(window, textures, beams, glm::vec4(0.0f));
   compareBeams<Texel>(window, textures, beams);

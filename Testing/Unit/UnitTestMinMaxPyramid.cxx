@@ -42,6 +42,21 @@ terrain::PyramidNode<T> Expected(
   return node;
 }
 
+// All nodes of all levels, bit for bit.
+template <typename T>
+void ExpectSame(const MinMaxPyramid<T>& a, const MinMaxPyramid<T>& b)
+{
+  ASSERT_EQ(a.LevelCount(), b.LevelCount());
+  for (int level = 1; level <= a.LevelCount(); ++level)
+  {
+    ASSERT_EQ(a.LevelSize(level), b.LevelSize(level));
+    const auto size = static_cast<std::size_t>(a.LevelSize(level).x * a.LevelSize(level).y);
+    EXPECT_EQ(
+      std::memcmp(a.LevelNodes(level), b.LevelNodes(level), size * sizeof(terrain::PyramidNode<T>)),
+      0);
+  }
+}
+
 // Every node bounds its cells; away from the east and north edges, where places are shared,
 // exactly.
 template <typename T>
@@ -137,6 +152,32 @@ TEST(MinMaxPyramid, SizesAreThoseOfMipLevels)
   }
 }
 
+// Levels do not overlap in the array of all nodes, which is hardly longer than they are.
+TEST(MinMaxPyramid, LaysLevelsOutInLittleRoom)
+{
+  for (const glm::ivec2 first : { glm::ivec2(1, 1), { 16, 16 }, { 2048, 2048 }, { 8192, 8192 },
+         { 3, 2 }, { 1, 4096 }, { 5000, 2 }, { 1000, 37 }, { 777, 1023 }, { 8191, 4095 } })
+  {
+    SCOPED_TRACE(std::to_string(first.x) + " x " + std::to_string(first.y));
+    std::vector<glm::ivec2> sizes{ first };
+    while (sizes.back() != glm::ivec2(1))
+    {
+      sizes.push_back(glm::max(sizes.back() / 2, glm::ivec2(1)));
+    }
+    const auto layout = terrain::PyramidLayout::Of(sizes);
+    std::int64_t nodes = 0;
+    std::int64_t end = 0;
+    for (int level = layout.Top; level >= 1; --level)
+    {
+      const glm::i64vec2 size(sizes[static_cast<std::size_t>(level) - 1]);
+      EXPECT_GE(layout.Begin(level), end) << "level " << level;
+      end = layout.Begin(level) + size.x * size.y;
+      nodes += size.x * size.y;
+    }
+    EXPECT_LE(end, nodes + nodes / 100 + 2 * layout.Top);
+  }
+}
+
 TEST(MinMaxPyramid, DoesNotDependOnHowWorkIsSplit)
 {
   for (const terrain::TestField& field : terrain::AdversarialFields())
@@ -147,7 +188,7 @@ TEST(MinMaxPyramid, DoesNotDependOnHowWorkIsSplit)
     MinMaxPyramid<double> split;
     split.Build(field.View(), terrain::BackwardFor);
     ASSERT_EQ(serial.MemorySize(), split.MemorySize());
-    EXPECT_EQ(std::memcmp(serial.LevelNodes(1), split.LevelNodes(1), serial.MemorySize()), 0);
+    ExpectSame(serial, split);
   }
 }
 
@@ -220,7 +261,7 @@ TEST(MinMaxPyramid, UpdateEqualsBuildAndNamesWhatItWrites)
         updated.Update(field.View(), window, terrain::SerialFor);
       MinMaxPyramid<double> after;
       after.Build(field.View(), terrain::SerialFor);
-      ASSERT_EQ(std::memcmp(after.LevelNodes(1), updated.LevelNodes(1), after.MemorySize()), 0);
+      ExpectSame(after, updated);
       ASSERT_EQ(written.size(), static_cast<std::size_t>(after.LevelCount()));
       for (int level = 1; level <= after.LevelCount(); ++level)
       {

@@ -136,6 +136,41 @@ struct ChildRange
 };
 }
 
+namespace
+{
+std::int64_t CountNodes(const glm::ivec2& size)
+{
+  return std::int64_t{ size.x } * size.y;
+}
+
+// The least Halves with which no level reaches into the one before it.
+std::int64_t FindHalves(const std::vector<glm::ivec2>& sizes, std::int64_t quarters)
+{
+  PyramidLayout layout{ quarters, 0, static_cast<int>(sizes.size()) };
+  std::int64_t halves = 0;
+  for (int level = 1; level < layout.Top; ++level)
+  {
+    const std::int64_t room = layout.Begin(level) - layout.Begin(level + 1);
+    const std::int64_t missing = CountNodes(sizes[static_cast<std::size_t>(level)]) - room;
+    halves = std::max(halves, missing > 0 ? (missing + 1) << level : 0);
+  }
+  return halves;
+}
+}
+
+PyramidLayout PyramidLayout::Of(const std::vector<glm::ivec2>& sizes)
+{
+  const int top = static_cast<int>(sizes.size());
+  PyramidLayout best{ 0, FindHalves(sizes, 0), top };
+  for (int part = 1; part <= 16; ++part)
+  {
+    const std::int64_t quarters = (CountNodes(sizes[0]) * part / 16 + 2) / 3;
+    const PyramidLayout layout{ quarters, FindHalves(sizes, quarters), top };
+    best = layout.Begin(1) < best.Begin(1) ? layout : best;
+  }
+  return best;
+}
+
 template <typename T>
 void MinMaxPyramid<T>::CellExtremes(const HeightfieldView<T>& view, std::int64_t first,
   std::int64_t end, std::int64_t row, Node* nodes)
@@ -152,7 +187,8 @@ template <typename T>
 void MinMaxPyramid<T>::Build(const HeightfieldView<T>& view, const ParallelFor& parallelFor)
 {
   this->Cells = { static_cast<int>(view.Width) - 1, static_cast<int>(view.Height) - 1 };
-  this->Levels.clear();
+  this->Sizes.clear();
+  this->Layout = PyramidLayout();
   this->NodeCount = 0;
   this->Nodes.reset();
   if (this->Cells.x < 1 || this->Cells.y < 1)
@@ -160,15 +196,15 @@ void MinMaxPyramid<T>::Build(const HeightfieldView<T>& view, const ParallelFor& 
     this->Cells = { 0, 0 };
     return;
   }
-  std::int64_t count = 0;
   glm::ivec2 size = (this->Cells + 1) / 2;
   for (bool top = false; !top; size = glm::max(size / 2, glm::ivec2(1)))
   {
-    this->Levels.push_back({ size, count });
-    count += static_cast<std::int64_t>(size.x) * size.y;
+    this->Sizes.push_back(size);
     top = size.x == 1 && size.y == 1;
   }
-  this->NodeCount = static_cast<std::size_t>(count);
+  this->Layout = PyramidLayout::Of(this->Sizes);
+  const glm::i64vec2 first(this->LevelSize(1));
+  this->NodeCount = static_cast<std::size_t>(this->Layout.Begin(1) + first.x * first.y);
   // Left unwritten here: the threads that build the levels touch the memory first.
   this->Nodes = std::unique_ptr<Node[]>(new Node[this->NodeCount]);
   this->BuildFirstLevel(view, { { 0, 0 }, this->LevelSize(1) }, parallelFor);
@@ -182,7 +218,7 @@ template <typename T>
 std::vector<GridRectangle> MinMaxPyramid<T>::Update(
   const HeightfieldView<T>& view, const GridRectangle& samples, const ParallelFor& parallelFor)
 {
-  std::vector<GridRectangle> written(this->Levels.size());
+  std::vector<GridRectangle> written(this->Sizes.size());
   // A sample belongs to the cells on both sides.
   const glm::ivec2 first = glm::max(samples.First - 1, glm::ivec2(0));
   const glm::ivec2 end = glm::min(samples.End, this->Cells);

@@ -19,7 +19,8 @@
  *
  * The last column and row of a level also answer for the node that the rounding down cuts off: node
  * x is stored at min(x, size - 1), as the union of the nodes that share the place. A bound may thus
- * be wider than it must be there, never narrower. Memory: 2/3 of the heights' own.
+ * be wider than it must be there, never narrower. Memory: 2/3 of the heights' own, and up to a
+ * hundredth of that between levels of unusual sizes.
  */
 #ifndef terrain_MinMaxPyramid_h
 #define terrain_MinMaxPyramid_h
@@ -29,6 +30,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -65,6 +67,25 @@ struct GridRectangle
   }
 };
 
+/// Where the levels begin in the array of all nodes, from the top down: by a formula that shaders
+/// evaluate faster than they look up a table. Twin: terrainLevelBegin() in
+/// shaders/vtkTerrainPyramid.glsl.
+struct PyramidLayout
+{
+  std::int64_t Quarters = 0; ///< nodes above the first level, where levels shrink both ways
+  std::int64_t Halves = 0;   ///< more of them, where levels shrink one way
+  int Top = 0;
+
+  /// The shortest for levels of these sizes, from level 1 up.
+  static PyramidLayout Of(const std::vector<glm::ivec2>& sizes);
+  /// 1 <= level <= Top.
+  std::int64_t Begin(int level) const
+  {
+    return (this->Quarters >> (2 * level - 2)) + (this->Halves >> (level - 1)) +
+      2 * (this->Top - level);
+  }
+};
+
 /// T is the type of the samples: any arithmetic type, or the texels of HeightCodes.h.
 template <typename T>
 class MinMaxPyramid
@@ -86,7 +107,7 @@ public:
   /// Number of stored levels, hence the top level; 0 without cells.
   int LevelCount() const
   {
-    return static_cast<int>(this->Levels.size());
+    return static_cast<int>(this->Sizes.size());
   }
   /// Cells of the grid, (W-1) x (H-1).
   glm::ivec2 CellCount() const
@@ -96,12 +117,25 @@ public:
   /// Stored nodes of a level; 1 <= level <= LevelCount().
   glm::ivec2 LevelSize(int level) const
   {
-    return this->Levels[static_cast<std::size_t>(level) - 1].Size;
+    return this->Sizes[static_cast<std::size_t>(level) - 1];
   }
   /// The nodes of a level row by row, maximum and minimum interleaved; 1 <= level <= LevelCount().
   const Node* LevelNodes(int level) const
   {
-    return this->Nodes.get() + this->Levels[static_cast<std::size_t>(level) - 1].Begin;
+    return this->Nodes.get() + this->Layout.Begin(level);
+  }
+  /// The array of all nodes, of which some between levels are unused, and where levels begin in it.
+  const Node* AllNodes() const
+  {
+    return this->Nodes.get();
+  }
+  std::size_t NumberOfNodes() const
+  {
+    return this->NodeCount;
+  }
+  const PyramidLayout& GetLayout() const
+  {
+    return this->Layout;
   }
   /// Bounds of node (x, y) of a level, 0 <= x < ceil(cells / 2^level); 1 <= level <= LevelCount().
   const Node& At(glm::ivec2 node, int level) const
@@ -124,22 +158,17 @@ public:
     std::int64_t row, Node* nodes);
 
 private:
-  struct Level
-  {
-    glm::ivec2 Size{ 0, 0 };
-    std::int64_t Begin = 0;
-  };
-
   void BuildFirstLevel(
     const HeightfieldView<T>& view, const GridRectangle& nodes, const ParallelFor&);
   void BuildLevel(int level, const GridRectangle& nodes, const ParallelFor&);
   Node* WritableNodes(int level)
   {
-    return this->Nodes.get() + this->Levels[static_cast<std::size_t>(level) - 1].Begin;
+    return this->Nodes.get() + this->Layout.Begin(level);
   }
 
   glm::ivec2 Cells{ 0, 0 };
-  std::vector<Level> Levels;
+  std::vector<glm::ivec2> Sizes;
+  PyramidLayout Layout;
   std::unique_ptr<Node[]> Nodes;
   std::size_t NodeCount = 0;
 };
