@@ -110,6 +110,8 @@ set(core
   ProceduralTerrain
   ReferenceRayCaster
   Refinement
+  RefinementPlain
+  RefinementSelection
   RoundNumbers
   SceneFrame
   StreamErosion

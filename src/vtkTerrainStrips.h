@@ -81,7 +81,7 @@ public:
   {
     Off,    ///< nothing
     Nested, ///< all that is outside; no crack anywhere (default)
-    Lazy    ///< small parts are not tested: faster, cracks may be left outside the view
+    Lazy    ///< small parts are not tested: more triangles along the view's sides
   };
 
   ///@{

@@ -279,9 +279,9 @@ inline terrain::RefinementOptions WithTolerance(double tolerance)
 }
 
 /// Refines a raster between two planes through the eye, in six directions and with both cullings.
-/// Empty, or what is wrong: nothing was culled, nested culling left a mesh that does not conform,
-/// or a triangle of the whole mesh with a corner inside both planes is missing. refine(view,
-/// options) makes a mesh of the raster, whose cells have the geometry.
+/// Empty, or what is wrong: nothing was culled, the mesh does not conform, or a triangle of the
+/// whole mesh with a corner inside both planes is missing. refine(view, options) makes a mesh of
+/// the raster, whose cells have the geometry.
 template <typename Refine>
 std::string WhyCullingLoses(const Raster& raster, const terrain::GridGeometry& geometry,
   terrain::RefinementView view, const Refine& refine)
@@ -319,8 +319,7 @@ std::string WhyCullingLoses(const Raster& raster, const terrain::GridGeometry& g
       {
         return "nothing is culled in direction " + std::to_string(turn);
       }
-      const std::string flaw =
-        culling == terrain::CullingMethod::Nested ? WhyNotConforming(mesh) : std::string();
+      const std::string flaw = WhyNotConforming(mesh);
       if (!flaw.empty())
       {
         return flaw;

@@ -2,28 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/Refinement.h"
 
+#include "core/RefinementCounts.h"
 #include "core/RefinementDetail.h"
-#include "core/RefinementKernel.h"
-#include "core/RefinementSinks.h"
+#include "core/RefinementPlain.h"
+#include "core/RefinementSelection.h"
+#include "core/RefinementStrip.h"
+#include "core/RefinementTriangles.h"
+#include "core/RefinementVertex.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace terrain
 {
 namespace
 {
-template <bool UseDistance, bool UseCulling, bool UseHoles, bool UseDetail>
-struct Switches
-{
-  static constexpr bool Distance = UseDistance;
-  static constexpr bool Culling = UseCulling;
-  static constexpr bool Holes = UseHoles;
-  static constexpr bool Detail = UseDetail;
-};
-
 /// Counting stops at this many times the budget, and starts again with a larger tolerance.
 constexpr std::int64_t kCountLimit = 8;
 /// By this factor.
@@ -77,9 +71,8 @@ struct Refiner::Work
   /// Scaled space is model space relative to the grid's origin, times this.
   double Scale = 1.0;
   int DepthCount = 0;
-  MeshSink Mesh;
-  SampleSink Samples;
-  WaitingVertices Waiting;
+  RefinementSelection Selection;
+  PlainRefinement Plain;
 
   void Tabulate();
   void TabulateDetail();
@@ -112,12 +105,11 @@ struct Refiner::Work
   }
   VertexSite CentreSite() const;
 
-  template <typename Sink>
-  std::int64_t Run(Sink& sink, RefinementMethod method, std::uint32_t centre,
-    const std::array<std::uint32_t, 4>& corners);
-  template <typename Switch, typename Sink>
-  std::int64_t RunKernel(Sink& sink, RefinementMethod method, std::uint32_t centre,
-    const std::array<std::uint32_t, 4>& corners);
+  SquareSites MakeSquare() const;
+  void MakeImproved(bool morphing, StripMesh& mesh);
+  template <bool HasHoles>
+  std::int64_t MakeStrip(std::vector<std::uint32_t>& strip) const;
+  std::int64_t MakeImprovedByDistance(std::vector<std::uint32_t>& strip) const;
   double ToleranceFor(const RefinementView& view, const RefinementOptions& options);
 };
 
@@ -159,6 +151,8 @@ void Refiner::Work::Tabulate()
   this->Frame.Records = this->Hierarchy.Records;
   this->Frame.LastColumn = static_cast<std::uint32_t>(last[0]);
   this->Frame.LastRow = static_cast<std::uint32_t>(last[1]);
+  this->Frame.HasHoles = this->Hierarchy.Summary.HasHoles;
+  this->Frame.SharesSamples = last[0] != layout.Cells() || last[1] != layout.Cells();
 }
 
 /// Tables of the depths below the base's samples.
@@ -377,54 +371,64 @@ VertexSite Refiner::Work::CentreSite() const
   return site;
 }
 
-template <typename Switch, typename Sink>
-std::int64_t Refiner::Work::RunKernel(Sink& sink, RefinementMethod method, std::uint32_t centre,
-  const std::array<std::uint32_t, 4>& corners)
+SquareSites Refiner::Work::MakeSquare() const
 {
-  RefinementKernel<Switch, Sink> kernel(this->Frame, sink, this->Waiting);
-  const std::uint32_t drawn = this->CentreSite().Record.Drawn();
-  sink.Reserve();
-  // Each pair of a kernel and a sink takes the compiler seconds: only what is used is made.
-  if constexpr (!std::is_same_v<Sink, CountSink>)
+  SquareSites square{};
+  for (std::uint32_t corner = 0; corner < 4; ++corner)
   {
-    if (method == RefinementMethod::Plain)
-    {
-      kernel.Plain(this->Centre(), centre, drawn, corners);
-      return kernel.Triangles();
-    }
+    const std::uint32_t column = this->Ends[0][corner & 1].Sample;
+    const std::uint32_t row = this->Ends[1][corner >> 1].Sample;
+    square.Samples[corner] = column | (row << 16);
+    square.Corners[corner] =
+      PlaceSample(this->Frame, column, row, this->Hierarchy.Summary.Corners[corner]);
+    square.Corners[corner].Record = StripVertex::NoRecord + corner;
   }
-  kernel.Improved(this->Centre(), centre, drawn, corners);
-  return kernel.Triangles();
+  square.Centre = this->CentreSite();
+  return square;
 }
 
-/// By the screen-space error.
-template <typename Sink>
-std::int64_t Refiner::Work::Run(Sink& sink, RefinementMethod method, std::uint32_t centre,
-  const std::array<std::uint32_t, 4>& corners)
+/// The strip through the triangles that were selected; returns their number.
+template <bool HasHoles>
+std::int64_t Refiner::Work::MakeStrip(std::vector<std::uint32_t>& strip) const
 {
-  const auto run = [&](auto culls, auto holes, auto detail)
+  using Triangles = SelectedTriangles<HasHoles>;
+  constexpr std::uint32_t centre = RefinementSelection::Centre;
+  std::array<typename Triangles::Triangle, 4> square;
+  for (std::uint32_t side = 0; side < 4; ++side)
   {
-    return this->RunKernel<Switches<false, culls.value, holes.value, detail.value>>(
-      sink, method, centre, corners);
-  };
-  const auto withDetail = [&](auto culls, auto holes)
-  {
-    return this->Detail ? run(culls, holes, std::true_type())
-                        : run(culls, holes, std::false_type());
-  };
-  const auto withHoles = [&](auto culls)
-  {
-    return this->Hierarchy.Summary.HasHoles ? withDetail(culls, std::true_type())
-                                            : withDetail(culls, std::false_type());
-  };
-  if constexpr (!std::is_same_v<Sink, CountSink>)
-  {
-    if (this->Frame.PlaneCount == 0)
-    {
-      return withHoles(std::false_type());
-    }
+    square[side] = { kSquareRound[side], centre, kSquareRound[side + 1],
+      this->Selection.Halves()[2 * centre + side / 2][side & 1], true };
   }
-  return withHoles(std::true_type());
+  return StripThrough(Triangles(this->Selection), square, strip);
+}
+
+void Refiner::Work::MakeImproved(bool morphing, StripMesh& mesh)
+{
+  this->Selection.MakeMesh(this->Frame, this->MakeSquare(), morphing, mesh.Vertices);
+  mesh.Triangles =
+    this->Frame.HasHoles ? this->MakeStrip<true>(mesh.Strip) : this->MakeStrip<false>(mesh.Strip);
+  this->Selection.MergeSamples(mesh.Vertices, mesh.Strip);
+}
+
+std::int64_t Refiner::Work::MakeImprovedByDistance(std::vector<std::uint32_t>& strip) const
+{
+  const SquareSites sites = this->MakeSquare();
+  const std::int64_t half = std::int64_t(1) << this->Frame.Depths[0].Shift;
+  std::array<DistanceTriangles::Triangle, 4> square;
+  for (int side = 0; side < 4; ++side)
+  {
+    const auto way = [half](int direction)
+    {
+      const std::array<int, 2>& unit = HierarchyLayout::Directions[direction & 7];
+      return half * (unit[0] + unit[1] * (std::int64_t(1) << 32));
+    };
+    const std::int64_t toApex = way(2 + 2 * side);
+    square[side] = { sites.SampleAt(kSquareRound[side]), sites.SampleAt(4),
+      sites.SampleAt(kSquareRound[side + 1]), 0,
+      this->Centre() - static_cast<std::uint64_t>(toApex), toApex, way(4 + 2 * side),
+      &this->Frame.Depths[1] };
+  }
+  return StripThrough(DistanceTriangles(this->Frame), square, strip);
 }
 
 /// The tolerance of the options, raised until the budget suffices: counts how many triangles each
@@ -436,16 +440,16 @@ double Refiner::Work::ToleranceFor(const RefinementView& view, const RefinementO
   const std::int64_t budget = std::max<std::int64_t>(options.TriangleBudget, 4) - 4;
   const auto count = [&](double tolerance)
   {
-    CountSink sink(kCountLimit * (budget + 4) + 64);
+    ToleranceCounts counts(kCountLimit * (budget + 4) + 64);
     this->SetTolerance(view, share * tolerance);
-    this->Run(sink, RefinementMethod::Improved, 0, { { 0, 0, 0, 0 } });
-    return sink;
+    this->Selection.Count(this->Frame, this->MakeSquare(), counts);
+    return counts;
   };
   double tolerance = options.Tolerance;
   for (; tolerance < kLargestTolerance; tolerance *= kToleranceStep)
   {
-    const CountSink sink = count(tolerance);
-    const double factor = sink.Stopped() ? 0.0 : sink.FactorFor(budget);
+    const ToleranceCounts counts = count(tolerance);
+    const double factor = counts.AreEnough() ? 0.0 : counts.FactorFor(budget);
     if (factor > 0.0 && std::isfinite(factor))
     {
       return tolerance * factor;
@@ -456,8 +460,8 @@ double Refiner::Work::ToleranceFor(const RefinementView& view, const RefinementO
     }
   }
   tolerance = std::numeric_limits<double>::infinity();
-  for (CountSink sink = count(tolerance); sink.Stopped() || sink.Triangles() > budget;
-       sink = count(tolerance))
+  for (ToleranceCounts counts = count(tolerance); counts.AreEnough() || counts.Triangles() > budget;
+       counts = count(tolerance))
   {
     this->SetDepths(this->DepthCount - 1);
   }
@@ -533,19 +537,14 @@ void Refiner::Refine(const RefinementView& view, const RefinementOptions& option
     mesh.Tolerance = work.ToleranceFor(view, options);
   }
   work.SetTolerance(view, (options.Morphing ? kMorphBegin : 1.0) * mesh.Tolerance);
-  MeshSink& sink = work.Mesh;
-  sink.Begin(mesh);
-  sink.Morphing = false;
-  std::array<std::uint32_t, 4> corners{};
-  for (int corner = 0; corner < 4; ++corner)
+  if (options.Method == RefinementMethod::Improved)
   {
-    corners[corner] = sink.Corner(work.Frame, work.Ends[0][corner & 1], work.Ends[1][corner >> 1],
-      corner, work.Hierarchy.Summary.Corners[corner]);
+    work.MakeImproved(options.Morphing, mesh);
   }
-  const std::uint32_t centre = sink.Vertex(work.Frame, work.CentreSite(), 0, 0);
-  sink.Morphing = options.Morphing;
-  mesh.Triangles = work.Run(sink, options.Method, centre, corners);
-  sink.Finish(mesh);
+  else
+  {
+    work.Plain.MakeMesh(work.Frame, work.MakeSquare(), options.Morphing, mesh);
+  }
 }
 
 std::int64_t Refiner::RefineByDistance(const RefinementView& view, double range,
@@ -566,17 +565,8 @@ std::int64_t Refiner::RefineByDistance(const RefinementView& view, double range,
     work.Frame.Depths[depth].Range2 = nested * nested - work.Frame.EyeHeight * work.Frame.EyeHeight;
     reach *= std::sqrt(0.5);
   }
-  SampleSink& sink = work.Samples;
-  sink.Strip.Begin(strip);
-  std::array<std::uint32_t, 4> corners{};
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    corners[corner] = work.Ends[0][corner & 1].Sample | (work.Ends[1][corner >> 1].Sample << 16);
-  }
-  const std::uint32_t centre = sink.Vertex(work.Frame, work.CentreSite(), 0, 0);
-  const std::int64_t triangles =
-    work.RunKernel<Switches<true, false, false, false>>(sink, method, centre, corners);
-  sink.Strip.Finish(strip);
-  return triangles;
+  return method == RefinementMethod::Improved
+    ? work.MakeImprovedByDistance(strip)
+    : work.Plain.MakeStrip(work.Frame, work.MakeSquare(), strip);
 }
 }

@@ -15,17 +15,18 @@
  * time; so is the end of the entering edge that came last. Three procedures: general; left-only and
  * right-only for triangles where an unsplit neighbour forbids the other half to be split, so that
  * its vertex is not looked at. Every triangle costs one index, two where the strip turns twice to
- * the same side: no strip along the same path has fewer. Beyond the thesis, a vertex is decided on
- * once: that it is active waits on a stack for the second of its two triangles
- * (RefinementBuffers.h), which neither tests it nor has to find its index.
+ * the same side: no strip along the same path has fewer. Beyond the thesis, the active vertices are
+ * found first, depth by depth, each decided on and made once (RefinementSelection.h); the three
+ * procedures follow their links (RefinementStrip.h).
  * Plain: Lindstrom and Pascucci 2002, section 3.3, where a vertex is tested and appended once for
  * each triangle whose apex it is and repeated by comparing with the strip's end and its parity. The
  * same triangles, more vertices visited and more indices.
  *
  * Culling against planes with the nested spheres. The sphere of a vertex holds all of its diamond,
  * so what is culled is coarser, and only outside. Nested culling tests every sphere that a plane
- * still cuts: no cracks anywhere. Lazy culling (section 5.2) stops LazyDepths above the finest
- * depth: faster along the frustum's sides, but T-junctions can be left outside the planes.
+ * still cuts: no cracks anywhere. Lazy culling (section 5.2) stops kLazyDepths above the finest
+ * depth. It leaves T-junctions outside the planes in the plain procedure; the improved ones, which
+ * ask both parents of a vertex, have none.
  *
  * Geomorphing by the error (section 4.6.1): with it, vertices are active above kMorphBegin times
  * the tolerance, and there lie on the surface without them; they reach their own height at

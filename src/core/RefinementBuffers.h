@@ -97,17 +97,10 @@ struct WaitingVertex
   std::uint64_t Position = 0;
   /// Of the sink.
   std::uint32_t Index = 0;
-  /// This and the entries below it that are of vertices on the same edge.
-  std::uint32_t Count = 0;
-  /// With detail: the base's height there.
-  float BaseHeight = 0.0f;
-  /// The record's drawn bits, and the planes that cut its sphere.
-  std::uint8_t Drawn = 0;
-  std::uint8_t PlaneMask = 0;
 };
 
 /**
- * The active vertices that wait for their second triangle.
+ * The active vertices of the plain procedure that wait for their second triangle.
  *
  * The path through the triangles never crosses itself, so on each side of it edges are passed the
  * second time in the reverse order of the first: two stacks hold them, one for vertices of even
@@ -140,15 +133,11 @@ public:
   {
     this->Stacks[isOdd ? 1 : 0].Drop();
   }
-  TERRAIN_INLINE std::uint32_t Count(bool isOdd) const
-  {
-    return this->Stacks[isOdd ? 1 : 0].Count();
-  }
-  /// The vertex below the topmost `above`.
-  TERRAIN_INLINE const WaitingVertex& Top(bool isOdd, std::uint32_t above = 0) const
+  /// The topmost vertex.
+  TERRAIN_INLINE const WaitingVertex& Top(bool isOdd) const
   {
     const AppendBuffer<WaitingVertex>& stack = this->Stacks[isOdd ? 1 : 0];
-    return stack[stack.Count() - 1 - above];
+    return stack[stack.Count() - 1];
   }
 
 private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the inner loops of a refinement work on (RefinementKernel.h). Positions are columns + 2^32
- * rows, in cells; with detail (RefinementDetail.h) in detail cells.
+ * What the inner loops of a refinement work on (RefinementSelection.h, RefinementPlainKernel.h).
+ * Positions are columns + 2^32 rows, in cells; with detail (RefinementDetail.h) in detail cells.
  */
 #ifndef terrain_RefinementFrame_h
 #define terrain_RefinementFrame_h
@@ -69,6 +69,9 @@ struct RefinementFrame
   /// Some depths are not tested against them.
   bool IsLazy = false;
   glm::dvec3 Step{ 1.0 };
+  /// Some triangles are not drawn; some vertices share a sample of the last row or column.
+  bool HasHoles = false;
+  bool SharesSamples = false;
   std::uint32_t LastColumn = 0;
   std::uint32_t LastRow = 0;
   /// The first depth below the base's samples, and what it and all after it share.
@@ -89,6 +92,22 @@ struct VertexSite
   double Distance2;
   HierarchyRecord Record;
   std::uint32_t Index;
+};
+
+/// The square itself: its corners in the order of HierarchySummary, which are drawn at samples of
+/// the base, and the vertex of depth 0.
+struct SquareSites
+{
+  std::array<StripVertex, 4> Corners;
+  std::array<std::uint32_t, 4> Samples;
+  VertexSite Centre;
+
+  /// Column + 65536 row of the sample of a corner or, number 4, of the centre.
+  std::uint32_t SampleAt(std::uint32_t number) const
+  {
+    return number < 4 ? this->Samples[number]
+                      : this->Centre.Column->Sample | (this->Centre.Row->Sample << 16);
+  }
 };
 
 /// With detail: a sample of the base, or a vertex below them, which has no column, row and index.
@@ -116,10 +135,10 @@ struct TriangleSite
   std::uint32_t Right;
   std::uint32_t Middle;
   std::uint32_t PlaneMask;
-  /// EdgeBits (RefinementVisits.h).
+  /// EdgeBits (RefinementPlainKernel.h).
   std::uint32_t Edges;
-  /// Vertices on the hypotenuse that waited for this triangle, Middle among them; 0 if it is new.
-  std::uint32_t Waiting;
+  /// Middle waited for this triangle.
+  bool IsRecalled;
   /// Only with holes: the triangle's direction, and the drawn bits of the vertex.
   std::uint32_t Direction;
   std::uint32_t Drawn;

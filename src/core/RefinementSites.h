@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the inner loops (RefinementKernel.h) ask of vertices and triangles with detail.
+ * What refinement asks of vertices, and with detail of triangles.
  */
 #ifndef terrain_RefinementSites_h
 #define terrain_RefinementSites_h
@@ -10,6 +10,7 @@
 #include "core/RefinementFrame.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace terrain
@@ -27,7 +28,8 @@ TERRAIN_NO_INLINE inline void EnterCell(const RefinementFrame& frame, DetailTria
   const std::uint64_t opposite = triangle.Position - static_cast<std::uint64_t>(triangle.ToApex);
   const float height = frame.Detail.BaseHeight(
     static_cast<std::uint32_t>(opposite), static_cast<std::uint32_t>(opposite >> 32));
-  const float twist = 0.25f * (triangle.LeftBase + triangle.RightBase - triangle.ApexBase - height);
+  const float twist =
+    0.25f * ((triangle.LeftBase + triangle.RightBase) - (triangle.ApexBase + height));
   triangle.Twist = IsRising(triangle) ? twist : -twist;
 }
 
@@ -65,9 +67,30 @@ TERRAIN_INLINE void AddDetail(const RefinementFrame& frame, DetailVertexSite& si
   site.CircleReach = 0.0;
 }
 
-/// True if a vertex below the samples takes part, culling aside.
+/// True if a sample takes part, culling aside: its error is too large to leave it out.
+template <typename Site>
+TERRAIN_INLINE bool IsSampleNeeded(const RefinementFrame& frame, Site& site)
+{
+  site.Record = frame.Records[site.Index];
+  const double dz = site.Record.Height * frame.DistanceScale - frame.EyeHeight;
+  site.Distance2 = site.Column->Distance2 + site.Row->Distance2 + dz * dz;
+  site.ErrorReach = site.Record.Error() * frame.ErrorScale;
+  site.RadiusReach = site.Record.Radius() * frame.RadiusScale;
+  bool hasError = site.Record.HasError();
+  if constexpr (std::is_same_v<Site, DetailVertexSite>)
+  {
+    AddDetail(frame, site);
+    hasError = hasError || site.Record.Drawn() != 0;
+  }
+  const double reach = site.ErrorReach + site.RadiusReach;
+  // Both tests at once: the second alone decides too seldom for a branch of its own.
+  return (int(reach * reach > site.Distance2) & int(hasError)) != 0;
+}
+
+/// True if a vertex below the samples, where the base is `baseHeight` high, takes part, culling
+/// aside.
 TERRAIN_INLINE bool IsDetailNeeded(
-  const RefinementFrame& frame, const DetailTriangleSite& triangle, DetailVertexSite& site)
+  const RefinementFrame& frame, float baseHeight, DetailVertexSite& site)
 {
   const DetailFrame& detail = frame.Detail;
   const DetailDepth& depth = site.Depth->Detail;
@@ -75,7 +98,7 @@ TERRAIN_INLINE bool IsDetailNeeded(
   const auto y = static_cast<std::uint32_t>(site.Position >> 32);
   const BaseRelief relief = ReliefAbout(site);
   site.Record = depth.Record(x, y);
-  site.BaseHeight = BaseAt(triangle);
+  site.BaseHeight = baseHeight;
   const double dx = x * detail.Step.x - detail.Eye.x;
   const double dy = y * detail.Step.y - detail.Eye.y;
   const double dz = site.BaseHeight * frame.DistanceScale - frame.EyeHeight;
@@ -109,6 +132,31 @@ inline std::pair<glm::dvec3, double> SphereOf(
   }
   return { glm::dvec3(frame.Step.x * site.Column->Sample, frame.Step.y * site.Row->Sample, height),
     site.Radius };
+}
+
+/// True if the sphere is outside some plane of the mask; planes that it is inside of leave it.
+template <typename Site>
+TERRAIN_NO_INLINE bool IsCulled(const RefinementFrame& frame, const Site& site, std::uint32_t& mask)
+{
+  const auto [centre, radius] = SphereOf(frame, site);
+  for (int i = 0; i < frame.PlaneCount; ++i)
+  {
+    if ((mask & (1u << i)) != 0)
+    {
+      const glm::dvec4& plane = frame.Planes[i];
+      const double distance =
+        plane.x * centre.x + plane.y * centre.y + plane.z * centre.z + plane.w;
+      if (distance < -radius)
+      {
+        return true;
+      }
+      if (distance > radius)
+      {
+        mask &= ~(1u << i);
+      }
+    }
+  }
+  return false;
 }
 }
 

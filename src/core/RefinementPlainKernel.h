@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which vertices a refinement splits triangles at (RefinementKernel.h). Positions are columns +
- * 2^32 rows, in cells; with detail (RefinementDetail.h) in detail cells.
+ * The inner loop of the plain procedure (Refinement.h). Positions are columns + 2^32 rows, in
+ * cells; with detail (RefinementDetail.h) in detail cells.
  */
-#ifndef terrain_RefinementVisits_h
-#define terrain_RefinementVisits_h
+#ifndef terrain_RefinementPlainKernel_h
+#define terrain_RefinementPlainKernel_h
 
 #include "core/RefinementBuffers.h"
 #include "core/RefinementSites.h"
@@ -41,23 +41,55 @@ constexpr std::uint32_t EdgesOfHalf(std::uint32_t edges, int side)
 }
 
 /**
- * Triangles and the tests of the vertices that halve them, with the switches and the sink of
- * RefinementKernel.
+ * Refines with the switches of Traits (static constexpr bool):
+ *   Distance   by distance alone, no records are read; else by the screen-space error
+ *   Culling    against the frame's planes
+ *   Holes      some triangles are not drawn
+ *   Detail     refines on below the base's samples; not with Distance
+ * Sink gives active vertices an index and takes the strip:
+ *   std::uint32_t Vertex(const RefinementFrame&, const VertexSite& or DetailVertexSite&, left,
+ * right); void Append(index); void Reserve(); std::uint32_t Count(); std::uint32_t Last()
  */
 template <typename Traits, typename Sink>
-class RefinementVisits
+class PlainKernel
 {
-protected:
-  using Triangle = std::conditional_t<Traits::Detail, DetailTriangleSite, TriangleSite>;
-  using Vertex = std::conditional_t<Traits::Detail, DetailVertexSite, VertexSite>;
-
-  RefinementVisits(const RefinementFrame& frame, Sink& sink, WaitingVertices& waiting)
+public:
+  PlainKernel(const RefinementFrame& frame, Sink& sink, WaitingVertices& waiting)
     : Frame(frame)
     , Out(sink)
     , Waiting(waiting)
   {
     waiting.Clear();
   }
+
+  /// The whole square: four triangles round its centre, south, east, north, west. `corners` are the
+  /// sink's indices of the south-west, south-east, north-west and north-east corner. Returns the
+  /// number of triangles.
+  std::int64_t Run(std::uint64_t centre, std::uint32_t centreIndex, std::uint32_t drawn,
+    const std::array<std::uint32_t, 4>& corners)
+  {
+    if (!Traits::Holes)
+    {
+      this->Out.Append(corners[0]);
+      this->Before = corners[0];
+      this->Newest = corners[0];
+      this->Parity = 0;
+    }
+    for (int side = 0; side < 4; ++side)
+    {
+      Triangle triangle = this->BaseTriangle(centre, centreIndex, corners, side);
+      this->Visit(triangle, HalfDrawn(drawn, triangle.Direction));
+      if (!Traits::Holes)
+      {
+        this->Append(triangle.Right, 1);
+      }
+    }
+    return this->TriangleCount;
+  }
+
+private:
+  using Triangle = std::conditional_t<Traits::Detail, DetailTriangleSite, TriangleSite>;
+  using Vertex = std::conditional_t<Traits::Detail, DetailVertexSite, VertexSite>;
 
   static bool HalfDrawn(std::uint32_t drawn, std::uint32_t direction)
   {
@@ -183,85 +215,28 @@ protected:
     return site;
   }
 
-  /// Fetches the records of the vertices that may be looked at in the halves of a triangle's
-  /// halves: whether they take part is hard to predict, and the answer should not wait for memory.
-  TERRAIN_INLINE void PrefetchBelow(const Triangle& triangle) const
-  {
-    if constexpr (!Traits::Distance)
-    {
-      const DepthTable* depth = triangle.Depth + 2;
-      if (depth > this->Frame.Deepest || (Traits::Detail && depth >= this->Frame.FirstDetail))
-      {
-        return;
-      }
-      // The middle of what both halves share, and of the halves of the bottom.
-      this->PrefetchAt(*depth, triangle.Position + (triangle.ToApex >> 1));
-      if ((triangle.Edges & EdgeBits::BottomDone) == 0)
-      {
-        this->PrefetchAt(*depth, triangle.Position + (triangle.ToLeft >> 1));
-        this->PrefetchAt(*depth, triangle.Position - (triangle.ToLeft >> 1));
-      }
-    }
-  }
-  TERRAIN_INLINE void PrefetchAt(const DepthTable& depth, std::uint64_t position) const
-  {
-    __builtin_prefetch(&this->Frame.Records[IndexOf(depth, position)]);
-  }
-  static std::uint32_t IndexOf(const DepthTable& depth, std::uint64_t position)
-  {
-    return depth.Columns[static_cast<std::uint32_t>(position) >> depth.Shift].Term +
-      depth.Rows[static_cast<std::uint32_t>(position >> 32) >> depth.Shift].Term;
-  }
-
   /// True if the vertex takes part, culling aside: its error is too large to leave it out.
   TERRAIN_INLINE bool IsNeeded(Vertex& site) const
   {
-    site.Distance2 = site.Column->Distance2 + site.Row->Distance2;
     if constexpr (Traits::Distance)
     {
-      return site.Distance2 < site.Depth->Range2;
+      return site.Column->Distance2 + site.Row->Distance2 < site.Depth->Range2;
     }
     else
     {
-      site.Record = this->Frame.Records[site.Index];
-      const double dz = site.Record.Height * this->Frame.DistanceScale - this->Frame.EyeHeight;
-      site.ErrorReach = site.Record.Error() * this->Frame.ErrorScale;
-      site.RadiusReach = site.Record.Radius() * this->Frame.RadiusScale;
-      site.Distance2 += dz * dz;
-      bool hasError = site.Record.HasError();
-      if constexpr (Traits::Detail)
-      {
-        AddDetail(this->Frame, site);
-        hasError = hasError || site.Record.Drawn() != 0;
-      }
-      const double reach = site.ErrorReach + site.RadiusReach;
-      // Both tests at once: the second alone decides too seldom for a branch of its own.
-      return (int(reach * reach > site.Distance2) & int(hasError)) != 0;
+      return IsSampleNeeded(this->Frame, site);
     }
   }
 
-  /// Completes a triangle whose vertex is needed; false if the vertex is culled. `Recalls`: the
-  /// vertex may be known from the first triangle.
-  template <bool Recalls>
+  /// Completes a triangle whose vertex is needed; false if the vertex is culled.
   TERRAIN_INLINE bool Split(Triangle& triangle, const Vertex& site)
   {
     if constexpr (Traits::Culling)
     {
       if ((triangle.PlaneMask & site.Depth->PlaneMask) != 0 &&
-        this->IsCulled(site, triangle.PlaneMask))
+        IsCulled(this->Frame, site, triangle.PlaneMask))
       {
         return false;
-      }
-    }
-    if (this->Out.Stopped())
-    {
-      return false;
-    }
-    if constexpr (Recalls && !Traits::Distance)
-    {
-      if ((triangle.Edges & EdgeBits::BottomDone) != 0 && this->Recall(triangle, 0))
-      {
-        return true;
       }
     }
     if constexpr (Traits::Detail)
@@ -274,118 +249,75 @@ protected:
       triangle.Drawn =
         this->IsBelowSamples(triangle) ? HierarchyRecord::DrawnBits : site.Record.Drawn();
     }
-    triangle.Middle = this->Out.Vertex(this->Frame, site, triangle.Left, triangle.Right);
+    if (!this->Recall(triangle))
+    {
+      triangle.Middle = this->Out.Vertex(this->Frame, site, triangle.Left, triangle.Right);
+    }
     return true;
   }
 
   /// True if the vertex that halves the triangle is active, by what is known of it; completes the
   /// triangle then.
-  template <bool Recalls>
   TERRAIN_INLINE bool Test(Triangle& triangle)
   {
     Vertex site = this->Site(triangle);
     if constexpr (!Traits::Distance)
     {
-      triangle.Waiting = 0;
+      triangle.IsRecalled = false;
     }
     if constexpr (Traits::Detail)
     {
       if (this->IsBelowSamples(triangle))
       {
-        return this->template TestBelow<Recalls>(triangle, site);
+        return this->TestBelow(triangle, site);
       }
     }
-    return this->IsNeeded(site) && this->template Split<Recalls>(triangle, site);
+    return this->IsNeeded(site) && this->Split(triangle, site);
   }
 
   /// The same below the samples. Not inline: the procedures stay small.
-  template <bool Recalls>
   TERRAIN_NO_INLINE bool TestBelow(Triangle& triangle, Vertex& site)
   {
-    return IsDrawn(triangle) && IsDetailNeeded(this->Frame, triangle, site) &&
-      this->template Split<Recalls>(triangle, site);
+    return IsDrawn(triangle) && IsDetailNeeded(this->Frame, BaseAt(triangle), site) &&
+      this->Split(triangle, site);
   }
 
-  /// Completes a triangle whose vertex waits for it, below `above` others; false if it does not.
-  TERRAIN_INLINE bool Recall(Triangle& triangle, std::uint32_t above)
-  {
-    const WaitingVertex& vertex = this->Waiting.Top(triangle.Depth->IsOdd, above);
-    if (vertex.Position != triangle.Position)
-    {
-      return false;
-    }
-    triangle.Middle = vertex.Index;
-    triangle.Waiting = vertex.Count;
-    if constexpr (Traits::Culling)
-    {
-      triangle.PlaneMask &= vertex.PlaneMask;
-    }
-    if constexpr (Traits::Holes)
-    {
-      triangle.Drawn = vertex.Drawn;
-    }
-    if constexpr (Traits::Detail)
-    {
-      triangle.MiddleBase = vertex.BaseHeight;
-    }
-    this->Out.Repeat(triangle.Middle);
-    return true;
-  }
-
-  /// True if the vertex that halves the triangle is active; completes the triangle then. The first
-  /// of the two triangles of the vertex decides for both. `above`: so many vertices of an edge that
-  /// comes before the bottom wait, too.
-  TERRAIN_INLINE bool Visit(Triangle& triangle, std::uint32_t above = 0)
+  /// Completes a triangle whose vertex waits for it; false if it does not.
+  TERRAIN_INLINE bool Recall(Triangle& triangle) const
   {
     if constexpr (!Traits::Distance)
     {
-      if ((triangle.Edges & EdgeBits::BottomDone) != 0)
+      const WaitingVertex& vertex = this->Waiting.Top(triangle.Depth->IsOdd);
+      if ((triangle.Edges & EdgeBits::BottomDone) != 0 && vertex.Position == triangle.Position)
       {
-        // A hole has not decided.
-        return this->Recall(triangle, above) ||
-          (Traits::Detail && Traits::Holes && this->template Test<false>(triangle));
+        triangle.Middle = vertex.Index;
+        triangle.IsRecalled = true;
+        return true;
       }
     }
-    return this->template Test<false>(triangle);
+    return false;
   }
 
-  /// Begins the halves of a triangle whose vertex is active; returns what Leave() takes.
-  TERRAIN_INLINE std::uint32_t Enter(const Triangle& triangle)
+  /// Begins the halves of a triangle whose vertex is active.
+  TERRAIN_INLINE void Enter(const Triangle& triangle)
   {
-    this->Out.Reserve();
-    if constexpr (Traits::Distance)
+    if constexpr (!Traits::Distance)
     {
-      return 0;
+      if (triangle.IsRecalled)
+      {
+        this->Waiting.Pop(triangle.Depth->IsOdd);
+      }
     }
-    if (triangle.Waiting != 0)
-    {
-      this->Waiting.Pop(triangle.Depth->IsOdd);
-    }
-    return this->Waiting.Count(triangle.Depth->IsOdd);
   }
   /// Ends them: the vertex waits for the triangle beyond the bottom, if there is one and it is
   /// still to come.
-  TERRAIN_INLINE void Leave(const Triangle& triangle, std::uint32_t entered)
+  TERRAIN_INLINE void Leave(const Triangle& triangle)
   {
     if constexpr (!Traits::Distance)
     {
       if ((triangle.Edges & (EdgeBits::BottomDone | EdgeBits::BottomOutside)) == 0)
       {
-        const bool isOdd = triangle.Depth->IsOdd;
-        WaitingVertex vertex;
-        vertex.Position = triangle.Position;
-        vertex.Index = triangle.Middle;
-        vertex.Count = this->Waiting.Count(isOdd) - entered + 1;
-        if constexpr (Traits::Detail)
-        {
-          vertex.BaseHeight = triangle.MiddleBase;
-        }
-        if constexpr (Traits::Holes)
-        {
-          vertex.Drawn = static_cast<std::uint8_t>(triangle.Drawn);
-        }
-        vertex.PlaneMask = static_cast<std::uint8_t>(triangle.PlaneMask);
-        this->Waiting.Push(isOdd, vertex);
+        this->Waiting.Push(triangle.Depth->IsOdd, { triangle.Position, triangle.Middle });
       }
     }
   }
@@ -428,40 +360,93 @@ protected:
     return up >= 0 && up + aside <= whole && up != whole && aside != whole;
   }
 
-  /// True if a half of a triangle is a hole. With detail the vertices beside a hole may be active
-  /// without those in it, which have no error there.
-  bool IsHole(const Triangle& triangle, const Triangle& half) const
+  /// Looks at every vertex from both of its triangles.
+  void Visit(Triangle& triangle, bool drawn)
   {
-    return Traits::Detail && Traits::Holes && !HalfDrawn(triangle.Drawn, half.Direction);
+    this->Out.Reserve();
+    const bool isActive = triangle.Depth <= this->Frame.Deepest && this->Test(triangle);
+    if (isActive)
+    {
+      this->Enter(triangle);
+      Triangle left = this->Half(triangle, 0);
+      this->Visit(left, HalfDrawn(triangle.Drawn, left.Direction));
+    }
+    else
+    {
+      this->Pass(triangle, drawn);
+      this->Leaf(triangle, drawn);
+    }
+    if (!Traits::Holes)
+    {
+      this->Append(triangle.Apex, triangle.Depth->IsOdd ? 0 : 1);
+    }
+    if (isActive)
+    {
+      Triangle right = this->Half(triangle, 1);
+      this->Visit(right, HalfDrawn(triangle.Drawn, right.Direction));
+      this->Leave(triangle);
+    }
   }
 
-  /// True if the sphere is outside some plane of the mask; planes that it is inside of leave it.
-  TERRAIN_NO_INLINE bool IsCulled(const Vertex& site, std::uint32_t& mask) const
+  void Leaf(const Triangle& triangle, bool drawn)
   {
-    const auto [centre, radius] = SphereOf(this->Frame, site);
-    for (int i = 0; i < this->Frame.PlaneCount; ++i)
+    if (drawn)
     {
-      if ((mask & (1u << i)) != 0)
+      ++this->TriangleCount;
+      if (Traits::Holes)
       {
-        const glm::dvec4& plane = this->Frame.Planes[i];
-        const double distance =
-          plane.x * centre.x + plane.y * centre.y + plane.z * centre.z + plane.w;
-        if (distance < -radius)
-        {
-          return true;
-        }
-        if (distance > radius)
-        {
-          mask &= ~(1u << i);
-        }
+        // Strips with gaps are not part of the plain procedure: each triangle starts anew.
+        this->Start(triangle.Left, triangle.Right, triangle.Apex, triangle.Depth->IsOdd);
       }
     }
-    return false;
+  }
+
+  /// Appends a vertex unless the strip ends with it, and repeats one to keep the winding.
+  void Append(std::uint32_t index, int parity)
+  {
+    if (index == this->Newest || index == this->Before)
+    {
+      return;
+    }
+    if (parity != this->Parity)
+    {
+      this->Parity = parity;
+    }
+    else
+    {
+      this->Out.Append(this->Before);
+      this->Newest = this->Before;
+    }
+    this->Out.Append(index);
+    this->Before = this->Newest;
+    this->Newest = index;
+  }
+
+  /// Goes on at the triangle (first, second, third), joined by degenerate triangles.
+  TERRAIN_NO_INLINE void Start(
+    std::uint32_t first, std::uint32_t second, std::uint32_t third, bool counterClockwise)
+  {
+    if (this->Out.Count() != 0)
+    {
+      this->Out.Append(this->Out.Last());
+      this->Out.Append(first);
+    }
+    this->Out.Append(first);
+    if (((this->Out.Count() & 1u) != 0) != counterClockwise)
+    {
+      this->Out.Append(first);
+    }
+    this->Out.Append(second);
+    this->Out.Append(third);
   }
 
   const RefinementFrame& Frame;
   Sink& Out;
   WaitingVertices& Waiting;
+  std::int64_t TriangleCount = 0;
+  std::uint32_t Before = 0;
+  std::uint32_t Newest = 0;
+  int Parity = 0;
 };
 }
 

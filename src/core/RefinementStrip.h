@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The strip through a refinement's triangles by the improved procedures (Refinement.h).
+ */
+#ifndef terrain_RefinementStrip_h
+#define terrain_RefinementStrip_h
+
+#include "core/RefinementBuffers.h"
+
+#include <array>
+
+namespace terrain
+{
+/// Where the strip crosses a triangle's outline.
+enum class StripEdge
+{
+  Side,
+  Bottom
+};
+constexpr StripEdge Flip(StripEdge edge)
+{
+  return edge == StripEdge::Side ? StripEdge::Bottom : StripEdge::Side;
+}
+
+/**
+ * The three procedures. Triangles: with Left, Apex and Right, indices of the strip, Half(), which
+ * makes a half without knowing whether it is split, IsSplit(), which finds out and completes the
+ * triangle, IsFinest(), whose halves never are split, and IsDrawn().
+ */
+template <typename Triangles>
+class RefinementStrip
+{
+  using Triangle = typename Triangles::Triangle;
+
+public:
+  RefinementStrip(const Triangles& triangles, AppendBuffer<std::uint32_t>& strip)
+    : All(triangles)
+    , Strip(strip)
+  {
+  }
+
+  /// Triangles that are drawn.
+  std::int64_t Count() const
+  {
+    return this->TriangleCount;
+  }
+
+  /// The whole square: four triangles round its centre, the halves of the south-eastern and those
+  /// of the north-western half.
+  void Run(std::array<Triangle, 4>& triangles)
+  {
+    this->Broken = Triangles::Holes;
+    if (!Triangles::Holes)
+    {
+      // The first index stands for the other end of the first triangle's entering edge: there the
+      // strip turns, so it is the third.
+      this->Strip.Append(triangles[0].Left);
+      this->Strip.Append(triangles[0].Left);
+    }
+    for (Triangle& triangle : triangles)
+    {
+      if (this->All.IsSplit(triangle))
+      {
+        this->template General<StripEdge::Side, StripEdge::Side, true>(triangle);
+      }
+      else
+      {
+        this->template Leaf<StripEdge::Side, StripEdge::Side, true>(triangle);
+      }
+    }
+    if (!Triangles::Holes)
+    {
+      this->Strip[0] = this->Strip[2];
+    }
+  }
+
+private:
+  /// A triangle that is not split. Last: the left end of its hypotenuse is the strip's last index;
+  /// otherwise it is the other end of the entering edge.
+  template <StripEdge In, StripEdge Exit, bool Last>
+  TERRAIN_INLINE void Leaf(const Triangle& triangle)
+  {
+    constexpr bool sides = In == StripEdge::Side && Exit == StripEdge::Side;
+    constexpr bool leavesBottom = Exit == StripEdge::Bottom;
+    if constexpr (Triangles::Holes)
+    {
+      if (!Triangles::IsDrawn(triangle))
+      {
+        this->Broken = true;
+        return;
+      }
+      if (this->Broken)
+      {
+        this->Start(leavesBottom ? triangle.Apex : triangle.Left,
+          sides ? triangle.Apex : (leavesBottom ? triangle.Left : triangle.Right),
+          In == StripEdge::Bottom ? triangle.Apex : triangle.Right, triangle.IsOdd != sides);
+        ++this->TriangleCount;
+        return;
+      }
+    }
+    // The strip turns round the vertex that the entering and the leaving edge share.
+    constexpr bool turns = leavesBottom ? !Last : Last;
+    if constexpr (turns)
+    {
+      this->Strip.Append(sides ? triangle.Apex : (leavesBottom ? triangle.Left : triangle.Right));
+    }
+    this->Strip.Append(In == StripEdge::Bottom ? triangle.Apex : triangle.Right);
+    ++this->TriangleCount;
+  }
+
+  /// Goes on at the triangle (first, second, third) after a gap, joined by degenerate triangles.
+  TERRAIN_NO_INLINE void Start(
+    std::uint32_t first, std::uint32_t second, std::uint32_t third, bool counterClockwise)
+  {
+    if (this->Strip.Count() != 0)
+    {
+      this->Strip.Append(this->Strip[this->Strip.Count() - 1]);
+      this->Strip.Append(first);
+    }
+    this->Strip.Append(first);
+    if (((this->Strip.Count() & 1u) != 0) != counterClockwise)
+    {
+      this->Strip.Append(first);
+    }
+    this->Strip.Append(second);
+    this->Strip.Append(third);
+    this->Broken = false;
+  }
+
+  template <StripEdge In, StripEdge Exit, bool Last>
+  TERRAIN_INLINE void BothLeaves(const Triangle& left, const Triangle& right)
+  {
+    this->template Leaf<Flip(In), StripEdge::Side, Last>(left);
+    this->template Leaf<StripEdge::Side, Flip(Exit), In == StripEdge::Bottom>(right);
+  }
+
+  /// A triangle that is split, and whose halves may both be.
+  template <StripEdge In, StripEdge Exit, bool Last>
+  void General(const Triangle& triangle)
+  {
+    this->Strip.Reserve();
+    Triangle left = this->All.Half(triangle, 0);
+    Triangle right = this->All.Half(triangle, 1);
+    if (this->All.IsFinest(triangle))
+    {
+      this->template BothLeaves<In, Exit, Last>(left, right);
+      return;
+    }
+    const bool isLeftSplit = this->All.IsSplit(left);
+    const bool isRightSplit = this->All.IsSplit(right);
+    if (isLeftSplit && isRightSplit)
+    {
+      this->template General<Flip(In), StripEdge::Side, Last>(left);
+      this->template General<StripEdge::Side, Flip(Exit), true>(right);
+    }
+    else if (isLeftSplit)
+    {
+      this->template LeftOf<Flip(In), Last>(left);
+      this->template Leaf<StripEdge::Side, Flip(Exit), true>(right);
+    }
+    else if (isRightSplit)
+    {
+      this->template Leaf<Flip(In), StripEdge::Side, Last>(left);
+      this->template RightOf<Flip(Exit), In == StripEdge::Bottom>(right);
+    }
+    else
+    {
+      this->template BothLeaves<In, Exit, Last>(left, right);
+    }
+  }
+
+  /// A left half beside a right one that is not split: that forbids to split the edge between them,
+  /// unless nothing is drawn there.
+  template <StripEdge In, bool Last>
+  TERRAIN_INLINE void LeftOf(const Triangle& left)
+  {
+    if constexpr (Triangles::Holes)
+    {
+      this->template General<In, StripEdge::Side, Last>(left);
+    }
+    else
+    {
+      this->template LeftOnly<In, StripEdge::Side, Last>(left);
+    }
+  }
+
+  /// The same with sides changed.
+  template <StripEdge Exit, bool Last>
+  TERRAIN_INLINE void RightOf(const Triangle& right)
+  {
+    if constexpr (Triangles::Holes)
+    {
+      this->template General<StripEdge::Side, Exit, Last>(right);
+    }
+    else
+    {
+      this->template RightOnly<StripEdge::Side, Exit, Last>(right);
+    }
+  }
+
+  /// A triangle that is split, and whose right half cannot be.
+  template <StripEdge In, StripEdge Exit, bool Last>
+  void LeftOnly(const Triangle& triangle)
+  {
+    this->Strip.Reserve();
+    Triangle left = this->All.Half(triangle, 0);
+    const Triangle right = this->All.Half(triangle, 1);
+    if (!this->All.IsFinest(triangle) && this->All.IsSplit(left))
+    {
+      this->template LeftOf<Flip(In), Last>(left);
+      this->template Leaf<StripEdge::Side, Flip(Exit), true>(right);
+      return;
+    }
+    this->template BothLeaves<In, Exit, Last>(left, right);
+  }
+
+  /// A triangle that is split, and whose left half cannot be.
+  template <StripEdge In, StripEdge Exit, bool Last>
+  void RightOnly(const Triangle& triangle)
+  {
+    this->Strip.Reserve();
+    const Triangle left = this->All.Half(triangle, 0);
+    Triangle right = this->All.Half(triangle, 1);
+    if (!this->All.IsFinest(triangle) && this->All.IsSplit(right))
+    {
+      this->template Leaf<Flip(In), StripEdge::Side, Last>(left);
+      this->template RightOf<Flip(Exit), In == StripEdge::Bottom>(right);
+      return;
+    }
+    this->template BothLeaves<In, Exit, Last>(left, right);
+  }
+
+  Triangles All;
+  AppendBuffer<std::uint32_t>& Strip;
+  std::int64_t TriangleCount = 0;
+  bool Broken = false;
+};
+
+/// Makes the strip through a square of four triangles in the memory of `strip`; returns the number
+/// of triangles.
+template <typename Triangles>
+std::int64_t StripThrough(const Triangles& triangles,
+  std::array<typename Triangles::Triangle, 4>& square, std::vector<std::uint32_t>& strip)
+{
+  AppendBuffer<std::uint32_t> indices;
+  indices.Begin(strip);
+  indices.Reserve();
+  RefinementStrip<Triangles> procedures(triangles, indices);
+  procedures.Run(square);
+  indices.Finish(strip);
+  return procedures.Count();
+}
+}
+
+#endif
