@@ -53,6 +53,7 @@ void vtkTerrainHierarchy::PrintSelf(ostream& os, vtkIndent indent)
   int dimensions[2];
   this->GetDimensions(dimensions);
   os << indent << "Dimensions: " << dimensions[0] << " x " << dimensions[1] << "\n"
+     << indent << "KeepBorder: " << this->KeepBorder << "\n"
      << indent << "InFile: " << (this->Data && this->Data->IsFile) << "\n"
      << indent << "Damaged: " << this->IsDamaged() << "\n"
      << indent << "CoordinateSystem: " << this->GetCoordinateSystem() << "\n"
@@ -81,7 +82,8 @@ bool vtkTerrainHierarchy::SetHeights(vtkImageData* heights, const ProgressFuncti
     auto data = std::make_shared<vtkTerrainHierarchyData>();
     data->CoordinateSystem = CoordinateSystemOf(heights);
     error = terrain::BuildHierarchy(data->Memory, dims[0], dims[1],
-      vtkTerrainHeightfield::Geometry(heights), RowsOf(heights), vtkTerrainParallelFor, progress);
+      vtkTerrainHeightfield::Geometry(heights), RowsOf(heights), vtkTerrainParallelFor, progress,
+      this->KeepBorder);
     if (error.empty())
     {
       this->Data = data;

@@ -54,6 +54,15 @@ public:
   }
   bool SetHeights(vtkImageData* heights, const ProgressFunction& progress);
 
+  ///@{
+  /// Whether what SetHeights prepares is refined down to every sample of the border, so that strips
+  /// of neighbouring pieces of a terrain, which share that row or column, meet without a gap.
+  /// Default off.
+  vtkSetMacro(KeepBorder, bool);
+  vtkGetMacro(KeepBorder, bool);
+  vtkBooleanMacro(KeepBorder, bool);
+  ///@}
+
   /// Opens a file. Checks its header and size, and all of its checksums if verify is true, which
   /// reads the whole file. Returns false, with GetErrorMessage(), if it cannot be used.
   bool OpenFile(VTK_FILEPATH const std::string& path, bool verify = false);
@@ -114,6 +123,7 @@ private:
 
   std::shared_ptr<vtkTerrainHierarchyData> Data;
   std::string ErrorMessage;
+  bool KeepBorder = false;
 };
 
 #endif

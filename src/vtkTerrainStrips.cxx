@@ -256,6 +256,7 @@ void vtkTerrainStrips::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "TriangleBudget: " << this->TriangleBudget << "\n"
      << indent << "Exaggeration: " << this->Exaggeration << "\n"
      << indent << "ExaggeratePoints: " << this->ExaggeratePoints << "\n"
+     << indent << "KeepBorder: " << this->KeepBorder << "\n"
      << indent << "DetailCells: " << this->DetailCells << "\n"
      << indent << "DetailScale: " << this->DetailScale << "\n"
      << indent << "Morphing: " << this->Morphing << "\n"
@@ -382,9 +383,11 @@ bool vtkTerrainStrips::PrepareInput(vtkInformationVector* input)
     return false;
   }
   Internals& internals = *this->Private;
-  if (image != internals.PreparedImage || internals.PreparedTime.GetMTime() < image->GetMTime())
+  if (image != internals.PreparedImage || internals.PreparedTime.GetMTime() < image->GetMTime() ||
+    internals.Prepared->GetKeepBorder() != this->KeepBorder)
   {
     internals.Prepared = vtkSmartPointer<vtkTerrainHierarchy>::New();
+    internals.Prepared->SetKeepBorder(this->KeepBorder);
     internals.PreparedImage = nullptr;
     if (!internals.Prepared->SetHeights(image))
     {

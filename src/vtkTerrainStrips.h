@@ -150,6 +150,13 @@ public:
   vtkBooleanMacro(ExaggeratePoints, bool);
   ///@}
   ///@{
+  /// Draws every sample of the border of the image of port 0, see vtkTerrainHierarchy; default off.
+  /// Changing it prepares the image anew.
+  vtkSetMacro(KeepBorder, bool);
+  vtkGetMacro(KeepBorder, bool);
+  vtkBooleanMacro(KeepBorder, bool);
+  ///@}
+  ///@{
   /// Vertices move into their place with the camera instead of jumping; more triangles for the same
   /// tolerance. Default off.
   vtkSetMacro(Morphing, bool);
@@ -247,6 +254,7 @@ private:
   vtkIdType TriangleBudget = 0;
   CullingMode Culling = CullingMode::Nested;
   bool ExaggeratePoints = true;
+  bool KeepBorder = false;
   bool Morphing = false;
   bool PlainRefinement = false;
   bool Normals = false;

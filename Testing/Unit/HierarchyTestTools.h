@@ -136,12 +136,12 @@ inline terrain::GridGeometry MakeGeometry(double dx = 3.0, double dy = 4.0)
   return geometry;
 }
 
-inline terrain::MemoryHierarchy Build(
-  const Raster& raster, const terrain::GridGeometry& geometry = MakeGeometry())
+inline terrain::MemoryHierarchy Build(const Raster& raster,
+  const terrain::GridGeometry& geometry = MakeGeometry(), bool keepsBorder = false)
 {
   terrain::MemoryHierarchy hierarchy;
-  const std::string error = terrain::BuildHierarchy(
-    hierarchy, raster.Width, raster.Height, geometry, RowsOf(raster), terrain::SerialFor, {});
+  const std::string error = terrain::BuildHierarchy(hierarchy, raster.Width, raster.Height,
+    geometry, RowsOf(raster), terrain::SerialFor, {}, keepsBorder);
   return error.empty() ? std::move(hierarchy) : terrain::MemoryHierarchy();
 }
 

@@ -128,6 +128,44 @@ TEST(Refinement, CoversTheRasterWithoutHolesAtAnyTolerance)
   }
 }
 
+TEST(Refinement, DrawsEverySampleOfABorderThatIsKept)
+{
+  for (const auto& size : Sizes)
+  {
+    if (size[0] < 2)
+    {
+      continue; // no surface
+    }
+    const Raster raster = MakeHills(size[0], size[1]);
+    const MemoryHierarchy hierarchy = Build(raster, MakeGeometry(), true);
+    RefinementOptions options = WithTolerance(1000.0);
+    options.Morphing = true;
+    const StripMesh mesh = Refine(hierarchy, MakeView(raster, 0.3, 0.2, 20.0), options);
+    EXPECT_EQ(WhyNotConforming(mesh), "") << size[0] << " x " << size[1];
+    std::set<Sample> drawn;
+    for (std::uint32_t i = 0; i < mesh.Vertices.size(); ++i)
+    {
+      const Sample at = SampleOf(mesh, i);
+      drawn.insert(at);
+      if (at[0] % (size[0] - 1) == 0 || at[1] % (size[1] - 1) == 0)
+      {
+        EXPECT_EQ(mesh.Vertices[i].Height, raster.At(at[0], at[1]));
+      }
+    }
+    for (std::int64_t x = 0; x < size[0]; ++x)
+    {
+      EXPECT_TRUE(drawn.count({ { x, 0 } }) == 1 && drawn.count({ { x, size[1] - 1 } }) == 1)
+        << x << " of " << size[0] << " x " << size[1];
+    }
+    for (std::int64_t y = 0; y < size[1]; ++y)
+    {
+      EXPECT_TRUE(drawn.count({ { 0, y } }) == 1 && drawn.count({ { size[0] - 1, y } }) == 1)
+        << y << " of " << size[0] << " x " << size[1];
+    }
+    EXPECT_LT(drawn.size(), 12 * (size[0] + size[1])); // and few others
+  }
+}
+
 TEST(Refinement, DrawsNoHoleAndAtSmallToleranceEverythingElse)
 {
   for (const auto& size : Sizes)

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <new>
 
 namespace terrain
@@ -17,6 +18,32 @@ namespace
 {
 /// Part of the work that the first pass is.
 constexpr double BandShare = 0.8;
+
+/// Gives the samples of the border an error that is above all others, and yet a known one.
+void KeepBorder(HierarchyTarget& target)
+{
+  const HierarchyLayout& layout = *target.Layout;
+  const auto keep = [&](std::int64_t x, std::int64_t y)
+  {
+    const int pair = layout.PairOf(x, y);
+    if (pair >= 0)
+    {
+      const int shift = layout.Shift(pair);
+      target.Records[layout.Index(pair, x >> shift, y >> shift)].SetError(
+        0.5f * std::numeric_limits<float>::max());
+    }
+  };
+  for (std::int64_t x = 0; x < layout.Width(); ++x)
+  {
+    keep(x, 0);
+    keep(x, layout.Height() - 1);
+  }
+  for (std::int64_t y = 0; y < layout.Height(); ++y)
+  {
+    keep(0, y);
+    keep(layout.Width() - 1, y);
+  }
+}
 }
 
 std::string BuildHierarchy(HierarchyTarget& target, const HeightRows& rows,
@@ -49,6 +76,10 @@ std::string BuildHierarchy(HierarchyTarget& target, const HeightRows& rows,
     }
   }
   bands.Finish();
+  if (target.KeepsBorder)
+  {
+    KeepBorder(target);
+  }
   double left = 1.0 - BandShare;
   for (int depth = layout.Depths() - 2; depth >= 0; --depth)
   {
@@ -65,7 +96,7 @@ std::string BuildHierarchy(HierarchyTarget& target, const HeightRows& rows,
 
 std::string BuildHierarchy(MemoryHierarchy& hierarchy, std::int64_t width, std::int64_t height,
   const GridGeometry& geometry, const HeightRows& rows, const ParallelFor& parallelFor,
-  const BuildProgress& progress)
+  const BuildProgress& progress, bool keepsBorder)
 {
   try
   {
@@ -85,6 +116,7 @@ std::string BuildHierarchy(MemoryHierarchy& hierarchy, std::int64_t width, std::
   target.Geometry = hierarchy.Geometry;
   target.Records = hierarchy.Records.data();
   target.Gradients = hierarchy.Gradients.data();
+  target.KeepsBorder = keepsBorder;
   std::string error = BuildHierarchy(target, rows, parallelFor, progress);
   hierarchy.Summary = target.Summary;
   return error;

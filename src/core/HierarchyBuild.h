@@ -24,6 +24,8 @@
  * spheres of its children, so it bounds the surface for culling and for the distance to the eye.
  * Source: Lindstrom and Pascucci 2002, sections 3 and 4; Balogh, section 4.5. Departure: their
  * incremental error |h(v) - mean of the hypotenuse| is no bound of the surface's distance.
+ * A border that is kept has errors above all others: refinement goes down to every one of its
+ * samples that can be seen, and what is beside it with the same samples fits without a gap.
  * Heights are rounded to float, and errors computed in float: they are low by at most
  * kBuildRounding times the largest height.
  */
@@ -58,6 +60,7 @@ struct HierarchyTarget
   HierarchyRecord* Records = nullptr;
   HierarchyGradient* Gradients = nullptr;
   HierarchySummary Summary;
+  bool KeepsBorder = false;
 };
 
 /// The message of a build that its progress function stopped.
@@ -71,7 +74,7 @@ std::string BuildHierarchy(HierarchyTarget& target, const HeightRows& rows,
 /// The same, into main memory. The layout's size must be acceptable (HierarchyLayout::WhyNotSize).
 std::string BuildHierarchy(MemoryHierarchy& hierarchy, std::int64_t width, std::int64_t height,
   const GridGeometry& geometry, const HeightRows& rows, const ParallelFor& parallelFor,
-  const BuildProgress& progress);
+  const BuildProgress& progress, bool keepsBorder = false);
 }
 
 #endif
