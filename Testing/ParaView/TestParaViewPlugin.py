@@ -60,7 +60,7 @@ class TestPlugin(unittest.TestCase):
         display = terrainScene.show_terrain(self.source, self.view)
         exact = picture(self.view, "technique-Pyramid")
         self.assertGreater((exact != exact[0, 0]).any(axis=2).mean(), 0.2)
-        for technique in ("Mesh", "Linear", "Exponential", "Equidistant"):
+        for technique in ("Mesh", "Linear", "Exponential", "Equidistant", "Strips"):
             display.TerrainTechnique = technique
             other = picture(self.view, f"technique-{technique}")
             self.assertLess(share_of_difference(exact, other), 0.03, technique)
@@ -135,6 +135,37 @@ class TestPlugin(unittest.TestCase):
         display.ColorArrayName = [None, ""]
         drawn = picture(self.view, "ball")
         self.assertGreater((drawn != drawn[0, 0]).any(axis=2).mean(), 0.05)
+
+    def test_poly_data_are_terrain_too(self):
+        mesh = simple.ExtractSurface(simple.WarpByScalar(self.source, Scalars=["POINTS", "Elevation"]))
+        terrainScene.show_terrain(mesh, self.view, Representation="Surface")
+        surface = picture(self.view, "surface")
+        display = simple.GetDisplayProperties(mesh, self.view)
+        display.Ambient, display.Diffuse, display.Specular = 0.0, 1.0, 0.0
+        surface = picture(self.view, "surface")
+        display.SetRepresentationType("Terrain")
+        drawn = picture(self.view, "surface-terrain")
+        self.assertLess(share_of_difference(surface, drawn), 0.01)
+        display.TerrainVerticalExaggeration = 2.0
+        self.assertGreater(share_of_difference(drawn, picture(self.view, "surface-high")), 0.1)
+        display.TerrainVerticalExaggeration = 1.0
+        simple.Hide(mesh, self.view)
+        hidden = picture(self.view, "surface-hidden")
+        self.assertTrue((hidden == hidden[0, 0]).all())
+
+    def test_strips_follow_the_view(self):
+        display = terrainScene.show_terrain(self.source, self.view, TerrainTechnique="Strips")
+        for tolerance, least, most in ((0.25, 0.0, 0.02), (16.0, 0.05, 1.0)):
+            display.TerrainStripsTolerance = tolerance
+            for height in (0.8, 0.2):
+                self.view.CameraPosition = [0.5 * 40960.0, -40960.0, height * 40960.0]
+                display.TerrainTechnique = "Strips"
+                strips = picture(self.view, f"strips-{tolerance}-{height}")
+                display.TerrainTechnique = "Mesh"
+                mesh = picture(self.view, f"mesh-{tolerance}-{height}")
+                share = share_of_difference(strips, mesh)
+                self.assertLessEqual(least, share)
+                self.assertLess(share, most)
 
     def test_moved_views_are_allotted_little_time(self):
         terrainScene.show_terrain(self.source, self.view)

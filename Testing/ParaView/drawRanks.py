@@ -9,14 +9,15 @@ import sys
 import terrainScene
 from paraview import simple
 
-TECHNIQUES = ("Equidistant", "Linear", "Exponential", "Mesh", "Pyramid")
+TECHNIQUES = ("Equidistant", "Linear", "Exponential", "Mesh", "Strips", "Pyramid")
 
 if len(sys.argv) > 2:
     simple.Connect("localhost", int(sys.argv[2]))
 terrainScene.load_plugin()
 source = simple.TerrainLandscape(Dimensions=[161, 121])
 view = terrainScene.new_view()
-display = terrainScene.show_terrain(source, view, TerrainVerticalExaggeration=2.0)
+display = terrainScene.show_terrain(source, view, TerrainVerticalExaggeration=2.0,
+                                    TerrainStripsTolerance=0.5)
 terrainScene.look_from_the_south(view)
 ball = simple.Sphere(Center=[20000.0, 15000.0, 2500.0], Radius=4000.0, ThetaResolution=64,
                      PhiResolution=64)

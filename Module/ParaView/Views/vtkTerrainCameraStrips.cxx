@@ -3,6 +3,7 @@
 #include "vtkTerrainCameraStrips.h"
 
 #include "vtkCamera.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
@@ -13,6 +14,8 @@ vtkTerrainCameraStrips::vtkTerrainCameraStrips()
 {
   vtkNew<vtkCamera> camera;
   this->SetCamera(camera);
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  this->SetKeepBorder(processes && processes->GetNumberOfProcesses() > 1);
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,8 @@
  * @class   vtkTerrainCameraStrips
  * @brief   vtkTerrainStrips with a camera of its own, whose numbers ParaView can set
  *
- * In parallel each process refines its own piece; neighbours may differ by the tolerance at their
- * border.
+ * In parallel each process refines its own piece, down to every sample of its border, where it
+ * meets its neighbours without a gap.
  */
 #ifndef vtkTerrainCameraStrips_h
 #define vtkTerrainCameraStrips_h

@@ -9,38 +9,56 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cstddef>
 
-namespace vtkTerrainPieces
+namespace
 {
-//------------------------------------------------------------------------------
-std::vector<vtkImageData*> FindImages(vtkDataObject* data)
+/// Those datasets of a type in another one, which may be one itself, that have points.
+template <typename DataSet>
+std::vector<DataSet*> findParts(vtkDataObject* data)
 {
-  std::vector<vtkImageData*> images;
-  const auto add = [&images](vtkDataObject* object)
+  std::vector<DataSet*> parts;
+  const auto add = [&parts](vtkDataObject* object)
   {
-    auto* image = vtkImageData::SafeDownCast(object);
-    if (image && image->GetNumberOfPoints() > 0)
+    auto* part = DataSet::SafeDownCast(object);
+    if (part && part->GetNumberOfPoints() > 0)
     {
-      images.push_back(image);
+      parts.push_back(part);
     }
   };
   auto* composite = vtkCompositeDataSet::SafeDownCast(data);
   if (!composite)
   {
     add(data);
-    return images;
+    return parts;
   }
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
     add(iterator->GetCurrentDataObject());
   }
-  return images;
+  return parts;
+}
+}
+
+namespace vtkTerrainPieces
+{
+//------------------------------------------------------------------------------
+std::vector<vtkImageData*> FindImages(vtkDataObject* data)
+{
+  return findParts<vtkImageData>(data);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPolyData*> FindSurfaces(vtkDataObject* data)
+{
+  return findParts<vtkPolyData>(data);
 }
 
 //------------------------------------------------------------------------------
@@ -133,6 +151,19 @@ std::array<double, 2> HeightRange(const std::vector<vtkImageData*>& images)
 }
 
 //------------------------------------------------------------------------------
+void AddBox(const double bounds[6], vtkMatrix4x4* toWorld, vtkBoundingBox& box)
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double point[4] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+      bounds[4 + (corner >> 2)], 1.0 };
+    double moved[4];
+    toWorld->MultiplyPoint(point, moved);
+    box.AddPoint(moved);
+  }
+}
+
+//------------------------------------------------------------------------------
 void AddOwnBox(
   vtkImageData* heights, double exaggeration, vtkMatrix4x4* toWorld, vtkBoundingBox& box)
 {
@@ -148,20 +179,29 @@ void AddOwnBox(
   {
     return;
   }
-  std::array<std::array<double, 2>, 3> ends{};
+  double bounds[6];
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
     const double start = origin[axis] + extent[2 * axis] * spacing[axis];
-    ends[axis] = { start + first[axis] * spacing[axis], start + last[axis] * spacing[axis] };
-    ends[2][axis] = origin[2] + exaggeration * range[axis];
+    bounds[2 * axis] = start + first[axis] * spacing[axis];
+    bounds[2 * axis + 1] = start + last[axis] * spacing[axis];
+    bounds[4 + axis] = origin[2] + exaggeration * range[axis];
   }
-  for (std::size_t corner = 0; corner < 8; ++corner)
+  AddBox(bounds, toWorld, box);
+}
+
+//------------------------------------------------------------------------------
+void MakeColumn(double bounds[6], vtkMatrix4x4* matrix)
+{
+  matrix->Identity();
+  if (!vtkMath::AreBoundsInitialized(bounds))
   {
-    const double point[4] = { ends[0][corner & 1], ends[1][(corner >> 1) & 1], ends[2][corner >> 2],
-      1.0 };
-    double moved[4];
-    toWorld->MultiplyPoint(point, moved);
-    box.AddPoint(moved);
+    return;
   }
+  constexpr double end = 1e9; // in metres: beyond the earth
+  matrix->SetElement(2, 2, (bounds[5] - bounds[4]) / (2.0 * end));
+  matrix->SetElement(2, 3, (bounds[5] + bounds[4]) / 2.0);
+  bounds[4] = -end;
+  bounds[5] = end;
 }
 }

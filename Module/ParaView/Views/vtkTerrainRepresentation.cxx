@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainRepresentation.h"
 
+#include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
+#include "vtkExtractVOI.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -20,12 +22,16 @@
 #include "vtkPVRenderView.h"
 #include "vtkPVView.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerrainActor.h"
+#include "vtkTerrainLooks.h"
 #include "vtkTerrainPieces.h"
+#include "vtkTerrainStrips.h"
 #include "vtkTexture.h"
 
 #include <algorithm>
@@ -41,52 +47,48 @@ namespace
 constexpr int ColorArray = 0;
 constexpr int HeightArray = 1;
 
-/// Makes a terrain look like another one, but for its colours.
-void shareLook(vtkTerrainActor* from, vtkTerrainActor* to)
+int numberOfProcesses()
 {
-  to->SetProperty(from->GetProperty());
-  to->SetTexture(from->GetTexture());
-  to->SetPosition(from->GetPosition());
-  to->SetScale(from->GetScale());
-  to->SetOrientation(from->GetOrientation());
-  to->SetOrigin(from->GetOrigin());
-  to->SetPickable(from->GetPickable());
-  to->SetTechnique(from->GetTechnique());
-  to->SetVerticalExaggeration(from->GetVerticalExaggeration());
-  to->SetLevelOfDetail(from->GetLevelOfDetail());
-  vtkOpenGLTerrainMapper* source = from->GetTerrainMapper();
-  vtkOpenGLTerrainMapper* mapper = to->GetTerrainMapper();
-  mapper->SetColorSource(source->GetColorSource());
-  mapper->SetContours(source->GetContours());
-  mapper->SetContourInterval(source->GetContourInterval());
-  mapper->SetContourWidth(source->GetContourWidth());
-  mapper->SetHillshade(source->GetHillshade());
-  mapper->SetHillshadeAzimuth(source->GetHillshadeAzimuth());
-  mapper->SetHillshadeAltitude(source->GetHillshadeAltitude());
-  mapper->SetBlock(source->GetBlock());
-  mapper->SetBlockBase(source->GetBlockBase());
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  return processes ? processes->GetNumberOfProcesses() : 1;
 }
 
-/// Makes of a box a column as high as that of any other process, and the matrix that brings it
-/// back.
-///
-/// ParaView orders the processes by the boxes as they are, and cuts what else is drawn along their
-/// sides, each process drawing what lies in its own: what reached above or below the terrain would
-/// be in none of them. The camera sees the boxes through the matrix.
-void makeColumn(double bounds[6], vtkMatrix4x4* matrix)
+/// Makes a terrain draw, of a piece's samples, those that are no copies of others'. One of several
+/// pieces has strips that meet its neighbours'.
+void takePiece(vtkTerrainActor* actor, vtkImageData* piece, bool isOneOfSeveral)
 {
-  matrix->Identity();
-  if (!vtkMath::AreBoundsInitialized(bounds))
+  std::array<int, 2> first{};
+  std::array<int, 2> last{};
+  vtkTerrainPieces::OwnSamples(piece, first, last);
+  actor->SetInputData(piece);
+  actor->GetTerrainMapper()->SetExtract(first.data(), last.data());
+  const int* extent = piece->GetExtent();
+  vtkNew<vtkExtractVOI> own;
+  own->SetInputData(piece);
+  own->SetVOI(extent[0] + first[0], extent[0] + last[0], extent[2] + first[1], extent[2] + last[1],
+    extent[4], extent[5]);
+  actor->GetStrips()->SetInputConnection(own->GetOutputPort());
+  actor->GetStrips()->SetKeepBorder(isOneOfSeveral);
+}
+
+/// Makes a view have so many of some actors.
+template <typename Actor>
+void setNumberOfActors(std::vector<vtkSmartPointer<Actor>>& actors, std::size_t number,
+  vtkPVRenderView* view, vtkTerrainRepresentation* owner)
+{
+  while (actors.size() > number)
   {
-    return;
+    view->GetRenderer()->RemoveActor(actors.back());
+    view->UnRegisterPropForHardwareSelection(owner, actors.back());
+    actors.pop_back();
   }
-  constexpr double end = 1e9; // in metres: beyond the earth
-  matrix->SetElement(2, 2, (bounds[5] - bounds[4]) / (2.0 * end));
-  matrix->SetElement(2, 3, (bounds[5] + bounds[4]) / 2.0);
-  bounds[4] = -end;
-  bounds[5] = end;
+  while (actors.size() < number)
+  {
+    actors.push_back(vtkSmartPointer<Actor>::New());
+    view->GetRenderer()->AddActor(actors.back());
+    view->RegisterPropForHardwareSelection(owner, actors.back());
+  }
 }
-
 }
 
 //------------------------------------------------------------------------------
@@ -112,6 +114,7 @@ void vtkTerrainRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 int vtkTerrainRepresentation::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
@@ -129,7 +132,8 @@ int vtkTerrainRepresentation::RequestUpdateExtent(
   for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
     vtkInformation* info = inputs[0]->GetInformationObject(i);
-    if (info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+    const bool isSurface = vtkPolyData::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT()));
+    if (!isSurface && info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
     {
       info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
         std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())));
@@ -145,9 +149,14 @@ int vtkTerrainRepresentation::RequestData(
   this->Pieces = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   if (inputs[0]->GetNumberOfInformationObjects() > 0)
   {
-    for (vtkImageData* image : vtkTerrainPieces::FindImages(vtkDataObject::GetData(inputs[0], 0)))
+    vtkDataObject* data = vtkDataObject::GetData(inputs[0], 0);
+    for (vtkImageData* image : vtkTerrainPieces::FindImages(data))
     {
       this->AddPiece(image);
+    }
+    for (vtkPolyData* surface : vtkTerrainPieces::FindSurfaces(data))
+    {
+      this->AddSurface(surface);
     }
   }
   this->ShareHeightRange();
@@ -161,9 +170,9 @@ void vtkTerrainRepresentation::ShareHeightRange()
   const std::array<double, 2> own =
     vtkTerrainPieces::HeightRange(vtkTerrainPieces::FindImages(this->Pieces));
   this->HeightRange = own;
-  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
-  if (processes && processes->GetNumberOfProcesses() > 1)
+  if (numberOfProcesses() > 1)
   {
+    vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
     processes->AllReduce(&own[0], &this->HeightRange[0], 1, vtkCommunicator::MIN_OP);
     processes->AllReduce(&own[1], &this->HeightRange[1], 1, vtkCommunicator::MAX_OP);
   }
@@ -193,6 +202,15 @@ void vtkTerrainRepresentation::AddPiece(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainRepresentation::AddSurface(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyData> own;
+  own->ShallowCopy(surface);
+  own->RemoveGhostCells();
+  this->Pieces->SetBlock(this->Pieces->GetNumberOfBlocks(), own);
+}
+
+//------------------------------------------------------------------------------
 int vtkTerrainRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
@@ -210,7 +228,9 @@ int vtkTerrainRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    this->TakePieces(inInfo);
+    vtkDataObject* delivered = vtkPVRenderView::GetDeliveredPiece(inInfo, this);
+    this->TakePieces(delivered);
+    this->TakeSurfaces(delivered);
   }
   return 1;
 }
@@ -223,7 +243,7 @@ void vtkTerrainRepresentation::PassPieces(vtkInformation* inInfo, vtkInformation
   double bounds[6];
   this->GetOwnBounds(bounds);
   vtkNew<vtkMatrix4x4> toWorld;
-  makeColumn(bounds, toWorld);
+  vtkTerrainPieces::MakeColumn(bounds, toWorld);
   vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, toWorld);
   vtkPVRenderView::SetOrderedCompositingConfiguration(
     inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
@@ -248,6 +268,13 @@ void vtkTerrainRepresentation::GetOwnBounds(double bounds[6])
         heights, this->Actor->GetVerticalExaggeration(), this->Actor->GetMatrix(), box);
     }
   }
+  vtkNew<vtkActor> placed;
+  this->PlaceSurface(placed);
+  placed->ComputeMatrix();
+  for (vtkPolyData* surface : vtkTerrainPieces::FindSurfaces(this->Pieces))
+  {
+    vtkTerrainPieces::AddBox(surface->GetBounds(), placed->GetMatrix(), box);
+  }
   vtkMath::UninitializeBounds(bounds);
   if (box.IsValid())
   {
@@ -256,15 +283,15 @@ void vtkTerrainRepresentation::GetOwnBounds(double bounds[6])
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainRepresentation::TakePieces(vtkInformation* inInfo)
+void vtkTerrainRepresentation::TakePieces(vtkDataObject* delivered)
 {
-  std::vector<vtkImageData*> pieces =
-    vtkTerrainPieces::FindImages(vtkPVRenderView::GetDeliveredPiece(inInfo, this));
+  std::vector<vtkImageData*> pieces = vtkTerrainPieces::FindImages(delivered);
   pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
                  [](vtkImageData* heights) { return !vtkTerrainPieces::HasCells(heights); }),
     pieces.end());
   this->Actor->SetVisibility(!pieces.empty() && this->GetVisibility());
-  this->SetNumberOfActors(pieces.size());
+  setNumberOfActors(this->OtherActors, pieces.empty() ? 0 : pieces.size() - 1,
+    vtkPVRenderView::SafeDownCast(this->GetView()), this);
   if (!this->ReliefColors && !pieces.empty())
   {
     // a client that draws has no heights of its own, but all of what is delivered
@@ -279,15 +306,11 @@ void vtkTerrainRepresentation::TakePieces(vtkInformation* inInfo)
     // each update brings other images, but other arrays only if something has changed
     if (!actor->GetHeights() || !vtkTerrainPieces::AreSame(actor->GetHeights(), pieces[k]))
     {
-      actor->SetInputData(pieces[k]);
-      std::array<int, 2> first{};
-      std::array<int, 2> last{};
-      vtkTerrainPieces::OwnSamples(pieces[k], first, last);
-      actor->GetTerrainMapper()->SetExtract(first.data(), last.data());
+      takePiece(actor, pieces[k], pieces.size() > 1 || numberOfProcesses() > 1);
     }
     if (k > 0)
     {
-      shareLook(this->Actor, actor);
+      vtkTerrainLooks::ShareTerrain(this->Actor, actor);
       actor->SetVisibility(this->GetVisibility());
     }
     this->UpdateColors(actor);
@@ -295,40 +318,77 @@ void vtkTerrainRepresentation::TakePieces(vtkInformation* inInfo)
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetNumberOfActors(std::size_t number)
+void vtkTerrainRepresentation::TakeSurfaces(vtkDataObject* delivered)
 {
-  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
-  while (this->OtherActors.size() + 1 > std::max<std::size_t>(number, 1))
+  const std::vector<vtkPolyData*> surfaces = vtkTerrainPieces::FindSurfaces(delivered);
+  setNumberOfActors(
+    this->SurfaceActors, surfaces.size(), vtkPVRenderView::SafeDownCast(this->GetView()), this);
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
   {
-    view->GetRenderer()->RemoveActor(this->OtherActors.back());
-    view->UnRegisterPropForHardwareSelection(this, this->OtherActors.back());
-    this->OtherActors.pop_back();
-  }
-  while (this->OtherActors.size() + 1 < number)
-  {
-    this->OtherActors.push_back(vtkSmartPointer<vtkTerrainActor>::New());
-    view->GetRenderer()->AddActor(this->OtherActors.back());
-    view->RegisterPropForHardwareSelection(this, this->OtherActors.back());
+    vtkActor* actor = this->SurfaceActors[k];
+    if (!actor->GetMapper())
+    {
+      actor->SetMapper(vtkSmartPointer<vtkPolyDataMapper>::New());
+    }
+    static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(surfaces[k]);
+    this->PlaceSurface(actor);
+    actor->SetVisibility(this->GetVisibility());
+    this->UpdateColors(actor->GetMapper());
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainRepresentation::UpdateColors(vtkTerrainActor* actor)
+void vtkTerrainRepresentation::PlaceSurface(vtkActor* actor)
+{
+  vtkTerrainLooks::ShareActor(this->Actor, actor);
+  std::array<double, 3> scale{};
+  actor->GetScale(scale.data());
+  actor->SetScale(scale[0], scale[1], scale[2] * this->Actor->GetVerticalExaggeration());
+}
+
+//------------------------------------------------------------------------------
+// Null without one.
+const char* vtkTerrainRepresentation::GetColorArray(bool& isOfCells)
 {
   vtkInformation* array = this->GetInputArrayInformation(ColorArray);
   const char* name = array && array->Has(vtkDataObject::FIELD_NAME())
     ? array->Get(vtkDataObject::FIELD_NAME())
     : nullptr;
+  isOfCells = name &&
+    array->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  return name && *name ? name : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRepresentation::UpdateColors(vtkTerrainActor* actor)
+{
+  bool isOfCells = false;
+  const char* name = this->GetColorArray(isOfCells);
   vtkOpenGLTerrainMapper* mapper = actor->GetTerrainMapper();
   const bool usesArray = mapper->GetColorSource() == vtkOpenGLTerrainMapper::ColorSources::Array;
-  const bool hasArray = name && *name;
-  actor->SetColorByHeight(hasArray || !usesArray);
+  actor->SetColorByHeight(name || !usesArray);
   actor->SetLookupTable(this->LookupTable ? this->LookupTable : this->ReliefColors);
-  if (hasArray)
+  if (name)
   {
-    const bool isOfCells =
-      array->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS &&
-      actor->GetHeights()->GetCellData()->HasArray(name);
+    // heights of cells are points here, and so is all else of the cells
+    isOfCells = isOfCells && actor->GetHeights()->GetCellData()->HasArray(name);
+    mapper->SetScalarMode(
+      isOfCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+    mapper->SelectColorArray(name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRepresentation::UpdateColors(vtkMapper* mapper)
+{
+  bool isOfCells = false;
+  const char* name = this->GetColorArray(isOfCells);
+  mapper->SetScalarVisibility(name != nullptr);
+  mapper->SetLookupTable(this->LookupTable);
+  mapper->SetUseLookupTableScalarRange(true);
+  mapper->SetInterpolateScalarsBeforeMapping(!isOfCells);
+  if (name)
+  {
     mapper->SetScalarMode(
       isOfCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
     mapper->SelectColorArray(name);
@@ -356,7 +416,8 @@ bool vtkTerrainRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
-  this->SetNumberOfActors(1);
+  setNumberOfActors(this->OtherActors, 0, renderView, this);
+  setNumberOfActors(this->SurfaceActors, 0, renderView, this);
   renderView->GetRenderer()->RemoveActor(this->Actor);
   renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::RemoveFromView(view);
@@ -371,12 +432,25 @@ void vtkTerrainRepresentation::SetVisibility(bool visible)
   {
     actor->SetVisibility(visible);
   }
+  for (vtkActor* actor : this->SurfaceActors)
+  {
+    actor->SetVisibility(visible);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkTerrainRepresentation::SetTechnique(int technique)
 {
-  this->Actor->SetTechnique(static_cast<vtkTerrainActor::Techniques>(technique));
+  this->Actor->SetUseStrips(technique == Strips);
+  this->Actor->SetTechnique(technique == Strips
+      ? vtkTerrainActor::Techniques::Mesh
+      : static_cast<vtkTerrainActor::Techniques>(technique));
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRepresentation::SetStripsTolerance(double pixels)
+{
+  this->Actor->GetStrips()->SetTolerance(pixels);
 }
 
 //------------------------------------------------------------------------------

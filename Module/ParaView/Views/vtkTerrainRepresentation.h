@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTerrainRepresentation
- * @brief   the representation "Terrain" of images in ParaView
+ * @brief   the representation "Terrain" of images and poly data in ParaView
  *
- * Input: vtkImageData of W x H x 1 points, or a composite dataset of them (what else is in it is
- * not drawn), whose heights are a point or a cell array of one component (SetInputArrayToProcess,
- * index 1; the active point scalars without). Cell heights are samples at the centres of the cells.
- * Any array may colour the surface (index 0).
+ * Input: vtkImageData of W x H x 1 points, whose heights are a point or a cell array of one
+ * component (SetInputArrayToProcess, index 1; the active point scalars without). Cell heights are
+ * samples at the centres of the cells. Or vtkPolyData, a surface that is drawn as it is,
+ * exaggerated from z = 0: what needs heights, such as techniques and contour lines, does not
+ * concern it. Or a composite dataset of both. Any array may colour the surface (index 0).
  *
  * Distributed images are drawn where they are: each rank draws its piece, ParaView composites by
  * depth. One level of ghost cells is asked for, so that normals at the border of a piece are those
@@ -29,8 +30,12 @@
 #include <cstddef> // For std::size_t
 #include <vector>  // For members
 
+class vtkActor;
+class vtkDataObject;
 class vtkImageData;
+class vtkMapper;
 class vtkMultiBlockDataSet;
+class vtkPolyData;
 class vtkScalarsToColors;
 class vtkTerrainActor;
 class vtkTexture;
@@ -47,8 +52,13 @@ public:
 
   void SetVisibility(bool visible) override;
 
-  /// How the surface is drawn: vtkOpenGLTerrainMapper::Techniques as a number; default 4, Pyramid.
+  /// How the surface is drawn: vtkOpenGLTerrainMapper::Techniques as a number, default 4, Pyramid;
+  /// or Strips: triangles that are refined for the camera at each frame, each process those of its
+  /// own piece.
   void SetTechnique(int technique);
+  static constexpr int Strips = 5;
+  /// Largest error of Strips in pixels, > 0; default 1.
+  void SetStripsTolerance(double pixels);
   /// Drawn height over true height, > 0; default 1.
   void SetVerticalExaggeration(double exaggeration);
   /// What colours show: vtkOpenGLTerrainMapper::ColorSources as a number; default 0, the array.
@@ -110,17 +120,22 @@ protected:
 
 private:
   void AddPiece(vtkImageData* image);
+  void AddSurface(vtkPolyData* surface);
   void ShareHeightRange();
   void PassPieces(vtkInformation* inInfo, vtkInformation* outInfo);
   void GetOwnBounds(double bounds[6]);
-  void TakePieces(vtkInformation* inInfo);
-  void SetNumberOfActors(std::size_t number);
+  void TakePieces(vtkDataObject* delivered);
+  void TakeSurfaces(vtkDataObject* delivered);
+  void PlaceSurface(vtkActor* actor);
+  const char* GetColorArray(bool& isOfCells);
   void UpdateColors(vtkTerrainActor* actor);
+  void UpdateColors(vtkMapper* mapper);
 
   /// Looks as the properties say, and draws the first piece; the others look like it.
   vtkNew<vtkTerrainActor> Actor;
   std::vector<vtkSmartPointer<vtkTerrainActor>> OtherActors;
-  /// The heights of this process.
+  std::vector<vtkSmartPointer<vtkActor>> SurfaceActors;
+  /// The heights and surfaces of this process.
   vtkSmartPointer<vtkMultiBlockDataSet> Pieces;
   /// Of the heights of all processes, as far as they are known; the colours of that range, shown
   /// where no others are.

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What several actors of one representation have in common. Private.
+ */
+#ifndef vtkTerrainLooks_h
+#define vtkTerrainLooks_h
+
+class vtkActor;
+class vtkTerrainActor;
+
+namespace vtkTerrainLooks
+{
+/// Makes an actor look and stand like another one.
+void ShareActor(vtkActor* from, vtkActor* to);
+
+/// Makes a terrain look like another one, but for its colours.
+void ShareTerrain(vtkTerrainActor* from, vtkTerrainActor* to);
+}
+
+#endif
