@@ -83,12 +83,11 @@ struct TerrainSpan
 uniform ivec2 terrainPyramidLayout;
 uniform int terrainPyramidLevels;
 
-// Where the nodes of a level begin in the buffer. Twin: PyramidLayout::Begin() in
-// src/core/MinMaxPyramid.h.
-int terrainLevelBegin(int level)
+// Where the nodes of a level begin in a buffer; parts: Quarters and Halves. Twin:
+// PyramidLayout::Begin() in src/core/MinMaxPyramid.h.
+int terrainLevelBegin(ivec2 parts, int levels, int level)
 {
-  return (terrainPyramidLayout.x >> (2 * level - 2)) + (terrainPyramidLayout.y >> (level - 1)) +
-    2 * (terrainPyramidLevels - level);
+  return (parts.x >> (2 * level - 2)) + (parts.y >> (level - 1)) + 2 * (levels - level);
 }
 #endif
 
@@ -98,7 +97,8 @@ vec2 terrainTexelExtremes(ivec2 node, int level)
   ivec2 size = max(terrainPyramidSize >> (level - 1), ivec2(1));
   ivec2 texel = min(node, size - 1);
 #ifdef TERRAIN_PYRAMID_BUFFER
-  int index = terrainLevelBegin(level) + texel.x + size.x * texel.y;
+  int index = terrainLevelBegin(terrainPyramidLayout, terrainPyramidLevels, level) + texel.x +
+    size.x * texel.y;
   return vec2(texelFetch(terrainPyramid, index).rg) - terrainBias;
 #else
   return vec2(texelFetch(terrainPyramid, texel, level - 1).rg) - terrainBias;
@@ -106,9 +106,16 @@ vec2 terrainTexelExtremes(ivec2 node, int level)
 }
 
 #ifdef TERRAIN_DETAIL
-uniform sampler2D terrainDetailPyramid; // of one period, as terrainPyramid
-uniform int terrainDetailTop;           // highest level whose nodes divide the period
-uniform float terrainDetailMaximum;     // scaled
+#ifdef TERRAIN_PYRAMID_BUFFER
+uniform usamplerBuffer terrainDetailPyramid; // of one period, as terrainPyramid
+uniform ivec2 terrainDetailLayout;
+uniform int terrainDetailLevels;
+#else
+uniform usampler2D terrainDetailPyramid;
+#endif
+uniform int terrainDetailTop;       // highest level whose nodes divide the period
+uniform float terrainDetailUnit;    // height codes per unit of the nodes
+uniform float terrainDetailMaximum; // scaled
 
 // Highest and lowest code of the base in a node.
 vec2 terrainBaseExtremes(ivec2 node, int level)
@@ -126,10 +133,15 @@ vec2 terrainBaseExtremes(ivec2 node, int level)
 // Highest and lowest code of the detail in a node.
 vec2 terrainDetailExtremes(ivec2 node, int level)
 {
-  ivec2 texel = terrainWrap(node, max(terrainDetailPeriod >> level, ivec2(1)));
-  return level > terrainDetailTop
-    ? vec2(terrainDetailMaximum, 0.0)
-    : terrainDetailScale * texelFetch(terrainDetailPyramid, texel, level - 1).rg;
+  ivec2 nodes = max(terrainDetailPeriod >> level, ivec2(1));
+  ivec2 texel = terrainWrap(node, nodes);
+#ifdef TERRAIN_PYRAMID_BUFFER
+  int begin = terrainLevelBegin(terrainDetailLayout, terrainDetailLevels, level);
+  vec2 extremes = vec2(texelFetch(terrainDetailPyramid, begin + texel.x + nodes.x * texel.y).rg);
+#else
+  vec2 extremes = vec2(texelFetch(terrainDetailPyramid, texel, level - 1).rg);
+#endif
+  return level > terrainDetailTop ? vec2(terrainDetailMaximum, 0.0) : terrainDetailUnit * extremes;
 }
 
 // Highest and lowest code of a node; 1 <= level <= top.

@@ -38,6 +38,7 @@ set(private_sources
   vtkTerrainDetailTexture
   vtkTerrainGeoreferencePrepare
   vtkTerrainHeightTexture
+  vtkTerrainPyramidTexture
   vtkTerrainRasterFile
   vtkTerrainRasterLayout
   vtkTerrainRasterPiece

@@ -7,8 +7,6 @@
 #include "vtkTerrainParallelFor.h"
 #include "vtkTerrainUniforms.h"
 
-#include "core/DetailHeights.h"
-
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
@@ -46,41 +44,23 @@ std::string vtkTerrainDetailTexture::SetImage(vtkImageData* image)
   {
     return "detail: every sample needs a height";
   }
-  const std::vector<float> wrapped = terrain::WrapPeriod(this->Texels.data(), this->Period);
-  terrain::HeightfieldView<float> view;
-  view.Samples = wrapped.data();
-  view.Width = this->Period.x + 1;
-  view.Height = this->Period.y + 1;
-  this->Pyramid.Build(view, vtkTerrainParallelFor);
+  this->Nodes.Build(this->Texels.data(), this->Period, static_cast<float>(this->Codes.MaximumCode),
+    vtkTerrainParallelFor);
   this->Image = image;
   this->ImageTime = image->GetMTime();
   return {};
 }
 
 //------------------------------------------------------------------------------
-bool vtkTerrainDetailTexture::UploadLevels()
+bool vtkTerrainDetailTexture::UploadHeights()
 {
   const glm::uvec2 size(this->Period);
-  const glm::uvec2 nodes(this->Pyramid.LevelSize(1));
-  // Create2DFromRaw takes no const data, and changes none
-  auto data = [this](int level)
-  { return const_cast<terrain::PyramidNode<float>*>(this->Pyramid.LevelNodes(level)); };
-  bool done = this->Texture->Create2DFromRaw(size.x, size.y, 1, VTK_FLOAT, this->Texels.data());
+  const bool done =
+    this->Texture->Create2DFromRaw(size.x, size.y, 1, VTK_FLOAT, this->Texels.data());
   this->Texture->Activate();
   glGenerateMipmap(GL_TEXTURE_2D);
   this->Texture->Deactivate();
-  const int top = this->Pyramid.LevelCount();
-  this->PyramidTexture->SetMaxLevel(top - 1);
-  done = done && this->PyramidTexture->Create2DFromRaw(nodes.x, nodes.y, 2, VTK_FLOAT, data(1));
-  this->PyramidTexture->Activate();
-  for (int level = 2; done && level <= top; ++level)
-  {
-    const glm::ivec2 levelSize = this->Pyramid.LevelSize(level);
-    glTexImage2D(GL_TEXTURE_2D, level - 1, GL_RG32F, levelSize.x, levelSize.y, 0, GL_RG, GL_FLOAT,
-      data(level));
-  }
-  this->PyramidTexture->Deactivate();
-  return done && glGetError() == GL_NO_ERROR;
+  return done;
 }
 
 //------------------------------------------------------------------------------
@@ -91,26 +71,20 @@ bool vtkTerrainDetailTexture::Upload(vtkOpenGLRenderWindow* window)
   {
     return true;
   }
-  for (vtkTextureObject* texture : { this->Texture.Get(), this->PyramidTexture.Get() })
-  {
-    texture->ReleaseGraphicsResources(texture->GetContext());
-    texture->SetContext(window);
-    texture->ResetFormatAndType();
-    texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    texture->SetWrapS(vtkTextureObject::Repeat);
-    texture->SetWrapT(vtkTextureObject::Repeat);
-  }
-  this->Texture->SetInternalFormat(GL_R32F);
-  this->Texture->SetFormat(GL_RED);
-  this->PyramidTexture->SetInternalFormat(GL_RG32F);
-  this->PyramidTexture->SetFormat(GL_RG);
-  this->PyramidTexture->SetMinificationFilter(vtkTextureObject::NearestMipmapNearest);
+  vtkTextureObject* texture = this->Texture;
+  texture->ReleaseGraphicsResources(texture->GetContext());
+  texture->SetContext(window);
+  texture->ResetFormatAndType();
+  texture->SetWrapS(vtkTextureObject::Repeat);
+  texture->SetWrapT(vtkTextureObject::Repeat);
+  texture->SetInternalFormat(GL_R32F);
+  texture->SetFormat(GL_RED);
   // for the slopes of what is far away; else shaders fetch single texels
-  this->Texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->Texture->SetMaxLevel(terrain::LevelOfCells(std::max(this->Period.x, this->Period.y)));
-  const bool done = this->UploadLevels();
+  texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  texture->SetMaxLevel(terrain::LevelOfCells(std::max(this->Period.x, this->Period.y)));
+  const bool done =
+    this->UploadHeights() && this->PyramidTexture.Upload(window, this->Nodes.Pyramid);
   this->UploadTime = done ? this->ImageTime : 0;
   return done;
 }
@@ -119,7 +93,7 @@ bool vtkTerrainDetailTexture::Upload(vtkOpenGLRenderWindow* window)
 void vtkTerrainDetailTexture::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
-  this->PyramidTexture->ReleaseGraphicsResources(window);
+  this->PyramidTexture.ReleaseGraphicsResources(window);
   this->UploadTime = 0;
 }
 
@@ -129,7 +103,7 @@ void vtkTerrainDetailTexture::Activate()
   if (this->Image)
   {
     this->Texture->Activate();
-    this->PyramidTexture->Activate();
+    this->PyramidTexture.Activate();
   }
 }
 
@@ -139,7 +113,7 @@ void vtkTerrainDetailTexture::Deactivate()
   if (this->Image)
   {
     this->Texture->Deactivate();
-    this->PyramidTexture->Deactivate();
+    this->PyramidTexture.Deactivate();
   }
 }
 
@@ -156,7 +130,9 @@ void vtkTerrainDetailTexture::SetUniforms(vtkTerrainUniforms& uniforms, int leve
   uniforms.Set("terrainDetailScale", static_cast<float>(scale));
   if (uniforms.Uses("terrainDetailPyramid"))
   {
-    uniforms.Set("terrainDetailPyramid", this->PyramidTexture->GetTextureUnit());
+    this->PyramidTexture.SetUniforms(
+      uniforms, "terrainDetailPyramid", "terrainDetailLayout", "terrainDetailLevels");
+    uniforms.Set("terrainDetailUnit", static_cast<float>(scale) * this->Nodes.Unit);
     uniforms.Set("terrainDetailTop", terrain::WholeLevels(this->Period));
     uniforms.Set("terrainDetailMaximum",
       static_cast<float>(scale) * static_cast<float>(this->Codes.MaximumCode));
@@ -168,6 +144,6 @@ vtkIdType vtkTerrainDetailTexture::GetMemorySize() const
 {
   // with the mip levels, a third more
   const std::size_t bytes =
-    this->Texels.size() * sizeof(float) * 4 / 3 + this->Pyramid.MemorySize();
+    this->Texels.size() * sizeof(float) * 4 / 3 + this->Nodes.Pyramid.MemorySize();
   return this->UploadTime ? static_cast<vtkIdType>(bytes) : 0;
 }

@@ -8,8 +8,10 @@
 #ifndef vtkTerrainDetailTexture_h
 #define vtkTerrainDetailTexture_h
 
+#include "vtkTerrainPyramidTexture.h"
+
+#include "core/DetailHeights.h"
 #include "core/HeightCodes.h"
-#include "core/MinMaxPyramid.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -56,7 +58,7 @@ public:
   vtkIdType GetMemorySize() const;
 
 private:
-  bool UploadLevels();
+  bool UploadHeights();
 
   vtkWeakPointer<vtkImageData> Image;
   vtkMTimeType ImageTime = 0;
@@ -64,9 +66,9 @@ private:
   terrain::HeightCodes Codes;
   glm::ivec2 Period{ 1, 1 };
   std::vector<float> Texels;
-  terrain::MinMaxPyramid<float> Pyramid;
+  terrain::DetailNodes Nodes;
   vtkNew<vtkTextureObject> Texture;
-  vtkNew<vtkTextureObject> PyramidTexture;
+  vtkTerrainPyramidTexture PyramidTexture;
 };
 
 #endif

@@ -159,21 +159,16 @@ std::string vtkTerrainHeightTexture::Prepare(vtkOpenGLRenderWindow* window)
       " samples exceed the largest texture of this graphics driver, " + std::to_string(limit);
   }
   const bool integer = this->Codes.Format == terrain::HeightCodes::TexelFormat::UInt16;
-  this->PyramidIsBuffer = vtkTerrainIsSoftware();
-  for (vtkTextureObject* texture : { this->Texture.Get(), this->PyramidTexture.Get() })
-  {
-    texture->ReleaseGraphicsResources(texture->GetContext());
-    texture->SetContext(window);
-    texture->ResetFormatAndType();
-    texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  }
-  this->Texture->SetInternalFormat(integer ? GL_R16UI : GL_R32F);
-  this->Texture->SetFormat(integer ? GL_RED_INTEGER : GL_RED);
-  this->PyramidTexture->SetInternalFormat(integer ? GL_RG16UI : GL_RG32F);
-  this->PyramidTexture->SetFormat(integer ? GL_RG_INTEGER : GL_RG);
+  vtkTextureObject* texture = this->Texture;
+  texture->ReleaseGraphicsResources(texture->GetContext());
+  texture->SetContext(window);
+  texture->ResetFormatAndType();
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetInternalFormat(integer ? GL_R16UI : GL_R32F);
+  texture->SetFormat(integer ? GL_RED_INTEGER : GL_RED);
   if (integer)
   {
     this->Data.emplace<Store<unsigned short>>();
@@ -205,114 +200,51 @@ bool vtkTerrainHeightTexture::UploadHeights(Store<Texel>& store)
 
 //------------------------------------------------------------------------------
 template <typename Texel>
-bool vtkTerrainHeightTexture::UploadPyramid(Store<Texel>& store)
+bool vtkTerrainHeightTexture::UploadPyramid(vtkOpenGLRenderWindow* window, Store<Texel>& store)
 {
   store.Pyramid.Build(this->TexelView(store), vtkTerrainParallelFor);
   this->PyramidTop = store.Pyramid.LevelCount();
-  if (this->PyramidTop == 0)
-  {
-    return true;
-  }
-  this->PyramidSize = store.Pyramid.LevelSize(1);
-  this->PyramidLayout = store.Pyramid.GetLayout();
+  this->PyramidSize = this->PyramidTop > 0 ? store.Pyramid.LevelSize(1) : glm::ivec2(0);
   this->NumberOfUploadedTexels +=
     static_cast<vtkIdType>(store.Pyramid.MemorySize() / sizeof(terrain::PyramidNode<Texel>));
-  return this->PyramidIsBuffer ? this->UploadPyramidBuffer(store.Pyramid)
-                               : this->UploadPyramidLevels(store.Pyramid);
+  return this->PyramidTexture.Upload(window, store.Pyramid);
 }
 
 //------------------------------------------------------------------------------
 template <typename Texel>
-bool vtkTerrainHeightTexture::UploadPyramidBuffer(const terrain::MinMaxPyramid<Texel>& pyramid)
-{
-  const int vtkType = std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT;
-  const bool done = this->PyramidBuffer->Upload(
-    pyramid.AllNodes(), pyramid.NumberOfNodes(), vtkOpenGLBufferObject::TextureBuffer);
-  return done &&
-    this->PyramidTexture->CreateTextureBuffer(
-      static_cast<unsigned int>(pyramid.NumberOfNodes()), 2, vtkType, this->PyramidBuffer);
-}
-
-//------------------------------------------------------------------------------
-template <typename Texel>
-bool vtkTerrainHeightTexture::UploadPyramidLevels(const terrain::MinMaxPyramid<Texel>& pyramid)
-{
-  this->PyramidTexture->SetMinificationFilter(vtkTextureObject::NearestMipmapNearest);
-  this->PyramidTexture->SetMaxLevel(this->PyramidTop - 1);
-  const int vtkType = std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT;
-  // Create2DFromRaw takes no const data, and changes none
-  auto nodes = [&](int level)
-  { return const_cast<terrain::PyramidNode<Texel>*>(pyramid.LevelNodes(level)); };
-  bool done = this->PyramidTexture->Create2DFromRaw(static_cast<unsigned int>(this->PyramidSize.x),
-    static_cast<unsigned int>(this->PyramidSize.y), 2, vtkType, nodes(1));
-  this->PyramidTexture->Activate();
-  for (int level = 2; done && level <= this->PyramidTop; ++level)
-  {
-    const glm::ivec2 size = pyramid.LevelSize(level);
-    glTexImage2D(GL_TEXTURE_2D, level - 1,
-      static_cast<GLint>(this->PyramidTexture->GetInternalFormat(vtkType, 2, false)), size.x,
-      size.y, 0, this->PyramidTexture->GetFormat(vtkType, 2, false),
-      static_cast<GLenum>(this->PyramidTexture->GetDataType(vtkType)), nodes(level));
-  }
-  this->PyramidTexture->Deactivate();
-  return done && glGetError() == GL_NO_ERROR;
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainHeightTexture::SendTexels(vtkTextureObject* texture, int level,
-  const terrain::GridRectangle& part, int rowLength, const void* texels, int vtkType,
-  int components)
+void vtkTerrainHeightTexture::SendTexels(
+  const Store<Texel>& store, const terrain::GridRectangle& part)
 {
   const glm::ivec2 size = part.End - part.First;
   this->NumberOfUploadedTexels += vtkIdType{ size.x } * size.y;
+  vtkTextureObject* texture = this->Texture;
+  const int vtkType = std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT;
   texture->Activate();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, rowLength);
-  glTexSubImage2D(GL_TEXTURE_2D, level, part.First.x, part.First.y, size.x, size.y,
-    texture->GetFormat(vtkType, components, false),
-    static_cast<GLenum>(texture->GetDataType(vtkType)), texels);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, this->Size.x);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, part.First.x, part.First.y, size.x, size.y,
+    texture->GetFormat(vtkType, 1, false), static_cast<GLenum>(texture->GetDataType(vtkType)),
+    store.Texels.data() + part.First.x + static_cast<std::int64_t>(this->Size.x) * part.First.y);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   texture->Deactivate();
 }
 
 //------------------------------------------------------------------------------
 template <typename Texel>
-void vtkTerrainHeightTexture::SendNodes(
-  const terrain::MinMaxPyramid<Texel>& pyramid, int level, const terrain::GridRectangle& part)
-{
-  using Node = terrain::PyramidNode<Texel>;
-  const glm::ivec2 size = part.End - part.First;
-  this->NumberOfUploadedTexels += vtkIdType{ size.x } * size.y;
-  this->PyramidBuffer->Bind();
-  for (int y = part.First.y; y < part.End.y; ++y)
-  {
-    const std::int64_t first = pyramid.GetLayout().Begin(level) + part.First.x +
-      std::int64_t{ pyramid.LevelSize(level).x } * y;
-    glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(first * sizeof(Node)),
-      static_cast<GLsizeiptr>(size.x * sizeof(Node)), pyramid.AllNodes() + first);
-  }
-  this->PyramidBuffer->Release();
-}
-
-//------------------------------------------------------------------------------
-template <typename Texel>
 void vtkTerrainHeightTexture::UploadPart(Store<Texel>& store, const terrain::GridRectangle& samples)
 {
-  const int vtkType = std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT;
-  const auto at = [](const glm::ivec2& texel, int width)
-  { return texel.x + static_cast<std::int64_t>(width) * texel.y; };
   vtkTerrainHeightfield::Dispatch(this->Image,
     [&](const auto& view)
     {
       for (int row = samples.First.y; row < samples.End.y; ++row)
       {
         terrain::EncodeHeights(view, this->Codes, samples.First.x, samples.End.x, row, row + 1,
-          store.Texels.data() + at({ samples.First.x, row }, this->Size.x), terrain::SerialFor);
+          store.Texels.data() + samples.First.x + static_cast<std::int64_t>(this->Size.x) * row,
+          terrain::SerialFor);
       }
     });
   this->Slopes.GetSlopes().Update(this->TexelView(store), samples, vtkTerrainParallelFor);
-  this->SendTexels(this->Texture, 0, samples, this->Size.x,
-    store.Texels.data() + at(samples.First, this->Size.x), vtkType, 1);
+  this->SendTexels(store, samples);
   if (this->PyramidTime != this->WholeTime)
   {
     return;
@@ -322,15 +254,11 @@ void vtkTerrainHeightTexture::UploadPart(Store<Texel>& store, const terrain::Gri
   for (int level = 1; level <= static_cast<int>(nodes.size()); ++level)
   {
     const terrain::GridRectangle& part = nodes[static_cast<std::size_t>(level) - 1];
-    const int width = store.Pyramid.LevelSize(level).x;
-    if (!part.IsEmpty() && this->PyramidIsBuffer)
+    if (!part.IsEmpty())
     {
-      this->SendNodes(store.Pyramid, level, part);
-    }
-    else if (!part.IsEmpty())
-    {
-      this->SendTexels(this->PyramidTexture, level - 1, part, width,
-        store.Pyramid.LevelNodes(level) + at(part.First, width), vtkType, 2);
+      const glm::ivec2 size = part.End - part.First;
+      this->NumberOfUploadedTexels += vtkIdType{ size.x } * size.y;
+      this->PyramidTexture.UploadPart(store.Pyramid, level, part);
     }
   }
 }
@@ -362,7 +290,7 @@ std::string vtkTerrainHeightTexture::Upload(vtkOpenGLRenderWindow* window, bool 
   this->Parts.clear();
   if (done && withPyramid && this->PyramidTime != this->WholeTime)
   {
-    done = std::visit([this](auto& store) { return this->UploadPyramid(store); }, this->Data);
+    done = std::visit([&](auto& store) { return this->UploadPyramid(window, store); }, this->Data);
     this->PyramidTime = done ? this->WholeTime : 0;
   }
   done = done && this->Detail.Upload(window);
@@ -373,8 +301,7 @@ std::string vtkTerrainHeightTexture::Upload(vtkOpenGLRenderWindow* window, bool 
 void vtkTerrainHeightTexture::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
-  this->PyramidTexture->ReleaseGraphicsResources(window);
-  this->PyramidBuffer->ReleaseGraphicsResources();
+  this->PyramidTexture.ReleaseGraphicsResources(window);
   this->Detail.ReleaseGraphicsResources(window);
   this->Slopes.ReleaseGraphicsResources(window);
   this->UploadTime = 0;
@@ -389,7 +316,7 @@ void vtkTerrainHeightTexture::Activate()
   this->Slopes.Activate();
   if (this->PyramidTime)
   {
-    this->PyramidTexture->Activate();
+    this->PyramidTexture.Activate();
   }
 }
 
@@ -401,7 +328,7 @@ void vtkTerrainHeightTexture::Deactivate()
   this->Slopes.Deactivate();
   if (this->PyramidTime)
   {
-    this->PyramidTexture->Deactivate();
+    this->PyramidTexture.Deactivate();
   }
 }
 
@@ -416,11 +343,9 @@ void vtkTerrainHeightTexture::SetUniforms(vtkTerrainUniforms& uniforms)
   this->Detail.SetUniforms(uniforms, this->DetailLevel, this->DetailScale);
   if (uniforms.Uses("terrainPyramid"))
   {
-    uniforms.Set("terrainPyramid", this->PyramidTexture->GetTextureUnit());
+    this->PyramidTexture.SetUniforms(
+      uniforms, "terrainPyramid", "terrainPyramidLayout", "terrainPyramidLevels");
     uniforms.Set("terrainPyramidSize", this->PyramidSize);
-    uniforms.Set(
-      "terrainPyramidLayout", glm::ivec2(this->PyramidLayout.Quarters, this->PyramidLayout.Halves));
-    uniforms.Set("terrainPyramidLevels", this->PyramidLayout.Top);
     uniforms.Set(
       "terrainPyramidTop", this->PyramidTop > 0 ? this->PyramidTop + this->GetDetailLevel() : 0);
     // Rays start near the surface: from the top down, most levels would be visited in vain.

@@ -10,6 +10,7 @@
 #define vtkTerrainHeightTexture_h
 
 #include "vtkTerrainDetailTexture.h"
+#include "vtkTerrainPyramidTexture.h"
 #include "vtkTerrainSlopeTexture.h"
 
 #include "core/Coordinates.h"
@@ -18,7 +19,6 @@
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
 
@@ -97,7 +97,7 @@ public:
   /// True if the pyramid is a buffer, TERRAIN_PYRAMID_BUFFER in shaders.
   bool HasPyramidBuffer() const
   {
-    return this->PyramidIsBuffer;
+    return this->PyramidTexture.IsBuffer();
   }
   /// Top level of the pyramid on the graphics card.
   int GetPyramidTop() const
@@ -132,18 +132,11 @@ private:
   template <typename Texel>
   bool UploadHeights(Store<Texel>& store);
   template <typename Texel>
-  bool UploadPyramid(Store<Texel>& store);
-  template <typename Texel>
-  bool UploadPyramidBuffer(const terrain::MinMaxPyramid<Texel>& pyramid);
-  template <typename Texel>
-  bool UploadPyramidLevels(const terrain::MinMaxPyramid<Texel>& pyramid);
+  bool UploadPyramid(vtkOpenGLRenderWindow* window, Store<Texel>& store);
   template <typename Texel>
   void UploadPart(Store<Texel>& store, const terrain::GridRectangle& samples);
   template <typename Texel>
-  void SendNodes(
-    const terrain::MinMaxPyramid<Texel>& pyramid, int level, const terrain::GridRectangle& part);
-  void SendTexels(vtkTextureObject* texture, int level, const terrain::GridRectangle& part,
-    int rowLength, const void* texels, int vtkType, int components);
+  void SendTexels(const Store<Texel>& store, const terrain::GridRectangle& part);
   std::string Prepare(vtkOpenGLRenderWindow* window);
 
   vtkWeakPointer<vtkImageData> Image;
@@ -172,12 +165,7 @@ private:
   int DetailLevel = 0;
   double DetailScale = 1.0;
   vtkNew<vtkTextureObject> Texture;
-  vtkNew<vtkTextureObject> PyramidTexture;
-  /// Mesa's llvmpipe finds a mip level for each pixel by itself, in some 150 instructions: for it
-  /// the pyramid is a buffer of all nodes.
-  vtkNew<vtkOpenGLBufferObject> PyramidBuffer;
-  bool PyramidIsBuffer = false;
-  terrain::PyramidLayout PyramidLayout;
+  vtkTerrainPyramidTexture PyramidTexture;
   int NumberOfUploads = 0;
   vtkIdType NumberOfUploadedTexels = 0;
 };

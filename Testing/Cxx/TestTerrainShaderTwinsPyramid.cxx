@@ -115,6 +115,17 @@ void setUniforms(vtkShaderProgram* program, const Coded& coded)
   program->SetUniformi("terrainPyramidStart", coded.start);
 }
 
+/// Sets where the levels of a pyramid begin in a buffer.
+template <typename Texel>
+void setLayout(vtkShaderProgram* program, const char* parts, const char* levels,
+  const terrain::MinMaxPyramid<Texel>& pyramid)
+{
+  const terrain::PyramidLayout& layout = pyramid.GetLayout();
+  const glm::ivec2 nodes(layout.Quarters, layout.Halves);
+  program->SetUniform2i(parts, &nodes[0]);
+  program->SetUniformi(levels, layout.Top);
+}
+
 /// A field on the GPU.
 template <typename Texel>
 class FieldTextures
@@ -159,10 +170,7 @@ public:
     program->SetUniformi("terrainPyramid", this->Pyramid->GetTextureUnit());
     program->SetUniformf("terrainBias", static_cast<float>(this->Coded.heights.bias));
     program->SetUniform2i("terrainPyramidSize", &nodes[0]);
-    const terrain::PyramidLayout& layout = this->Field.Pyramid.GetLayout();
-    const glm::ivec2 parts(layout.Quarters, layout.Halves);
-    program->SetUniform2i("terrainPyramidLayout", &parts[0]);
-    program->SetUniformi("terrainPyramidLevels", layout.Top);
+    setLayout(program, "terrainPyramidLayout", "terrainPyramidLevels", this->Field.Pyramid);
     setUniforms(program, this->Coded);
   }
 
@@ -190,7 +198,14 @@ public:
   {
     uploadTexels(
       window, this->Detail, glm::uvec2(sum.Coded.heights.period), sum.Detail.Texels.data());
-    uploadPyramid(window, this->DetailPyramid, sum.DetailNodes);
+    if (Integer)
+    {
+      uploadPyramidBuffer(window, this->DetailPyramid, this->DetailBuffer, sum.Nodes.Pyramid);
+    }
+    else
+    {
+      uploadPyramid(window, this->DetailPyramid, sum.Nodes.Pyramid);
+    }
   }
   SumTextures(const SumTextures&) = delete;
   SumTextures& operator=(const SumTextures&) = delete;
@@ -215,7 +230,9 @@ public:
     program->SetUniformi("terrainDetailLevel", heights.level);
     program->SetUniformf("terrainDetailScale", heights.scale);
     program->SetUniformi("terrainDetailTop", terrain::WholeLevels(heights.period));
-    program->SetUniformf("terrainDetailMaximum", heights.scale * this->Sum.Pyramid.detailMaximum);
+    program->SetUniformf("terrainDetailMaximum", heights.scale * this->Sum.Nodes.Maximum);
+    program->SetUniformf("terrainDetailUnit", heights.scale * this->Sum.Nodes.Unit);
+    setLayout(program, "terrainDetailLayout", "terrainDetailLevels", this->Sum.Nodes.Pyramid);
     setUniforms(program, this->Coded);
   }
 
@@ -225,6 +242,7 @@ private:
   const terrain::CodedSum<Texel>& Sum;
   FieldTextures<Texel> Base;
   vtkNew<vtkTextureObject> Detail;
+  vtkNew<vtkOpenGLBufferObject> DetailBuffer;
   vtkNew<vtkTextureObject> DetailPyramid;
 };
 

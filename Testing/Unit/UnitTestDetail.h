@@ -28,7 +28,7 @@ struct CodedSum
 {
   CodedField<Texel> Base;
   CodedField<float> Detail;
-  MinMaxPyramid<float> DetailNodes;
+  DetailNodes Nodes;
   DetailedPyramid<Texel> Pyramid;
   /// Of the sum.
   HeightCodes Codes;
@@ -39,12 +39,8 @@ struct CodedSum
     , Detail(detail)
   {
     const glm::ivec2 period(detail.Width, detail.Height);
-    const std::vector<float> wrapped = WrapPeriod(this->Detail.Texels.data(), period);
-    HeightfieldView<float> view;
-    view.Samples = wrapped.data();
-    view.Width = period.x + 1;
-    view.Height = period.y + 1;
-    this->DetailNodes.Build(view, SerialFor);
+    this->Nodes.Build(this->Detail.Texels.data(), period,
+      static_cast<float>(this->Detail.Codes.MaximumCode), SerialFor);
 
     this->Codes = this->Base.Codes;
     this->Codes.Offset += scale * this->Detail.Codes.Offset;
@@ -57,8 +53,7 @@ struct CodedSum
     heights.scale = static_cast<float>(scale);
     heights.size = (heights.base.size - 1) * (1 << level) + 1;
     heights.maximumCode = static_cast<float>(this->Codes.MaximumCode);
-    this->Pyramid = { &heights, &this->Base.Pyramid, &this->DetailNodes,
-      static_cast<float>(this->Detail.Codes.MaximumCode) };
+    this->Pyramid = { &heights, &this->Base.Pyramid, &this->Nodes };
     this->Coded.pyramid = &this->Pyramid;
   }
   CodedSum(const CodedSum&) = delete;

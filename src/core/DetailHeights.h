@@ -19,6 +19,7 @@
  * up to level k = level, that of the four corners of a part of one patch (a bilinear patch has its
  * extremes at corners), above it the base's own node of level k - level; that of the detail is its
  * node of level k within the period, or the whole period's where the period does not divide by 2^k.
+ * Nodes of the detail are 16-bit parts of its largest code, rounded outwards.
  */
 #ifndef terrain_DetailHeights_h
 #define terrain_DetailHeights_h
@@ -28,6 +29,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -125,16 +127,61 @@ struct DetailedHeights
   }
 };
 
+/// One period of detail with its first column and row once more behind the last ones, so that its
+/// cells are period.x x period.y: (period.x + 1) x (period.y + 1) values.
+inline std::vector<float> WrapPeriod(const float* detail, glm::ivec2 period)
+{
+  std::vector<float> wrapped;
+  wrapped.reserve(
+    (static_cast<std::size_t>(period.x) + 1) * (static_cast<std::size_t>(period.y) + 1));
+  for (int j = 0; j <= period.y; ++j)
+  {
+    const float* row = detail + static_cast<std::int64_t>(period.x) * (j % period.y);
+    wrapped.insert(wrapped.end(), row, row + period.x);
+    wrapped.push_back(row[0]);
+  }
+  return wrapped;
+}
+
+/// Bounds of the codes of one period of detail, in 16 bits.
+struct DetailNodes
+{
+  MinMaxPyramid<std::uint16_t> Pyramid;
+  /// Code of the detail per unit of the nodes.
+  float Unit = 1.0f;
+  /// Largest code of the period.
+  float Maximum = 0.0f;
+
+  /// Of codes from 0 to a maximum.
+  void Build(const float* detail, glm::ivec2 period, float maximum, const ParallelFor& parallelFor)
+  {
+    const std::vector<float> wrapped = WrapPeriod(detail, period);
+    HeightfieldView<float> view;
+    view.Samples = wrapped.data();
+    view.Width = period.x + 1;
+    view.Height = period.y + 1;
+    MinMaxPyramid<float> bounds;
+    bounds.Build(view, parallelFor);
+    this->Maximum = maximum;
+    this->Unit = std::max(maximum, 1e-30f) / 65534.0f; // 65535 of them are more than the maximum
+    this->Pyramid.BuildFrom(bounds,
+      [this](const PyramidNode<float>& node)
+      {
+        const double unit = this->Unit;
+        return PyramidNode<std::uint16_t>{ static_cast<std::uint16_t>(
+                                             std::min(std::ceil(node.Maximum / unit), 65535.0)),
+          static_cast<std::uint16_t>(std::max(std::floor(node.Minimum / unit), 0.0)) };
+      });
+  }
+};
+
 /// The bounds of a sum, with the functions of MinMaxPyramid.
 template <typename Texel>
 struct DetailedPyramid
 {
   const DetailedHeights<Texel>* heights = nullptr;
   const MinMaxPyramid<Texel>* base = nullptr;
-  /// Of the period and its first column and row once more (WrapPeriod()).
-  const MinMaxPyramid<float>* detail = nullptr;
-  /// Largest code of the period, not scaled.
-  float detailMaximum = 0.0f;
+  const DetailNodes* detail = nullptr;
 
   int LevelCount() const
   {
@@ -174,29 +221,14 @@ struct DetailedPyramid
     const float scale = this->heights->scale;
     if (level > top)
     {
-      return { scale * this->detailMaximum, 0.0f };
+      return { scale * this->detail->Maximum, 0.0f };
     }
-    const PyramidNode<float>& bounds =
-      this->detail->At(Wrap(node, this->heights->period >> level), level);
-    return { scale * bounds.Maximum, scale * bounds.Minimum };
+    const float unit = scale * this->detail->Unit;
+    const PyramidNode<std::uint16_t>& bounds =
+      this->detail->Pyramid.At(Wrap(node, this->heights->period >> level), level);
+    return { unit * static_cast<float>(bounds.Maximum), unit * static_cast<float>(bounds.Minimum) };
   }
 };
-
-/// One period of detail with its first column and row once more behind the last ones, so that its
-/// cells are period.x x period.y: (period.x + 1) x (period.y + 1) values.
-inline std::vector<float> WrapPeriod(const float* detail, glm::ivec2 period)
-{
-  std::vector<float> wrapped;
-  wrapped.reserve(
-    (static_cast<std::size_t>(period.x) + 1) * (static_cast<std::size_t>(period.y) + 1));
-  for (int j = 0; j <= period.y; ++j)
-  {
-    const float* row = detail + static_cast<std::int64_t>(period.x) * (j % period.y);
-    wrapped.insert(wrapped.end(), row, row + period.x);
-    wrapped.push_back(row[0]);
-  }
-  return wrapped;
-}
 
 /// Texel type of CodedPyramid for heights with detail over a base of Texels.
 template <typename Texel>

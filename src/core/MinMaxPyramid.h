@@ -30,6 +30,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -103,6 +104,24 @@ public:
    */
   std::vector<GridRectangle> Update(
     const HeightfieldView<T>& view, const GridRectangle& samples, const ParallelFor& parallelFor);
+
+  /// The nodes of another pyramid, each converted.
+  template <typename U, typename Convert>
+  void BuildFrom(const MinMaxPyramid<U>& other, Convert&& convert)
+  {
+    this->Cells = other.CellCount();
+    this->Layout = other.GetLayout();
+    this->NodeCount = other.NumberOfNodes();
+    this->Sizes.clear();
+    this->Nodes = std::make_unique<Node[]>(this->NodeCount);
+    for (int level = 1; level <= other.LevelCount(); ++level)
+    {
+      const glm::i64vec2 size(other.LevelSize(level));
+      this->Sizes.push_back(other.LevelSize(level));
+      std::transform(other.LevelNodes(level), other.LevelNodes(level) + size.x * size.y,
+        this->WritableNodes(level), convert);
+    }
+  }
 
   /// Number of stored levels, hence the top level; 0 without cells.
   int LevelCount() const
