@@ -143,7 +143,7 @@ void RefinementSelection::BeginSquare(const SquareSites& square)
   this->Links.Append(halves[0]);
   this->Links.Append(halves[1]);
   this->Grounds.Append({ frame.Detail.Centre, 0.0f });
-  Found<VertexSite> centre{ square.Centre, 0, 1, 1, 0.0f };
+  Found<VertexSite> centre{ square.Centre, { 0, 1, 1, 0 }, 0.0f };
   const bool morphing = this->Morphing;
   this->Morphing = false;
   this->Vertices.Append(
@@ -167,6 +167,7 @@ void RefinementSelection::SelectDepth(int depth, std::uint32_t first, std::uint3
     this->Links.Reserve();
     this->Grounds.Reserve();
     const std::uint32_t candidates = this->FindCandidates(first, std::min(first + Chunk, last));
+    this->Locate<IsBelow>(depth, candidates);
     const std::uint32_t count = this->Test<Site, IsBelow>(depth, candidates, found.data());
     this->Take<Site, IsBelow>(depth, found.data(), count);
   }
@@ -175,7 +176,7 @@ void RefinementSelection::SelectDepth(int depth, std::uint32_t first, std::uint3
 /// The vertices that have both parents, found from vertices first to last - 1.
 std::uint32_t RefinementSelection::FindCandidates(std::uint32_t first, std::uint32_t last)
 {
-  Candidate* const candidates = this->Candidates.data();
+  Place* const places = this->Places.data();
   std::uint32_t count = 0;
   for (std::uint32_t v = first; v < last; ++v)
   {
@@ -186,7 +187,7 @@ std::uint32_t RefinementSelection::FindCandidates(std::uint32_t first, std::uint
     {
       const std::uint32_t a = links[k];
       const std::uint32_t b = links[(k + 3) & 3];
-      candidates[count] = 4 * v + k;
+      places[count].From = 4 * v + k;
       // One parent may be missing beside a hole or outside.
       count += int(a != UnsplitLink::Drawn) & int(b != UnsplitLink::Drawn) &
         int((a | b) > UnsplitLink::Last);
@@ -195,55 +196,73 @@ std::uint32_t RefinementSelection::FindCandidates(std::uint32_t first, std::uint
   return count;
 }
 
-/// The candidates whose error is too large to leave them out.
+/// Finds the places of candidates. Their records are fetched: they lie all over the hierarchy, and
+/// no test should wait for one.
+template <bool IsBelow>
+void RefinementSelection::Locate(int depth, std::uint32_t count)
+{
+  const DepthTable& table = this->Frame->Depths[depth];
+  const CornerSteps& steps = kCornerSteps[depth & 1];
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    Place& place = this->Places[i];
+    const Node& node = this->Nodes[place.From >> 2];
+    const std::uint32_t turn = (node.Turn + place.From) & 3;
+    place.Column = 2 * node.Column + static_cast<std::uint32_t>(steps.Columns[turn]);
+    place.Row = 2 * node.Row + static_cast<std::uint32_t>(steps.Rows[turn]);
+    if constexpr (IsBelow)
+    {
+      __builtin_prefetch(
+        &table.Detail.Record(place.Column << table.Shift, place.Row << table.Shift));
+    }
+    else
+    {
+      place.Index = table.Columns[place.Column].Term + table.Rows[place.Row].Term;
+      __builtin_prefetch(&this->Frame->Records[place.Index]);
+    }
+  }
+}
+
+/// The candidates whose error is too large to leave them out; returns their number.
 template <typename Site, bool IsBelow>
 std::uint32_t RefinementSelection::Test(int depth, std::uint32_t count, Found<Site>* found)
 {
   const RefinementFrame& frame = *this->Frame;
   const DepthTable& table = frame.Depths[depth];
-  const CornerSteps& steps = kCornerSteps[depth & 1];
   std::uint32_t kept = 0;
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    const Candidate from = this->Candidates[i];
-    const Node& node = this->Nodes[from >> 2];
-    const std::uint32_t turn = (node.Turn + from) & 3;
-    // Not in its place, which waits for all before.
-    Found<Site> site;
-    site.From = from;
+    Found<Site>& site = found[i];
+    site.At = this->Places[i];
     site.Depth = &table;
-    site.StepColumn = 2 * node.Column + static_cast<std::uint32_t>(steps.Columns[turn]);
-    site.StepRow = 2 * node.Row + static_cast<std::uint32_t>(steps.Rows[turn]);
     if constexpr (std::is_same_v<Site, DetailVertexSite>)
     {
-      site.Position = std::uint64_t{ site.StepColumn } << table.Shift |
-        std::uint64_t{ site.StepRow } << (32 + table.Shift);
+      site.Position = PositionOf(site);
     }
     bool isNeeded = false;
     if constexpr (IsBelow)
     {
-      isNeeded = this->TestBelow(site, turn);
+      isNeeded = this->TestBelow(site);
     }
     else
     {
-      site.Column = &table.Columns[site.StepColumn];
-      site.Row = &table.Rows[site.StepRow];
-      site.Index = site.Column->Term + site.Row->Term;
+      site.Column = &table.Columns[site.At.Column];
+      site.Row = &table.Rows[site.At.Row];
+      site.Index = site.At.Index;
       isNeeded = IsSampleNeeded<Site>(frame, site);
     }
-    found[kept] = site;
+    this->Kept[kept] = i;
     kept += isNeeded ? 1 : 0;
   }
   return kept;
 }
 
 /// The same of a vertex below the samples: of both of its triangles, one must be drawn.
-TERRAIN_INLINE bool RefinementSelection::TestBelow(
-  Found<DetailVertexSite>& site, std::uint32_t turn) const
+TERRAIN_INLINE bool RefinementSelection::TestBelow(Found<DetailVertexSite>& site) const
 {
   const RefinementFrame& frame = *this->Frame;
-  const std::uint32_t v = site.From >> 2;
-  const std::uint32_t k = site.From & 3;
+  const std::uint32_t v = site.At.From >> 2;
+  const std::uint32_t k = site.At.From & 3;
   const std::uint32_t a = this->LinkOf(v, k);
   const std::uint32_t b = this->LinkOf(v, (k + 3) & 3);
   const Ground& left = this->Grounds[this->Nodes[v].Corners[k]];
@@ -252,7 +271,7 @@ TERRAIN_INLINE bool RefinementSelection::TestBelow(
   site.Twist = 0.0f;
   if (!site.Depth->IsOdd)
   {
-    const bool isRising = (turn & 1) == 0;
+    const bool isRising = ((this->Nodes[v].Turn + k) & 1) == 0;
     if (site.Depth == frame.FirstDetail)
     {
       const float twist = 0.25f *
@@ -279,9 +298,9 @@ void RefinementSelection::Take(int depth, Found<Site>* found, std::uint32_t coun
   const DepthTable& table = frame.Depths[depth];
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    Found<Site>& site = found[i];
-    const std::uint32_t v = site.From >> 2;
-    const std::uint32_t k = site.From & 3;
+    Found<Site>& site = found[this->Kept[i]];
+    const std::uint32_t v = site.At.From >> 2;
+    const std::uint32_t k = site.At.From & 3;
     const Node& node = this->Nodes[v];
     const std::uint32_t a = this->LinkOf(v, k);
     const std::uint32_t b = this->LinkOf(v, (k + 3) & 3);
@@ -303,7 +322,7 @@ void RefinementSelection::Take(int depth, Found<Site>* found, std::uint32_t coun
     {
       SetDrawn(table.IsOdd, turn, site.Record.Drawn(), halves);
     }
-    this->Nodes.Append({ { { corner, a >> 1, v, b >> 1 } }, site.StepColumn, site.StepRow,
+    this->Nodes.Append({ { { corner, a >> 1, v, b >> 1 } }, site.At.Column, site.At.Row,
       static_cast<std::uint8_t>(turn), static_cast<std::uint8_t>(mask) });
     this->Links.Append(halves[0]);
     this->Links.Append(halves[1]);
@@ -351,8 +370,7 @@ TERRAIN_INLINE StripVertex RefinementSelection::MakeVertex(
     if (frame.SharesSamples &&
       (site.Column->Sample == frame.LastColumn || site.Row->Sample == frame.LastRow))
     {
-      site.Position = std::uint64_t{ site.StepColumn } << site.Depth->Shift |
-        std::uint64_t{ site.StepRow } << (32 + site.Depth->Shift);
+      site.Position = PositionOf(site);
       this->MergeVertex(site, vertex);
     }
     return vertex;

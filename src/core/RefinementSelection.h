@@ -89,14 +89,20 @@ private:
     float Height;
     float Twist;
   };
-  /// A vertex that is looked at: 4 x v + k, for m on the edge from v to ck.
-  using Candidate = std::uint32_t;
+  /// A vertex that is looked at.
+  struct Place
+  {
+    /// 4 x v + k, for m on the edge from v to ck.
+    std::uint32_t From;
+    /// Column and row, in steps of the depth, and record.
+    std::uint32_t Column;
+    std::uint32_t Row;
+    std::uint32_t Index;
+  };
   template <typename Site>
   struct Found : Site
   {
-    Candidate From;
-    std::uint32_t StepColumn;
-    std::uint32_t StepRow;
+    Place At;
     float Twist;
   };
   /// Vertices at a time, for what is known of them to stay in the first cache.
@@ -107,11 +113,19 @@ private:
   template <typename Site, bool IsBelow>
   void SelectDepth(int depth, std::uint32_t first, std::uint32_t last);
   std::uint32_t FindCandidates(std::uint32_t first, std::uint32_t last);
+  template <bool IsBelow>
+  void Locate(int depth, std::uint32_t count);
   template <typename Site, bool IsBelow>
   std::uint32_t Test(int depth, std::uint32_t count, Found<Site>* found);
   template <typename Site, bool IsBelow>
   void Take(int depth, Found<Site>* found, std::uint32_t count);
-  bool TestBelow(Found<DetailVertexSite>& site, std::uint32_t turn) const;
+  bool TestBelow(Found<DetailVertexSite>& site) const;
+  template <typename Site>
+  static std::uint64_t PositionOf(const Found<Site>& site)
+  {
+    const int shift = site.Depth->Shift;
+    return std::uint64_t{ site.At.Column } << shift | std::uint64_t{ site.At.Row } << (32 + shift);
+  }
   void MergeVertex(const VertexSite& site, StripVertex& vertex);
   std::uint32_t LinkOf(std::uint32_t vertex, std::uint32_t k) const
   {
@@ -128,7 +142,9 @@ private:
   AppendBuffer<Node> Nodes;
   AppendBuffer<TriangleHalves> Links;
   AppendBuffer<Ground> Grounds;
-  std::array<Candidate, 4 * Chunk> Candidates{};
+  std::array<Place, 4 * Chunk> Places{};
+  /// Numbers of those that are needed.
+  std::array<std::uint32_t, 4 * Chunk> Kept{};
   /// First vertex of each sample, column + 65536 row, of the last row and column, if several
   /// vertices share them; and the others.
   std::unordered_map<std::uint32_t, std::uint32_t> Border;

@@ -61,13 +61,20 @@ TERRAIN_INLINE StripVertex VertexBelowSamples(
   return vertex;
 }
 
+/// The value, or 0 if it is negative; no branch, which would wait for it.
+TERRAIN_INLINE float AtLeastZero(float value)
+{
+  const std::uint32_t bits = FloatBits(value);
+  return BitsFloat(bits & ((bits >> 31) - 1u));
+}
+
 /// How far a vertex is from its own height, 1 to 0; `ratio` of its projected error to that from
 /// which it is active. See Refinement.h.
 TERRAIN_INLINE float MorphOf(double ratio)
 {
   constexpr double end = kMorphEnd / kMorphBegin;
-  // Not std::clamp, whose branches would wait for the division.
-  return static_cast<float>(std::min(std::max((end - ratio) * (1.0 / (end - 1.0)), 0.0), 1.0));
+  const auto morph = static_cast<float>((end - ratio) * (1.0 / (end - 1.0)));
+  return AtLeastZero(1.0f - AtLeastZero(1.0f - morph));
 }
 
 /// Morphs a vertex between the ends of its hypotenuse.
