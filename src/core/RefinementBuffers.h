@@ -62,6 +62,11 @@ public:
       this->Grow();
     }
   }
+  /// After writing to the reserved elements at operator[](Count()): there are so many now.
+  TERRAIN_INLINE void SetCount(std::uint32_t count)
+  {
+    this->Used = count;
+  }
   TERRAIN_INLINE T& operator[](std::uint32_t index)
   {
     return this->Data[index];

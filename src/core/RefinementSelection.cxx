@@ -33,8 +33,8 @@ std::uint32_t DrawnBit(bool isOdd, std::uint32_t turn)
 
 /// Links of the halves of a vertex, two for each triangle, by what is known of the triangles: of
 /// those that are there, `drawn` says which halves are drawn.
-void SetDrawn(bool isOdd, std::uint32_t turn, std::uint32_t drawn,
-  std::array<std::array<std::uint32_t, 2>, 2>& links)
+void SetDrawn(
+  bool isOdd, std::uint32_t turn, std::uint32_t drawn, std::array<std::uint32_t, 2>* links)
 {
   for (std::uint32_t k = 0; k < 4; ++k)
   {
@@ -101,54 +101,63 @@ void RefinementSelection::BeginSquare(const SquareSites& square)
   const RefinementFrame& frame = *this->Frame;
   this->TriangleCount = 4;
   this->Nodes.Clear();
+  this->Masks.Clear();
   this->Links.Clear();
   this->Grounds.Clear();
   this->Border.clear();
   this->Merged.clear();
-  this->Vertices.Reserve();
+  this->Reserve();
   constexpr std::uint32_t outside = UnsplitLink::Outside;
   constexpr std::uint32_t first = 2 * Centre;
   constexpr std::array<std::array<TriangleHalves, 2>, 4> links{ {
     { { { { UnsplitLink::Drawn, UnsplitLink::Drawn } },
       { { UnsplitLink::Hole, UnsplitLink::Hole } } } },
-    { { { { first, outside } }, { { 0, outside } } } },
-    { { { { first + 1, outside } }, { { 0, outside } } } },
-    { { { { outside, outside } }, { { 0, 0 } } } },
+    { { { { first, outside } }, { { UnsplitLink::Drawn, outside } } } },
+    { { { { first + 1, outside } }, { { UnsplitLink::Drawn, outside } } } },
+    { { { { outside, outside } }, { { UnsplitLink::Drawn, UnsplitLink::Drawn } } } },
   } };
-  for (std::uint32_t corner = 0; corner < 4; ++corner)
+  constexpr std::array<Node, 5> nodes{ { { {}, 0, 0, 0 }, { { { 0, 3, 0, 0 } }, 1, 0, 0 },
+    { { { 3, 0, 0, 0 } }, 0, 1, 2 }, { {}, 1, 1, 0 }, { { { 0, 1, 3, 2 } }, 1, 1, 0 } } };
+  for (std::uint32_t corner = 0; corner < Centre; ++corner)
   {
-    const std::uint32_t column = corner & 1;
-    const std::uint32_t row = corner >> 1;
-    const std::array<std::uint32_t, 2> next = corner == 1
-      ? std::array<std::uint32_t, 2>{ { 0, 3 } }
-      : std::array<std::uint32_t, 2>{ { 3, 0 } };
-    this->Nodes.Append({ { { next[0], next[1], 0, 0 } }, column, row,
-      static_cast<std::uint8_t>(corner == 2 ? 2 : 0), 0xff });
-    this->Links.Append(links[corner][0]);
-    this->Links.Append(links[corner][1]);
-    this->Grounds.Append({ frame.Detail.Corners[corner], 0.0f });
-    this->Vertices.Append(square.Corners[corner]);
+    this->Nodes[corner] = nodes[corner];
+    this->Masks[corner] = 0xff;
+    this->Links[2 * corner] = links[corner][0];
+    this->Links[2 * corner + 1] = links[corner][1];
+    this->Grounds[corner] = { frame.Detail.Corners[corner], 0.0f };
+    this->Vertices[corner] = square.Corners[corner];
     if (frame.SharesSamples)
     {
       this->Border.try_emplace(square.Samples[corner], corner);
     }
   }
-  std::array<TriangleHalves, 2> halves{};
+  this->Nodes[Centre] = nodes[Centre];
+  this->Masks[Centre] = static_cast<std::uint8_t>((1u << frame.PlaneCount) - 1u);
+  this->Links[first] = { { UnsplitLink::Drawn, UnsplitLink::Drawn } };
+  this->Links[first + 1] = { { UnsplitLink::Drawn, UnsplitLink::Drawn } };
   if (frame.HasHoles)
   {
-    SetDrawn(false, 0, square.Centre.Record.Drawn(), halves);
+    SetDrawn(false, 0, square.Centre.Record.Drawn(), &this->Links[first]);
   }
-  this->Nodes.Append(
-    { { { 0, 1, 3, 2 } }, 1, 1, 0, static_cast<std::uint8_t>((1u << frame.PlaneCount) - 1u) });
-  this->Links.Append(halves[0]);
-  this->Links.Append(halves[1]);
-  this->Grounds.Append({ frame.Detail.Centre, 0.0f });
+  this->Grounds[Centre] = { frame.Detail.Centre, 0.0f };
+  // The centre is where it is, whatever its hypotenuse.
   Found<VertexSite> centre{ square.Centre, { 0, 1, 1, 0 }, 0.0f };
   const bool morphing = this->Morphing;
   this->Morphing = false;
-  this->Vertices.Append(
-    this->MakeVertex<VertexSite, false>(centre, square.Corners[0], square.Corners[3]));
+  this->Vertices[Centre] =
+    this->MakeVertex<VertexSite, false>(centre, Centre, this->Vertices[0], this->Vertices[3]);
   this->Morphing = morphing;
+  this->SetCount(Centre + 1);
+}
+
+/// Makes room for what a chunk of vertices finds.
+void RefinementSelection::Reserve()
+{
+  this->Vertices.Reserve();
+  this->Nodes.Reserve();
+  this->Masks.Reserve();
+  this->Links.Reserve();
+  this->Grounds.Reserve();
 }
 
 /// Looks at the vertices of a depth that are found from the vertices of number first to last - 1.
@@ -162,10 +171,7 @@ void RefinementSelection::SelectDepth(int depth, std::uint32_t first, std::uint3
     {
       return;
     }
-    this->Vertices.Reserve();
-    this->Nodes.Reserve();
-    this->Links.Reserve();
-    this->Grounds.Reserve();
+    this->Reserve();
     const std::uint32_t candidates = this->FindCandidates(first, std::min(first + Chunk, last));
     this->Locate<IsBelow>(depth, candidates);
     const std::uint32_t count = this->Test<Site, IsBelow>(depth, candidates, found.data());
@@ -296,42 +302,48 @@ void RefinementSelection::Take(int depth, Found<Site>* found, std::uint32_t coun
 {
   const RefinementFrame& frame = *this->Frame;
   const DepthTable& table = frame.Depths[depth];
+  const bool culls = frame.PlaneCount != 0;
+  const bool hasHoles = !IsBelow && frame.HasHoles;
+  // In registers, which members that are appended to would not be.
+  Node* const nodes = &this->Nodes[0];
+  TriangleHalves* const links = &this->Links[0];
+  std::uint32_t number = this->Nodes.Count();
+  std::int64_t triangleCount = this->TriangleCount;
   for (std::uint32_t i = 0; i < count; ++i)
   {
     Found<Site>& site = found[this->Kept[i]];
     const std::uint32_t v = site.At.From >> 2;
     const std::uint32_t k = site.At.From & 3;
-    const Node& node = this->Nodes[v];
-    const std::uint32_t a = this->LinkOf(v, k);
-    const std::uint32_t b = this->LinkOf(v, (k + 3) & 3);
-    std::uint32_t mask = this->Nodes[a >> 1].PlaneMask & this->Nodes[b >> 1].PlaneMask;
-    if ((mask & table.PlaneMask) != 0 && IsCulled<Site>(frame, site, mask))
+    const std::uint32_t a = links[2 * v + (k >> 1)][k & 1];
+    const std::uint32_t b = links[2 * v + (((k + 3) & 3) >> 1)][(k + 3) & 1];
+    if (culls)
     {
-      continue;
+      std::uint32_t mask = this->Masks[a >> 1] & this->Masks[b >> 1];
+      if ((mask & table.PlaneMask) != 0 && IsCulled<Site>(frame, site, mask))
+      {
+        continue;
+      }
+      this->Masks[number] = static_cast<std::uint8_t>(mask);
     }
-    const std::uint32_t number = this->Nodes.Count();
-    const std::uint32_t corner = node.Corners[k];
-    const std::uint32_t turn = (node.Turn + k) & 3;
-    std::array<TriangleHalves, 2> halves;
-    halves[0][0] = halves[0][1] = this->Links[a][0];
-    halves[1][0] = halves[1][1] = this->Links[b][1];
-    const int triangles =
-      int(halves[0][0] != UnsplitLink::Outside) + int(halves[1][0] != UnsplitLink::Outside);
-    this->TriangleCount += triangles;
-    if (!IsBelow && frame.HasHoles)
+    const std::uint32_t corner = nodes[v].Corners[k];
+    const std::uint32_t turn = (nodes[v].Turn + k) & 3;
+    nodes[number] = { { { corner, a >> 1, v, b >> 1 } }, site.At.Column, site.At.Row, turn };
+    const std::uint32_t first = links[a][0];
+    const std::uint32_t second = links[b][1];
+    const int triangles = int(first != UnsplitLink::Outside) + int(second != UnsplitLink::Outside);
+    triangleCount += triangles;
+    links[2 * number] = { { first, first } };
+    links[2 * number + 1] = { { second, second } };
+    if (hasHoles)
     {
-      SetDrawn(table.IsOdd, turn, site.Record.Drawn(), halves);
+      SetDrawn(table.IsOdd, turn, site.Record.Drawn(), &links[2 * number]);
     }
-    this->Nodes.Append({ { { corner, a >> 1, v, b >> 1 } }, site.At.Column, site.At.Row,
-      static_cast<std::uint8_t>(turn), static_cast<std::uint8_t>(mask) });
-    this->Links.Append(halves[0]);
-    this->Links.Append(halves[1]);
     // Parents that are missing are not linked.
-    this->Links[a > UnsplitLink::Last ? a : UnsplitLink::Last][0] = 2 * number;
-    this->Links[b > UnsplitLink::Last ? b : UnsplitLink::Last][1] = 2 * number + 1;
+    links[std::max(a, UnsplitLink::Last)][0] = 2 * number;
+    links[std::max(b, UnsplitLink::Last)][1] = 2 * number + 1;
     if constexpr (std::is_same_v<Site, DetailVertexSite>)
     {
-      this->Grounds.Append({ site.BaseHeight, site.Twist });
+      this->Grounds[number] = { site.BaseHeight, site.Twist };
     }
     if (this->Counts)
     {
@@ -339,16 +351,29 @@ void RefinementSelection::Take(int depth, Found<Site>* found, std::uint32_t coun
     }
     else
     {
-      this->Vertices.Append(
-        this->MakeVertex<Site, IsBelow>(site, this->Vertices[corner], this->Vertices[v]));
+      this->Vertices[number] =
+        this->MakeVertex<Site, IsBelow>(site, number, this->Vertices[corner], this->Vertices[v]);
     }
+    ++number;
   }
+  this->TriangleCount = triangleCount;
+  this->SetCount(number);
+}
+
+/// Completes the numbers of what is known of vertices.
+void RefinementSelection::SetCount(std::uint32_t count)
+{
+  this->Nodes.SetCount(count);
+  this->Masks.SetCount(count);
+  this->Links.SetCount(2 * count);
+  this->Grounds.SetCount(count);
+  this->Vertices.SetCount(count);
 }
 
 /// The mesh's vertex, whose hypotenuse ends at `left` and `right`.
 template <typename Site, bool IsBelow>
 TERRAIN_INLINE StripVertex RefinementSelection::MakeVertex(
-  Found<Site>& site, const StripVertex& left, const StripVertex& right)
+  Found<Site>& site, std::uint32_t number, const StripVertex& left, const StripVertex& right)
 {
   const RefinementFrame& frame = *this->Frame;
   if constexpr (IsBelow)
@@ -371,16 +396,16 @@ TERRAIN_INLINE StripVertex RefinementSelection::MakeVertex(
       (site.Column->Sample == frame.LastColumn || site.Row->Sample == frame.LastRow))
     {
       site.Position = PositionOf(site);
-      this->MergeVertex(site, vertex);
+      this->MergeVertex(site, number, vertex);
     }
     return vertex;
   }
 }
 
 /// On the last row and column several vertices of the hierarchy share a sample, and are one.
-TERRAIN_NO_INLINE void RefinementSelection::MergeVertex(const VertexSite& site, StripVertex& vertex)
+TERRAIN_NO_INLINE void RefinementSelection::MergeVertex(
+  const VertexSite& site, std::uint32_t number, StripVertex& vertex)
 {
-  const std::uint32_t number = this->Vertices.Count();
   if (IsBeyond(*this->Frame, site))
   {
     // No drawn triangle uses it.

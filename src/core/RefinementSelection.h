@@ -79,9 +79,7 @@ private:
     std::uint32_t Column;
     std::uint32_t Row;
     /// Where the first corner lies, in quarter turns.
-    std::uint8_t Turn;
-    /// Planes that cut the sphere.
-    std::uint8_t PlaneMask;
+    std::uint32_t Turn;
   };
   /// With detail: height of the base, and below the samples TriangleSite's twist.
   struct Ground
@@ -126,13 +124,16 @@ private:
     const int shift = site.Depth->Shift;
     return std::uint64_t{ site.At.Column } << shift | std::uint64_t{ site.At.Row } << (32 + shift);
   }
-  void MergeVertex(const VertexSite& site, StripVertex& vertex);
+  void MergeVertex(const VertexSite& site, std::uint32_t number, StripVertex& vertex);
+  void Reserve();
+  void SetCount(std::uint32_t count);
   std::uint32_t LinkOf(std::uint32_t vertex, std::uint32_t k) const
   {
     return this->Links[2 * vertex + (k >> 1)][k & 1];
   }
   template <typename Site, bool IsBelow>
-  StripVertex MakeVertex(Found<Site>& site, const StripVertex& left, const StripVertex& right);
+  StripVertex MakeVertex(
+    Found<Site>& site, std::uint32_t number, const StripVertex& left, const StripVertex& right);
 
   const RefinementFrame* Frame = nullptr;
   ToleranceCounts* Counts = nullptr;
@@ -140,6 +141,8 @@ private:
   std::int64_t TriangleCount = 0;
   AppendBuffer<StripVertex> Vertices;
   AppendBuffer<Node> Nodes;
+  /// Planes that cut the vertices' spheres.
+  AppendBuffer<std::uint8_t> Masks;
   AppendBuffer<TriangleHalves> Links;
   AppendBuffer<Ground> Grounds;
   std::array<Place, 4 * Chunk> Places{};
