@@ -62,6 +62,26 @@ public:
       this->Grow();
     }
   }
+  /// The end of what was appended, with room as Reserve() makes; for loops that keep it themselves
+  /// and give it back to Reserve(end) and SetEnd().
+  T* Reserved()
+  {
+    this->Reserve();
+    return this->Data + this->Used;
+  }
+  TERRAIN_INLINE T* Reserve(T* end)
+  {
+    if (end < this->Data + this->Limit)
+    {
+      return end;
+    }
+    this->SetEnd(end);
+    return this->Reserved();
+  }
+  void SetEnd(const T* end)
+  {
+    this->Used = static_cast<std::uint32_t>(end - this->Data);
+  }
   /// After writing to the reserved elements at operator[](Count()): there are so many now.
   TERRAIN_INLINE void SetCount(std::uint32_t count)
   {

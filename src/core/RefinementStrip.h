@@ -52,24 +52,26 @@ public:
   void Run(std::array<Triangle, 4>& triangles)
   {
     this->Broken = Triangles::Holes;
+    End end = this->Strip.Reserved();
     if (!Triangles::Holes)
     {
       // The first index stands for the other end of the first triangle's entering edge: there the
       // strip turns, so it is the third.
-      this->Strip.Append(triangles[0].Left);
-      this->Strip.Append(triangles[0].Left);
+      *end++ = triangles[0].Left;
+      *end++ = triangles[0].Left;
     }
     for (Triangle& triangle : triangles)
     {
       if (this->All.IsSplit(triangle))
       {
-        this->template General<StripEdge::Side, StripEdge::Side, true>(triangle);
+        end = this->template General<StripEdge::Side, StripEdge::Side, true>(triangle, end);
       }
       else
       {
-        this->template Leaf<StripEdge::Side, StripEdge::Side, true>(triangle);
+        end = this->template Leaf<StripEdge::Side, StripEdge::Side, true>(triangle, end);
       }
     }
+    this->Strip.SetEnd(end);
     if (!Triangles::Holes)
     {
       this->Strip[0] = this->Strip[2];
@@ -77,10 +79,13 @@ public:
   }
 
 private:
+  /// Where the strip goes on: the procedures pass it on, so that it stays in a register.
+  using End = std::uint32_t*;
+
   /// A triangle that is not split. Last: the left end of its hypotenuse is the strip's last index;
   /// otherwise it is the other end of the entering edge.
   template <StripEdge In, StripEdge Exit, bool Last>
-  TERRAIN_INLINE void Leaf(const Triangle& triangle)
+  TERRAIN_INLINE End Leaf(const Triangle& triangle, End end)
   {
     constexpr bool sides = In == StripEdge::Side && Exit == StripEdge::Side;
     constexpr bool leavesBottom = Exit == StripEdge::Bottom;
@@ -89,147 +94,144 @@ private:
       if (!Triangles::IsDrawn(triangle))
       {
         this->Broken = true;
-        return;
+        return end;
       }
       if (this->Broken)
       {
-        this->Start(leavesBottom ? triangle.Apex : triangle.Left,
+        ++this->TriangleCount;
+        return this->Start(end, leavesBottom ? triangle.Apex : triangle.Left,
           sides ? triangle.Apex : (leavesBottom ? triangle.Left : triangle.Right),
           In == StripEdge::Bottom ? triangle.Apex : triangle.Right, triangle.IsOdd != sides);
-        ++this->TriangleCount;
-        return;
       }
     }
     // The strip turns round the vertex that the entering and the leaving edge share.
     constexpr bool turns = leavesBottom ? !Last : Last;
     if constexpr (turns)
     {
-      this->Strip.Append(sides ? triangle.Apex : (leavesBottom ? triangle.Left : triangle.Right));
+      *end++ = sides ? triangle.Apex : (leavesBottom ? triangle.Left : triangle.Right);
     }
-    this->Strip.Append(In == StripEdge::Bottom ? triangle.Apex : triangle.Right);
+    *end++ = In == StripEdge::Bottom ? triangle.Apex : triangle.Right;
     ++this->TriangleCount;
+    return end;
   }
 
   /// Goes on at the triangle (first, second, third) after a gap, joined by degenerate triangles.
-  TERRAIN_NO_INLINE void Start(
-    std::uint32_t first, std::uint32_t second, std::uint32_t third, bool counterClockwise)
+  TERRAIN_NO_INLINE End Start(
+    End end, std::uint32_t first, std::uint32_t second, std::uint32_t third, bool counterClockwise)
   {
-    if (this->Strip.Count() != 0)
+    const std::uint32_t* const begin = &this->Strip[0];
+    if (end != begin)
     {
-      this->Strip.Append(this->Strip[this->Strip.Count() - 1]);
-      this->Strip.Append(first);
+      *end = end[-1];
+      ++end;
+      *end++ = first;
     }
-    this->Strip.Append(first);
-    if (((this->Strip.Count() & 1u) != 0) != counterClockwise)
+    *end++ = first;
+    if ((((end - begin) & 1) != 0) != counterClockwise)
     {
-      this->Strip.Append(first);
+      *end++ = first;
     }
-    this->Strip.Append(second);
-    this->Strip.Append(third);
+    *end++ = second;
+    *end++ = third;
     this->Broken = false;
+    return end;
   }
 
   template <StripEdge In, StripEdge Exit, bool Last>
-  TERRAIN_INLINE void BothLeaves(const Triangle& left, const Triangle& right)
+  TERRAIN_INLINE End BothLeaves(const Triangle& left, const Triangle& right, End end)
   {
-    this->template Leaf<Flip(In), StripEdge::Side, Last>(left);
-    this->template Leaf<StripEdge::Side, Flip(Exit), In == StripEdge::Bottom>(right);
+    end = this->template Leaf<Flip(In), StripEdge::Side, Last>(left, end);
+    return this->template Leaf<StripEdge::Side, Flip(Exit), In == StripEdge::Bottom>(right, end);
   }
 
   /// A triangle that is split, and whose halves may both be.
   template <StripEdge In, StripEdge Exit, bool Last>
-  void General(const Triangle& triangle)
+  End General(const Triangle& triangle, End end)
   {
-    this->Strip.Reserve();
+    end = this->Strip.Reserve(end);
     Triangle left = this->All.Half(triangle, 0);
     Triangle right = this->All.Half(triangle, 1);
     if (this->All.IsFinest(triangle))
     {
-      this->template BothLeaves<In, Exit, Last>(left, right);
-      return;
+      return this->template BothLeaves<In, Exit, Last>(left, right, end);
     }
     const bool isLeftSplit = this->All.IsSplit(left);
     const bool isRightSplit = this->All.IsSplit(right);
     if (isLeftSplit && isRightSplit)
     {
-      this->template General<Flip(In), StripEdge::Side, Last>(left);
-      this->template General<StripEdge::Side, Flip(Exit), true>(right);
+      end = this->template General<Flip(In), StripEdge::Side, Last>(left, end);
+      return this->template General<StripEdge::Side, Flip(Exit), true>(right, end);
     }
-    else if (isLeftSplit)
+    if (isLeftSplit)
     {
-      this->template LeftOf<Flip(In), Last>(left);
-      this->template Leaf<StripEdge::Side, Flip(Exit), true>(right);
+      end = this->template LeftOf<Flip(In), Last>(left, end);
+      return this->template Leaf<StripEdge::Side, Flip(Exit), true>(right, end);
     }
-    else if (isRightSplit)
+    if (isRightSplit)
     {
-      this->template Leaf<Flip(In), StripEdge::Side, Last>(left);
-      this->template RightOf<Flip(Exit), In == StripEdge::Bottom>(right);
+      end = this->template Leaf<Flip(In), StripEdge::Side, Last>(left, end);
+      return this->template RightOf<Flip(Exit), In == StripEdge::Bottom>(right, end);
     }
-    else
-    {
-      this->template BothLeaves<In, Exit, Last>(left, right);
-    }
+    return this->template BothLeaves<In, Exit, Last>(left, right, end);
   }
 
   /// A left half beside a right one that is not split: that forbids to split the edge between them,
   /// unless nothing is drawn there.
   template <StripEdge In, bool Last>
-  TERRAIN_INLINE void LeftOf(const Triangle& left)
+  TERRAIN_INLINE End LeftOf(const Triangle& left, End end)
   {
     if constexpr (Triangles::Holes)
     {
-      this->template General<In, StripEdge::Side, Last>(left);
+      return this->template General<In, StripEdge::Side, Last>(left, end);
     }
     else
     {
-      this->template LeftOnly<In, StripEdge::Side, Last>(left);
+      return this->template LeftOnly<In, StripEdge::Side, Last>(left, end);
     }
   }
 
   /// The same with sides changed.
   template <StripEdge Exit, bool Last>
-  TERRAIN_INLINE void RightOf(const Triangle& right)
+  TERRAIN_INLINE End RightOf(const Triangle& right, End end)
   {
     if constexpr (Triangles::Holes)
     {
-      this->template General<StripEdge::Side, Exit, Last>(right);
+      return this->template General<StripEdge::Side, Exit, Last>(right, end);
     }
     else
     {
-      this->template RightOnly<StripEdge::Side, Exit, Last>(right);
+      return this->template RightOnly<StripEdge::Side, Exit, Last>(right, end);
     }
   }
 
   /// A triangle that is split, and whose right half cannot be.
   template <StripEdge In, StripEdge Exit, bool Last>
-  void LeftOnly(const Triangle& triangle)
+  End LeftOnly(const Triangle& triangle, End end)
   {
-    this->Strip.Reserve();
+    end = this->Strip.Reserve(end);
     Triangle left = this->All.Half(triangle, 0);
     const Triangle right = this->All.Half(triangle, 1);
     if (!this->All.IsFinest(triangle) && this->All.IsSplit(left))
     {
-      this->template LeftOf<Flip(In), Last>(left);
-      this->template Leaf<StripEdge::Side, Flip(Exit), true>(right);
-      return;
+      end = this->template LeftOf<Flip(In), Last>(left, end);
+      return this->template Leaf<StripEdge::Side, Flip(Exit), true>(right, end);
     }
-    this->template BothLeaves<In, Exit, Last>(left, right);
+    return this->template BothLeaves<In, Exit, Last>(left, right, end);
   }
 
   /// A triangle that is split, and whose left half cannot be.
   template <StripEdge In, StripEdge Exit, bool Last>
-  void RightOnly(const Triangle& triangle)
+  End RightOnly(const Triangle& triangle, End end)
   {
-    this->Strip.Reserve();
+    end = this->Strip.Reserve(end);
     const Triangle left = this->All.Half(triangle, 0);
     Triangle right = this->All.Half(triangle, 1);
     if (!this->All.IsFinest(triangle) && this->All.IsSplit(right))
     {
-      this->template Leaf<Flip(In), StripEdge::Side, Last>(left);
-      this->template RightOf<Flip(Exit), In == StripEdge::Bottom>(right);
-      return;
+      end = this->template Leaf<Flip(In), StripEdge::Side, Last>(left, end);
+      return this->template RightOf<Flip(Exit), In == StripEdge::Bottom>(right, end);
     }
-    this->template BothLeaves<In, Exit, Last>(left, right);
+    return this->template BothLeaves<In, Exit, Last>(left, right, end);
   }
 
   Triangles All;
