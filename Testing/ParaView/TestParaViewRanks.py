@@ -22,8 +22,8 @@ SCRIPT = str(pathlib.Path(__file__).with_name("drawRanks.py"))
 # on the coarse mesh, and that on the size of a piece, as do the triangles of Strips; translucent
 # colours are rounded once a rank.
 LARGEST_SHARES = {"Pyramid": 1e-4, "Linear": 1e-4, "Mesh": 1e-4, "OneCell": 1e-4,
-                  "Relief": 1e-4, "TranslucentCell": 1e-3,
-                  "Translucent": 1e-3, "TranslucentWithBall": 1e-3, "Equidistant": 2e-3,
+                  "Relief": 1e-4, "TranslucentCell": 1e-4,
+                  "Translucent": 2e-4, "TranslucentWithBall": 2e-4, "Equidistant": 2e-3,
                   "Exponential": 2e-3, "Strips": 5e-2}
 ENVIRONMENT = {**os.environ, "OMP_NUM_THREADS": "1", "LP_NUM_THREADS": "1"}
 

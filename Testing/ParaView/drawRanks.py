@@ -27,6 +27,7 @@ for technique in TECHNIQUES:
     display.TerrainTechnique = technique
     terrainScene.save(view, f"{sys.argv[1]}-{technique}.png")
 display.Opacity = 0.5
+display.TerrainMaximumLayers = 8  # one rank must not end sooner than several
 terrainScene.save(view, f"{sys.argv[1]}-TranslucentWithBall.png")
 simple.Hide(ball, view)
 terrainScene.save(view, f"{sys.argv[1]}-Translucent.png")

@@ -9,7 +9,6 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "vtkExtractVOI.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -51,24 +50,6 @@ int numberOfProcesses()
 {
   vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
   return processes ? processes->GetNumberOfProcesses() : 1;
-}
-
-/// Makes a terrain draw, of a piece's samples, those that are no copies of others'. One of several
-/// pieces has strips that meet its neighbours'.
-void takePiece(vtkTerrainActor* actor, vtkImageData* piece, bool isOneOfSeveral)
-{
-  std::array<int, 2> first{};
-  std::array<int, 2> last{};
-  vtkTerrainPieces::OwnSamples(piece, first, last);
-  actor->SetInputData(piece);
-  actor->GetTerrainMapper()->SetExtract(first.data(), last.data());
-  const int* extent = piece->GetExtent();
-  vtkNew<vtkExtractVOI> own;
-  own->SetInputData(piece);
-  own->SetVOI(extent[0] + first[0], extent[0] + last[0], extent[2] + first[1], extent[2] + last[1],
-    extent[4], extent[5]);
-  actor->GetStrips()->SetInputConnection(own->GetOutputPort());
-  actor->GetStrips()->SetKeepBorder(isOneOfSeveral);
 }
 
 /// Makes a view have so many of some actors.
@@ -306,7 +287,7 @@ void vtkTerrainRepresentation::TakePieces(vtkDataObject* delivered)
     // each update brings other images, but other arrays only if something has changed
     if (!actor->GetHeights() || !vtkTerrainPieces::AreSame(actor->GetHeights(), pieces[k]))
     {
-      takePiece(actor, pieces[k], pieces.size() > 1 || numberOfProcesses() > 1);
+      vtkTerrainLooks::TakePiece(actor, pieces[k], pieces.size() > 1 || numberOfProcesses() > 1);
     }
     if (k > 0)
     {
@@ -451,6 +432,12 @@ void vtkTerrainRepresentation::SetTechnique(int technique)
 void vtkTerrainRepresentation::SetStripsTolerance(double pixels)
 {
   this->Actor->GetStrips()->SetTolerance(pixels);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRepresentation::SetMaximumLayers(int layers)
+{
+  this->Actor->GetTerrainMapper()->SetMaximumLayers(layers);
 }
 
 //------------------------------------------------------------------------------

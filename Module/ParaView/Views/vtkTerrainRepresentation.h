@@ -59,6 +59,8 @@ public:
   static constexpr int Strips = 5;
   /// Largest error of Strips in pixels, > 0; default 1.
   void SetStripsTolerance(double pixels);
+  /// Most surfaces along a ray that are drawn where they are translucent, >= 1; default 4.
+  void SetMaximumLayers(int layers);
   /// Drawn height over true height, > 0; default 1.
   void SetVerticalExaggeration(double exaggeration);
   /// What colours show: vtkOpenGLTerrainMapper::ColorSources as a number; default 0, the array.
