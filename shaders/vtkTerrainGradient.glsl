@@ -54,10 +54,19 @@ vec2 terrainMeanGradient(vec2 position, float level)
 // side; of one texel if level < 0. Codes: of the cell's corners.
 vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
 {
-  float fine = clamp(level, 0.0, terrainFirstSlopeLevel);
-  vec2 mean = terrainMeanGradient(vec2(cell) + fraction, max(level, terrainFirstSlopeLevel));
-  return mix(terrainWideGradient(cell, fraction, codes, exp2(fine)), mean,
-    clamp(level - terrainFirstSlopeLevel + 1.0, 0.0, 1.0));
+  float coarse = clamp(level - terrainFirstSlopeLevel + 1.0, 0.0, 1.0);
+  vec2 gradient = vec2(0.0);
+  if (coarse < 1.0)
+  {
+    float fine = clamp(level, 0.0, terrainFirstSlopeLevel);
+    gradient = terrainWideGradient(cell, fraction, codes, exp2(fine));
+  }
+  if (coarse > 0.0)
+  {
+    vec2 mean = terrainMeanGradient(vec2(cell) + fraction, max(level, terrainFirstSlopeLevel));
+    gradient = mix(gradient, mean, coarse);
+  }
+  return gradient;
 }
 
 #ifdef TERRAIN_DETAIL
