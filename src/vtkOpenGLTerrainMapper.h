@@ -268,9 +268,9 @@ public:
   ///@}
 
   ///@{
-  /// Let the rays that the fragment shader casts with the technique Pyramid begin where those of a
-  /// tile of 8 x 8 pixels can first meet the surface, which a compute shader finds ahead of drawing
-  /// where OpenGL 4.3 is there: the same picture, in software rendering up to a third sooner.
+  /// Let the rays of the technique Pyramid begin where those of a tile of 8 x 8 pixels can first
+  /// meet the surface, which a compute shader finds ahead of drawing where OpenGL 4.3 is there: the
+  /// same picture, in software rendering up to a third sooner, on graphics cards up to a tenth.
   /// Default on.
   void SetUseBeams(bool use);
   bool GetUseBeams() const
@@ -467,6 +467,7 @@ private:
   void FollowValues(ShaderMap shaders);
   std::string HeightDefines() const;
   std::string CastDefines() const;
+  std::string BeamDefines() const;
   std::string ShaderDefines(vtkActor* act);
   void UpdateView(vtkRenderer* ren, vtkActor* act);
   bool UsesCompute(vtkActor* act) const;

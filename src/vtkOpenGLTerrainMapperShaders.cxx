@@ -204,6 +204,12 @@ std::string vtkOpenGLTerrainMapper::CastDefines() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOpenGLTerrainMapper::BeamDefines() const
+{
+  return this->Internals->BeamStarts.IsFilled() ? vtkInternals::BeamDefine() : "";
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act)
 {
   if (!this->UsesSurface(act))
@@ -213,10 +219,9 @@ std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act)
   std::string defines;
   if (this->CastsRays(act))
   {
-    defines = "#define TERRAIN_CAST\n" + this->CastDefines();
+    defines = "#define TERRAIN_CAST\n" + this->CastDefines() + this->BeamDefines();
     defines += this->Internals->EyeInBox ? "" : "#define TERRAIN_BELOW_MESH\n";
     defines += this->Internals->Sightings.IsFilled() ? "#define TERRAIN_READ_SIGHTINGS\n" : "";
-    defines += this->Internals->BeamStarts.IsFilled() ? vtkInternals::BeamDefine() : "";
   }
   else
   {

@@ -97,7 +97,7 @@ bool vtkOpenGLTerrainMapper::UsesBeams(vtkActor* act) const
 {
   return this->UseBeams && this->CastsRays(act) && this->Technique == Techniques::Pyramid &&
     this->Surface == Surfaces::Bilinear && vtkTerrainComputeProgram::IsSupported() &&
-    !this->UsesCompute(act) && !this->Internals->Cutting.Block; // walls may lie before the start
+    !this->Internals->Cutting.Block; // walls may lie before the start
 }
 
 //------------------------------------------------------------------------------
@@ -140,7 +140,7 @@ void vtkOpenGLTerrainMapper::ComputeSightings(vtkRenderer* ren, vtkActor* act)
   internals.Sightings.Forget();
   if (this->UsesCompute(act))
   {
-    this->Compute(ren, act, internals.Sightings, this->CastDefines(),
+    this->Compute(ren, act, internals.Sightings, this->CastDefines() + this->BeamDefines(),
       this->CastFunctions() + vtkTerrainSightingCS, 1, 4);
   }
 }

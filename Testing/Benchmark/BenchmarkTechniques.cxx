@@ -10,7 +10,8 @@
 //
 // Techniques: coarse, equidistant, pyramid (in the fragment shader), pyramid-alone (the same
 // without beams), pyramid-within (with a tolerance of a pixel), pyramid-detail (with 64 cells of
-// detail along a cell), compute (pyramid in a compute shader), full (every cell two triangles).
+// detail along a cell), compute and compute-detail (the same in a compute shader), full (every cell
+// two triangles).
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainDetailSource.h"
@@ -125,7 +126,7 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
   mapper->SetComputeMode(compute ? Modes::On : Modes::Off);
   mapper->SetUseBeams(name != "pyramid-alone");
   mapper->SetPixelTolerance(name == "pyramid-within" ? 1.0 : 0.0);
-  if (name == "pyramid-detail")
+  if (name == "pyramid-detail" || name == "compute-detail")
   {
     vtkNew<vtkTerrainDetailSource> detail;
     detail->Update();
