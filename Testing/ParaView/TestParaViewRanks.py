@@ -47,10 +47,25 @@ def prefix_of(kind, ranks):
     return prefix
 
 
+def without_broken(pictures, messages):
+    """Leaves out what ParaView itself cannot draw.
+
+    Where objects stand in translucent terrain, ParaView sends their parts to the ranks as XML, which
+    VTK before 9.4 cannot read with expat from 2.6.0 on, nor with one that is mended against
+    CVE-2023-52425 (in Debian 12: 2.5.0-1+deb12u2). The objects are missing then.
+    """
+    sys.stderr.write(messages)
+    if "Error parsing XML in stream" in messages:
+        print("Not compared: ParaView cannot read with this expat what its ranks send each other")
+        del pictures["TranslucentWithBall"]
+    return pictures
+
+
 def draw(ranks):
     prefix = prefix_of("ranks", ranks)
-    subprocess.run(on_ranks(ranks, PVBATCH, SCRIPT, prefix), check=True, env=ENVIRONMENT)
-    return read(prefix)
+    done = subprocess.run(on_ranks(ranks, PVBATCH, SCRIPT, prefix), check=True, env=ENVIRONMENT,
+                          stderr=subprocess.PIPE, encoding="utf-8")
+    return without_broken(read(prefix), done.stderr)
 
 
 def draw_on_server(ranks):
@@ -60,15 +75,17 @@ def draw_on_server(ranks):
         free.bind(("localhost", 0))
         port = str(free.getsockname()[1])
     folder = pathlib.Path(PVBATCH).parent
-    server = subprocess.Popen(on_ranks(ranks, str(folder / "pvserver"), f"--server-port={port}"),
-                              env=ENVIRONMENT, stdout=subprocess.DEVNULL)
+    messages = pathlib.Path(f"{prefix}.txt")
+    with messages.open("wb") as log:
+        server = subprocess.Popen(on_ranks(ranks, str(folder / "pvserver"), f"--server-port={port}"),
+                                  env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=log)
     try:
         subprocess.run(on_ranks(1, str(folder / "pvpython"), SCRIPT, prefix, port), check=True,
                        env=ENVIRONMENT, timeout=300)
         server.wait(60)  # it ends with its client
     finally:
         server.kill()
-    return read(prefix)
+    return without_broken(read(prefix), messages.read_text(encoding="utf-8"))
 
 
 def is_background(picture):
@@ -81,7 +98,8 @@ class TestRanks(unittest.TestCase):
         cls.alone = draw(1)
 
     def expect_same(self, together):
-        for case, largest_share in LARGEST_SHARES.items():
+        for case in together:
+            largest_share = LARGEST_SHARES[case]
             with self.subTest(case=case):
                 off = (np.abs(together[case] - self.alone[case]) > 1).any(axis=2)
                 self.assertLessEqual(off.mean(), largest_share)
