@@ -124,6 +124,10 @@ set(core_without_contraction
   ProceduralTerrain
   StreamErosion
 )
+# Its procedures recurse with triangles of a few numbers, which are slower gathered in vectors.
+set(core_without_vectors
+  Refinement
+)
 # They pass std::string to GeographicLib, and are compiled for its string ABI.
 set(core_with_geographic_strings
   GeographicText
@@ -154,6 +158,10 @@ if (core)
     list(TRANSFORM core_without_contraction APPEND ".cxx")
     set_source_files_properties(${core_without_contraction}
       PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
+    list(TRANSFORM core_without_vectors PREPEND "${root}/src/core/")
+    list(TRANSFORM core_without_vectors APPEND ".cxx")
+    set_source_files_properties(${core_without_vectors}
+      PROPERTIES COMPILE_OPTIONS "-fno-tree-slp-vectorize")
   endif ()
   list(TRANSFORM core_with_geographic_strings PREPEND "${root}/src/core/")
   list(TRANSFORM core_with_geographic_strings APPEND ".cxx")

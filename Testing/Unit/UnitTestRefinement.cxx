@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 using namespace hierarchytest;
 using terrain::MemoryHierarchy;
 using terrain::RefinementMethod;
@@ -254,6 +256,46 @@ TEST(Refinement, PlainAndImprovedMakeTheSameTriangles)
         EXPECT_EQ(TriangleSet(plain), TriangleSet(improved));
         EXPECT_LE(improved.Strip.size(), plain.Strip.size() + 4);
       }
+    }
+  }
+}
+
+namespace
+{
+/// Heights and displacements of the vertices that triangles use, by sample.
+std::map<Sample, std::array<float, 2>> Morphs(const StripMesh& mesh)
+{
+  std::map<Sample, std::array<float, 2>> morphs;
+  for (const auto& indices : IndexTriangles(mesh))
+  {
+    for (const std::uint32_t index : indices)
+    {
+      const terrain::StripVertex& vertex = mesh.Vertices[index];
+      morphs[SampleOf(mesh, index)] = { { vertex.Height, vertex.Displacement } };
+    }
+  }
+  return morphs;
+}
+}
+
+TEST(Refinement, PlainAndImprovedCullAndMorphAlike)
+{
+  for (const auto& size : Sizes)
+  {
+    for (const std::string& pattern : { std::string("none"), std::string("lake") })
+    {
+      const Raster raster = WithHoles(MakeHills(size[0], size[1]), pattern);
+      const MemoryHierarchy hierarchy = Build(raster);
+      RefinementView view = MakeView(raster, 0.4, 0.3, 10.0);
+      const glm::dvec3 normal(0.8, 0.6, 0.0);
+      view.Planes = { glm::dvec4(normal, -glm::dot(normal, view.Eye)) };
+      RefinementOptions options = WithTolerance(3.0);
+      options.Morphing = true;
+      const StripMesh improved = Refine(hierarchy, view, options);
+      options.Method = RefinementMethod::Plain;
+      const StripMesh plain = Refine(hierarchy, view, options);
+      EXPECT_EQ(TriangleSet(plain), TriangleSet(improved)) << size[0] << " x " << size[1];
+      EXPECT_EQ(Morphs(plain), Morphs(improved)) << size[0] << " x " << size[1] << pattern;
     }
   }
 }

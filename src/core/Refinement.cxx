@@ -66,6 +66,7 @@ struct Refiner::Work
   double SlopeScale = -1.0;
   RefinementFrame Frame;
   std::array<std::vector<AxisEntry>, 2> Axes;
+  std::array<std::vector<DistanceEntry>, 2> Distances;
   /// First and last column, first and last row of the square.
   std::array<std::array<AxisEntry, 2>, 2> Ends{};
   /// Scaled space is model space relative to the grid's origin, times this.
@@ -78,8 +79,9 @@ struct Refiner::Work
   void TabulateDetail();
   void TabulateRelief();
   void SetRelief(double slopeScale);
-  void SetDetailView(const RefinementView& view, const glm::dvec3& eye);
+  void SetDetailView(const RefinementView& view);
   void SetDetailTolerance(const RefinementView& view);
+  void SetDistances();
   void SetDepths(int count);
   void SetView(const RefinementView& view);
   void SetTolerance(const RefinementView& view, double tolerance);
@@ -121,7 +123,7 @@ void Refiner::Work::Tabulate()
   for (int axis = 0; axis < 2; ++axis)
   {
     const auto entry = [&](std::int64_t cell, std::uint32_t term) {
-      return AxisEntry{ 0.0, term, static_cast<std::uint32_t>(std::min(cell, last[axis])) };
+      return AxisEntry{ term, static_cast<std::uint32_t>(std::min(cell, last[axis])) };
     };
     for (int pair = 0; pair < layout.Pairs(); ++pair)
     {
@@ -237,7 +239,7 @@ void Refiner::Work::SetRelief(double slopeScale)
 }
 
 /// Circles and spheres of the view; RefinementDetail.h says what they hold.
-void Refiner::Work::SetDetailView(const RefinementView& view, const glm::dvec3& eye)
+void Refiner::Work::SetDetailView(const RefinementView& view)
 {
   DetailFrame& frame = this->Frame.Detail;
   const double heightUnit = this->Frame.Step.z;
@@ -246,7 +248,6 @@ void Refiner::Work::SetDetailView(const RefinementView& view, const glm::dvec3& 
   frame.Middle = 0.5 * view.DetailScale * ends;
   frame.PlaneStep = glm::dvec2(this->Frame.Step) * std::ldexp(1.0, -this->Level());
   frame.Step = view.Parallel ? glm::dvec2(0.0) : frame.PlaneStep;
-  frame.Eye = view.Parallel ? glm::dvec2(std::sqrt(0.5)) : glm::dvec2(eye);
   this->Frame.EyeHeight -= frame.Middle * this->Frame.DistanceScale;
 
   this->SetRelief(heightUnit / this->Scale);
@@ -299,17 +300,35 @@ void Refiner::Work::SetView(const RefinementView& view)
   this->Frame.EyeHeight = view.Parallel ? 0.0 : eye.z;
   this->Frame.RadiusScale = view.Parallel ? 0.0 : 1.0;
   this->SetDepths(this->Depths());
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    for (AxisEntry& entry : this->Axes[axis])
-    {
-      const double distance = entry.Sample * this->Frame.Step[axis] - eye[axis];
-      entry.Distance2 = view.Parallel ? 0.5 : distance * distance;
-    }
-  }
+  // Halves of 1, whatever the column and row.
+  this->Frame.Eye = view.Parallel ? glm::dvec2(std::sqrt(0.5)) : glm::dvec2(eye);
+  this->Frame.DistanceStep = view.Parallel ? glm::dvec2(0.0) : glm::dvec2(this->Frame.Step);
   if (this->Detail)
   {
-    this->SetDetailView(view, eye);
+    this->SetDetailView(view);
+  }
+}
+
+/// Tables of distances to the eye, for refinement by them alone.
+void Refiner::Work::SetDistances()
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    std::vector<DistanceEntry>& entries = this->Distances[axis];
+    entries.clear();
+    for (const AxisEntry& entry : this->Axes[axis])
+    {
+      const double distance = entry.Sample * this->Frame.DistanceStep[axis] - this->Frame.Eye[axis];
+      entries.push_back({ distance * distance, entry.Sample });
+    }
+  }
+  for (DepthTable& table : this->Frame.Depths)
+  {
+    if (table.Columns)
+    {
+      table.ColumnDistances = &this->Distances[0][table.Columns - this->Axes[0].data()];
+      table.RowDistances = &this->Distances[1][table.Rows - this->Axes[1].data()];
+    }
   }
 }
 
@@ -423,10 +442,9 @@ std::int64_t Refiner::Work::MakeImprovedByDistance(std::vector<std::uint32_t>& s
       return half * (unit[0] + unit[1] * (std::int64_t(1) << 32));
     };
     const std::int64_t toApex = way(2 + 2 * side);
-    square[side] = { sites.SampleAt(kSquareRound[side]), sites.SampleAt(4),
-      sites.SampleAt(kSquareRound[side + 1]), 0,
-      this->Centre() - static_cast<std::uint64_t>(toApex), toApex, way(4 + 2 * side),
-      &this->Frame.Depths[1] };
+    square[side] = { this->Centre() - static_cast<std::uint64_t>(toApex), toApex, way(4 + 2 * side),
+      &this->Frame.Depths[1], sites.SampleAt(kSquareRound[side]), sites.SampleAt(4),
+      sites.SampleAt(kSquareRound[side + 1]), 0 };
   }
   return StripThrough(DistanceTriangles(this->Frame), square, strip);
 }
@@ -552,6 +570,7 @@ std::int64_t Refiner::RefineByDistance(const RefinementView& view, double range,
 {
   Work& work = *this->Private;
   work.SetView(view);
+  work.SetDistances();
   work.SetDepths(work.Hierarchy.Layout->Depths());
   work.SetPlanes(view, CullingMethod::None);
   const HierarchyLayout& layout = *work.Hierarchy.Layout;

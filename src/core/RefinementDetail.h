@@ -137,9 +137,8 @@ struct DetailFrame
   /// Heights of the base: corners of the square as in the summary, and its centre.
   std::array<float, 4> Corners{};
   float Centre = 0.0f;
-  /// A detail cell and the eye, in scaled space, for distances; and a detail cell for planes.
+  /// A detail cell in scaled space, for distances and for planes.
   glm::dvec2 Step{ 1.0 };
-  glm::dvec2 Eye{ 0.0 };
   glm::dvec2 PlaneStep{ 1.0 };
   /// Reach of an error of 1 in the detail's own heights.
   double ErrorScale = 0.0;

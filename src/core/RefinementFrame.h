@@ -23,10 +23,17 @@ namespace terrain
 /// A column or row of vertices of a pair of depths.
 struct AxisEntry
 {
-  /// Its part of the squared distance to the eye, in scaled space; its term of the record index.
-  double Distance2;
+  /// Its term of the record index.
   std::uint32_t Term;
   /// Column or row of the sample that it is drawn at.
+  std::uint32_t Sample;
+};
+
+/// The same for refinement by distance: its part of the squared distance to the eye, in scaled
+/// space.
+struct DistanceEntry
+{
+  double Distance2;
   std::uint32_t Sample;
 };
 
@@ -40,11 +47,22 @@ struct DepthTable
   std::uint32_t PlaneMask = 0;
   /// Hypotenuses of this depth's triangles lie along the axes.
   bool IsOdd = false;
-  /// Squared distance below which a vertex is active (RefineByDistance).
+  /// RefineByDistance only: squared distance below which a vertex is active.
+  const DistanceEntry* ColumnDistances = nullptr;
+  const DistanceEntry* RowDistances = nullptr;
   double Range2 = 0.0;
   /// With detail only; of depths below the base's samples only.
   ReliefTable Relief;
   DetailDepth Detail;
+
+  TERRAIN_INLINE const DistanceEntry& ColumnDistance(std::uint64_t position) const
+  {
+    return this->ColumnDistances[static_cast<std::uint32_t>(position) >> this->Shift];
+  }
+  TERRAIN_INLINE const DistanceEntry& RowDistance(std::uint64_t position) const
+  {
+    return this->RowDistances[static_cast<std::uint32_t>(position >> 32) >> this->Shift];
+  }
 };
 
 /// One refinement: the view in scaled space, which is model space relative to the grid's origin,
@@ -55,7 +73,10 @@ struct RefinementFrame
   /// The deepest one that vertices are looked at.
   const DepthTable* Deepest = nullptr;
   const HierarchyRecord* Records = nullptr;
-  /// Height of the eye and height unit, for distances; both 0 in parallel projection.
+  /// For distances: the eye and the size of a cell and of the height unit. In parallel projection
+  /// sizes are 0 and the eye is such that all distances are 1.
+  glm::dvec2 Eye{ 0.0 };
+  glm::dvec2 DistanceStep{ 1.0 };
   double EyeHeight = 0.0;
   double DistanceScale = 1.0;
   /// Active: Error ErrorScale + Radius RadiusScale > d. In perspective that is

@@ -220,7 +220,9 @@ private:
   {
     if constexpr (Traits::Distance)
     {
-      return site.Column->Distance2 + site.Row->Distance2 < site.Depth->Range2;
+      return site.Depth->ColumnDistance(site.Position).Distance2 +
+        site.Depth->RowDistance(site.Position).Distance2 <
+        site.Depth->Range2;
     }
     else
     {

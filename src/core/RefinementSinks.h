@@ -48,7 +48,8 @@ public:
   std::uint32_t Vertex(
     const RefinementFrame&, const VertexSite& site, std::uint32_t, std::uint32_t) const
   {
-    return site.Column->Sample | (site.Row->Sample << 16);
+    return site.Depth->ColumnDistance(site.Position).Sample |
+      (site.Depth->RowDistance(site.Position).Sample << 16);
   }
 };
 

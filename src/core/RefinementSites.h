@@ -72,8 +72,10 @@ template <typename Site>
 TERRAIN_INLINE bool IsSampleNeeded(const RefinementFrame& frame, Site& site)
 {
   site.Record = frame.Records[site.Index];
+  const double dx = site.Column->Sample * frame.DistanceStep.x - frame.Eye.x;
+  const double dy = site.Row->Sample * frame.DistanceStep.y - frame.Eye.y;
   const double dz = site.Record.Height * frame.DistanceScale - frame.EyeHeight;
-  site.Distance2 = site.Column->Distance2 + site.Row->Distance2 + dz * dz;
+  site.Distance2 = dx * dx + dy * dy + dz * dz;
   site.ErrorReach = site.Record.Error() * frame.ErrorScale;
   site.RadiusReach = site.Record.Radius() * frame.RadiusScale;
   bool hasError = site.Record.HasError();
@@ -99,8 +101,8 @@ TERRAIN_INLINE bool IsDetailNeeded(
   const BaseRelief relief = ReliefAbout(site);
   site.Record = depth.Record(x, y);
   site.BaseHeight = baseHeight;
-  const double dx = x * detail.Step.x - detail.Eye.x;
-  const double dy = y * detail.Step.y - detail.Eye.y;
+  const double dx = x * detail.Step.x - frame.Eye.x;
+  const double dy = y * detail.Step.y - frame.Eye.y;
   const double dz = site.BaseHeight * frame.DistanceScale - frame.EyeHeight;
   site.FlatDistance2 = dx * dx + dy * dy;
   site.Distance2 = site.FlatDistance2 + dz * dz;

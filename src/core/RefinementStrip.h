@@ -85,7 +85,7 @@ private:
   /// A triangle that is not split. Last: the left end of its hypotenuse is the strip's last index;
   /// otherwise it is the other end of the entering edge.
   template <StripEdge In, StripEdge Exit, bool Last>
-  TERRAIN_INLINE End Leaf(const Triangle& triangle, End end)
+  End Leaf(const Triangle& triangle, End end)
   {
     constexpr bool sides = In == StripEdge::Side && Exit == StripEdge::Side;
     constexpr bool leavesBottom = Exit == StripEdge::Bottom;
@@ -138,7 +138,7 @@ private:
   }
 
   template <StripEdge In, StripEdge Exit, bool Last>
-  TERRAIN_INLINE End BothLeaves(const Triangle& left, const Triangle& right, End end)
+  End BothLeaves(const Triangle& left, const Triangle& right, End end)
   {
     end = this->template Leaf<Flip(In), StripEdge::Side, Last>(left, end);
     return this->template Leaf<StripEdge::Side, Flip(Exit), In == StripEdge::Bottom>(right, end);

@@ -73,17 +73,17 @@ public:
 
   struct Triangle
   {
-    std::uint32_t Left;
-    std::uint32_t Apex;
-    std::uint32_t Right;
-    /// Of a triangle that is split: the vertex that halves it.
-    std::uint32_t Middle;
-    /// That vertex's position, as column + 2^32 row, and from there the ways to the apex and to the
-    /// left end of the hypotenuse.
+    /// Position of the vertex that halves it, as column + 2^32 row, and from there the ways to the
+    /// apex and to the left end of the hypotenuse.
     std::uint64_t Position;
     std::int64_t ToApex;
     std::int64_t ToLeft;
     const DepthTable* Depth;
+    std::uint32_t Left;
+    std::uint32_t Apex;
+    std::uint32_t Right;
+    /// Of a triangle that is split: that vertex.
+    std::uint32_t Middle;
   };
 
   explicit DistanceTriangles(const RefinementFrame& frame)
@@ -110,10 +110,8 @@ public:
   TERRAIN_INLINE bool IsSplit(Triangle& triangle) const
   {
     const DepthTable& depth = *triangle.Depth;
-    const AxisEntry& column =
-      depth.Columns[static_cast<std::uint32_t>(triangle.Position) >> depth.Shift];
-    const AxisEntry& row =
-      depth.Rows[static_cast<std::uint32_t>(triangle.Position >> 32) >> depth.Shift];
+    const DistanceEntry& column = depth.ColumnDistance(triangle.Position);
+    const DistanceEntry& row = depth.RowDistance(triangle.Position);
     if (column.Distance2 + row.Distance2 < depth.Range2)
     {
       triangle.Middle = column.Sample | (row.Sample << 16);
