@@ -83,7 +83,7 @@ struct PyramidLayout
   std::int64_t Begin(int level) const
   {
     return (this->Quarters >> (2 * level - 2)) + (this->Halves >> (level - 1)) +
-      2 * (this->Top - level);
+      2 * std::int64_t{ this->Top - level };
   }
 };
 
