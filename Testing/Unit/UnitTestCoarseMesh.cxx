@@ -4,6 +4,7 @@
 // fields; and the mesh is no higher than it must be.
 #include "core/CoarseMesh.h"
 #include "core/CoarseMeshSurface.h"
+#include "core/Constants.h"
 
 #include "UnitTestFields.h"
 
@@ -21,7 +22,6 @@
 
 namespace
 {
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 using Real = long double;
 using Vector2 = glm::tvec2<Real>;
 /// Rounding of the sums of this test in long double, as a fraction of their largest term; far below
@@ -380,7 +380,7 @@ TEST(CoarseMesh, NoPatchPointAboveFieldsWithoutData)
       {
         const double value = AdversarialHeight(kind, i, j, random);
         const bool none = random() % 100 < missing;
-        return none ? ((random() & 1) != 0 ? kNaN : HUGE_VAL) : value;
+        return none ? ((random() & 1) != 0 ? terrain::kNaN : HUGE_VAL) : value;
       });
     const terrain::CoarseMesh mesh = Build(field, 1 + random() % 7);
     CheckConservative(field, mesh);
@@ -448,7 +448,7 @@ TEST(CoarseMesh, FlatFieldIsTouched)
 //------------------------------------------------------------------------------
 TEST(CoarseMesh, NoDataOnlyKeepsNothing)
 {
-  auto field = MakeField<double>(9, 9, [](std::int64_t, std::int64_t) { return kNaN; });
+  auto field = MakeField<double>(9, 9, [](std::int64_t, std::int64_t) { return terrain::kNaN; });
   EXPECT_EQ(Build(field, 4).QuadKept, std::vector<unsigned char>(4, 0));
   // A single height makes no cell.
   field.Samples[40] = 1.0;
@@ -509,7 +509,7 @@ TEST(CoarseMesh, SameHoweverRangesAreSplit)
   std::mt19937 random(6);
   const auto field = MakeField<double>(61, 37,
     [&](std::int64_t i, std::int64_t j)
-    { return random() % 9 == 0 ? kNaN : AdversarialHeight(0, i, j, random); });
+    { return random() % 9 == 0 ? terrain::kNaN : AdversarialHeight(0, i, j, random); });
   terrain::CoarseMeshOptions options;
   options.CellsPerQuad = 5;
   const auto once = terrain::BuildCoarseMesh(field.View(), options, terrain::SerialFor);
@@ -533,10 +533,10 @@ TEST(CoarseMesh, HullIsAClosedManifoldOrientedOutward)
   {
     const auto field = MakeField<double>(2 + random() % 9, 2 + random() % 9,
       [&](std::int64_t i, std::int64_t j)
-      { return random() % 4 == 0 ? kNaN : AdversarialHeight(0, i, j, random); });
+      { return random() % 4 == 0 ? terrain::kNaN : AdversarialHeight(0, i, j, random); });
     const terrain::CoarseMesh mesh = Build(field, 1 + random() % 3);
     const terrain::CoarseMeshSurface surface(mesh, true, mesh.MinimumHeight - 1.0);
-    std::vector<glm::dvec3> points(surface.NumberOfVertices(), glm::dvec3(kNaN));
+    std::vector<glm::dvec3> points(surface.NumberOfVertices(), glm::dvec3(terrain::kNaN));
     surface.ForEachVertex(
       [&](std::int64_t id, const terrain::CoarseMeshVertex& v) {
         points[id] = { v.Column, v.Row, v.Height };

@@ -40,10 +40,10 @@ terrain::TerrainRay MakeRay(const glm::vec3& origin, const glm::vec3& direction)
 }
 
 /// Coded heights of a function of the sample.
-struct Field
+struct SearchedField
 {
   template <typename Function>
-  Field(int width, int height, Function&& heightAt)
+  SearchedField(int width, int height, Function&& heightAt)
     : Width(width)
     , Height(height)
   {
@@ -151,7 +151,7 @@ TEST(HeightSearch, EquidistantStepsHaveOneLengthWhateverTheSlope)
 //------------------------------------------------------------------------------
 TEST(HeightSearch, SegmentsEndAtTheCodesAndTheBorder)
 {
-  const Field field(11, 21, [](int i, int) { return i; });
+  const SearchedField field(11, 21, [](int i, int) { return i; });
   const auto search = field.Search();
   // Down to code 0, up to the largest, with a margin of 1e-4 of the codes.
   const auto down = search.Segment(MakeRay({ 5.0f, 5.0f, 30.0f }, { 0.0f, 0.0f, -2.0f }));
@@ -169,7 +169,7 @@ TEST(HeightSearch, SegmentsEndAtTheCodesAndTheBorder)
   EXPECT_GT(past.x, past.y);
   for (const auto& size : { glm::ivec2(1, 1), glm::ivec2(1, 9), glm::ivec2(9, 1) })
   {
-    const Field line(size.x, size.y, [](int, int) { return 1; });
+    const SearchedField line(size.x, size.y, [](int, int) { return 1; });
     EXPECT_FALSE(
       line.Search().SearchLinear(MakeRay({ 0.0f, 0.0f, 3.0f }, { 0.0f, 0.0f, -1.0f })).found);
   }
@@ -178,7 +178,7 @@ TEST(HeightSearch, SegmentsEndAtTheCodesAndTheBorder)
 //------------------------------------------------------------------------------
 TEST(HeightSearch, FindsASlopeFromBothSides)
 {
-  const Field field(40, 40, [](int i, int) { return 2 * i; });
+  const SearchedField field(40, 40, [](int i, int) { return 2 * i; });
   const auto search = field.Search();
   for (const float side : { 1.0f, -1.0f })
   {
@@ -199,7 +199,7 @@ TEST(HeightSearch, FindsASlopeFromBothSides)
 //------------------------------------------------------------------------------
 TEST(HeightSearch, StartOnAFlatSurfaceIsAHit)
 {
-  const Field field(40, 40, [](int, int) { return 5; });
+  const SearchedField field(40, 40, [](int, int) { return 5; });
   const auto search = field.Search();
   for (const float above : { 0.0f, 1e-6f, -4e-6f })
   {
@@ -215,7 +215,7 @@ TEST(HeightSearch, HolesAreNotHitTheirRimIs)
 {
   const float none = std::numeric_limits<float>::quiet_NaN();
   // No surface for 10 <= x <= 20; the ray comes down there and goes on below the rest.
-  const Field field(40, 40, [none](int i, int) { return i > 10 && i < 20 ? none : 5.0f; });
+  const SearchedField field(40, 40, [none](int i, int) { return i > 10 && i < 20 ? none : 5.0f; });
   const auto search = field.Search();
   EXPECT_FALSE(
     search.SearchEquidistant(MakeRay({ 0.5f, 7.0f, 6.0f }, { 1.0f, 0.0f, -0.1f })).found);
@@ -228,7 +228,7 @@ TEST(HeightSearch, HolesAreNotHitTheirRimIs)
 //------------------------------------------------------------------------------
 TEST(HeightSearch, LeavesTheMeshAndStops)
 {
-  const Field field(400, 40, [](int i, int) { return i == 399 ? 100 : 0; });
+  const SearchedField field(400, 40, [](int i, int) { return i == 399 ? 100 : 0; });
   auto search = field.Search();
   search.parameters.LargestGap = 3.0f;
   search.parameters.Steps = 4000;
@@ -276,7 +276,7 @@ struct Agreement
   int SameDistance = 0;
 };
 
-Agreement Compare(const Field& field, const terrain::ReferenceCamera& camera)
+Agreement Compare(const SearchedField& field, const terrain::ReferenceCamera& camera)
 {
   const auto view = field.View();
   const terrain::ReferenceRayCaster<float> reference(view, {}, terrain::SerialFor);
@@ -320,7 +320,7 @@ Agreement Compare(const Field& field, const terrain::ReferenceCamera& camera)
 //------------------------------------------------------------------------------
 TEST(HeightSearch, DefaultEquidistantAgreesWithTheReference)
 {
-  const Field field(300, 240,
+  const SearchedField field(300, 240,
     [](int i, int j)
     {
       const double x = 0.02 * i;

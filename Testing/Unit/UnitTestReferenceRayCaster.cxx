@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference against closed forms, and against dense sampling of random rays and fields.
+#include "core/Constants.h"
 #include "core/ReferenceRayCaster.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,6 @@
 
 namespace
 {
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// A field with its caster.
 struct Scene
 {
@@ -49,7 +48,7 @@ struct Scene
     const auto j = static_cast<std::int64_t>(std::floor(p.y));
     if (i < 0 || j < 0 || i >= this->View.Width - 1 || j >= this->View.Height - 1)
     {
-      return kNaN;
+      return terrain::kNaN;
     }
     const double x = p.x - static_cast<double>(i);
     const double y = p.y - static_cast<double>(j);
@@ -64,7 +63,7 @@ struct Scene
   terrain::ReferenceRayCaster<double> Caster;
 };
 
-terrain::ReferenceRay MakeRay(const glm::dvec3& origin, const glm::dvec3& direction)
+terrain::ReferenceRay MakeReferenceRay(const glm::dvec3& origin, const glm::dvec3& direction)
 {
   terrain::ReferenceRay ray;
   ray.Origin = origin;
@@ -87,7 +86,7 @@ TEST(ReferenceRayCaster, PlaneFromBothSides)
   {
     const glm::dvec3 target(20.3, 41.8, 3.0 + 0.5 * (20.3 - 2.0 * 41.8));
     const glm::dvec3 direction(0.3, -0.2, -side);
-    const auto hit = scene.Caster.Cast(MakeRay(target - 200.0 * direction, direction));
+    const auto hit = scene.Caster.Cast(MakeReferenceRay(target - 200.0 * direction, direction));
     ASSERT_TRUE(hit.Found);
     EXPECT_NEAR(hit.Distance, 200.0, 1e-11);
     EXPECT_EQ(hit.CellX, 20);
@@ -106,15 +105,15 @@ TEST(ReferenceRayCaster, PatchIsAHyperbolicParaboloid)
   const Scene scene(
     2, 2, [](std::int64_t i, std::int64_t j) { return i == 1 && j == 1 ? 4.0 : 0.0; });
   // z = 4xy; along x = y = t at height 1 the ray meets it at t = 1/2.
-  const auto hit = scene.Caster.Cast(MakeRay({ 0.0, 0.0, 1.0 }, { 1.0, 1.0, 0.0 }));
+  const auto hit = scene.Caster.Cast(MakeReferenceRay({ 0.0, 0.0, 1.0 }, { 1.0, 1.0, 0.0 }));
   ASSERT_TRUE(hit.Found);
   EXPECT_NEAR(hit.Distance, 0.5, 1e-14);
   EXPECT_NEAR(glm::length(hit.Normal - glm::normalize(glm::dvec3(-2.0, -2.0, 1.0))), 0.0, 1e-13);
   // Along x = 1 - y = t the patch rises to 1 at t = 1/2 above samples of 0: two roots.
-  const auto first = scene.Caster.Cast(MakeRay({ 0.0, 1.0, 0.75 }, { 1.0, -1.0, 0.0 }));
+  const auto first = scene.Caster.Cast(MakeReferenceRay({ 0.0, 1.0, 0.75 }, { 1.0, -1.0, 0.0 }));
   ASSERT_TRUE(first.Found);
   EXPECT_NEAR(first.Distance, 0.25, 1e-14);
-  auto behind = MakeRay({ 0.0, 1.0, 0.75 }, { 1.0, -1.0, 0.0 });
+  auto behind = MakeReferenceRay({ 0.0, 1.0, 0.75 }, { 1.0, -1.0, 0.0 });
   behind.Begin = 0.5;
   const auto second = scene.Caster.Cast(behind);
   ASSERT_TRUE(second.Found);
@@ -133,7 +132,8 @@ TEST(ReferenceRayCaster, GeometryAndExaggeration)
   geometry.Exaggeration = 3.0;
   const Scene scene(
     50, 50, [](std::int64_t i, std::int64_t) { return static_cast<double>(i); }, geometry);
-  const auto hit = scene.Caster.Cast(MakeRay({ 500300.0, 4000410.0, 9100.0 }, { 0.0, 0.0, -2.0 }));
+  const auto hit =
+    scene.Caster.Cast(MakeReferenceRay({ 500300.0, 4000410.0, 9100.0 }, { 0.0, 0.0, -2.0 }));
   ASSERT_TRUE(hit.Found);
   EXPECT_NEAR(hit.Distance, 0.5 * (9000.0 - 30.0), 1e-9);
   EXPECT_NEAR(glm::length(hit.Normal - glm::normalize(glm::dvec3(-0.1, 0.0, 1.0))), 0.0, 1e-12);
@@ -147,36 +147,39 @@ TEST(ReferenceRayCaster, RaysOnGridLinesAndBorders)
   for (const glm::dvec2& p : { glm::dvec2(0.0, 0.0), glm::dvec2(69.0, 69.0), glm::dvec2(32.0, 64.0),
          glm::dvec2(33.0, 10.5), glm::dvec2(0.0, 69.0) })
   {
-    EXPECT_EQ(scene.Caster.Cast(MakeRay({ p, 5.0 }, { 0.0, 0.0, -1.0 })).Distance, 3.0);
-    EXPECT_EQ(scene.Caster.Cast(MakeRay({ p, -5.0 }, { 0.0, 0.0, 1.0 })).Distance, 7.0);
+    EXPECT_EQ(scene.Caster.Cast(MakeReferenceRay({ p, 5.0 }, { 0.0, 0.0, -1.0 })).Distance, 3.0);
+    EXPECT_EQ(scene.Caster.Cast(MakeReferenceRay({ p, -5.0 }, { 0.0, 0.0, 1.0 })).Distance, 7.0);
   }
-  EXPECT_FALSE(scene.Caster.Cast(MakeRay({ 69.001, 3.0, 5.0 }, { 0.0, 0.0, -1.0 })).Found);
-  EXPECT_FALSE(scene.Caster.Cast(MakeRay({ 10.0, 3.0, 5.0 }, { 0.0, 0.0, 1.0 })).Found);
-  EXPECT_FALSE(scene.Caster.Cast(MakeRay({ 10.0, 3.0, 5.0 }, { 0.0, 0.0, 0.0 })).Found);
-  EXPECT_FALSE(scene.Caster.Cast(MakeRay({ -5.0, 3.0, inf }, { 0.0, 1.0, 0.0 })).Found);
+  EXPECT_FALSE(scene.Caster.Cast(MakeReferenceRay({ 69.001, 3.0, 5.0 }, { 0.0, 0.0, -1.0 })).Found);
+  EXPECT_FALSE(scene.Caster.Cast(MakeReferenceRay({ 10.0, 3.0, 5.0 }, { 0.0, 0.0, 1.0 })).Found);
+  EXPECT_FALSE(scene.Caster.Cast(MakeReferenceRay({ 10.0, 3.0, 5.0 }, { 0.0, 0.0, 0.0 })).Found);
+  EXPECT_FALSE(scene.Caster.Cast(MakeReferenceRay({ -5.0, 3.0, inf }, { 0.0, 1.0, 0.0 })).Found);
   // Along a line of the grid, from west to east and back.
+  EXPECT_NEAR(scene.Caster.Cast(MakeReferenceRay({ -1.0, 32.0, 4.0 }, { 1.0, 0.0, -0.1 })).Distance,
+    20.0, 1e-12);
   EXPECT_NEAR(
-    scene.Caster.Cast(MakeRay({ -1.0, 32.0, 4.0 }, { 1.0, 0.0, -0.1 })).Distance, 20.0, 1e-12);
-  EXPECT_NEAR(
-    scene.Caster.Cast(MakeRay({ 70.0, 32.0, 4.0 }, { -1.0, 0.0, -0.1 })).Distance, 20.0, 1e-12);
+    scene.Caster.Cast(MakeReferenceRay({ 70.0, 32.0, 4.0 }, { -1.0, 0.0, -0.1 })).Distance, 20.0,
+    1e-12);
   // Within the surface: where it enters.
-  EXPECT_EQ(scene.Caster.Cast(MakeRay({ -1.0, 3.5, 2.0 }, { 1.0, 0.0, 0.0 })).Distance, 1.0);
+  EXPECT_EQ(
+    scene.Caster.Cast(MakeReferenceRay({ -1.0, 3.5, 2.0 }, { 1.0, 0.0, 0.0 })).Distance, 1.0);
 }
 
 //------------------------------------------------------------------------------
 TEST(ReferenceRayCaster, CellsWithoutDataHaveNoSurface)
 {
   const Scene scene(
-    9, 9, [](std::int64_t i, std::int64_t j) { return i == 4 && j == 4 ? kNaN : 2.0; });
+    9, 9, [](std::int64_t i, std::int64_t j) { return i == 4 && j == 4 ? terrain::kNaN : 2.0; });
   for (double x = 2.5; x < 6.0; x += 1.0)
   {
     const bool hole = x > 3.0 && x < 5.0;
-    EXPECT_EQ(scene.Caster.Cast(MakeRay({ x, 4.5, 9.0 }, { 0.0, 0.0, -1.0 })).Found, !hole);
+    EXPECT_EQ(
+      scene.Caster.Cast(MakeReferenceRay({ x, 4.5, 9.0 }, { 0.0, 0.0, -1.0 })).Found, !hole);
   }
   // On the line between a cell and a hole there is the cell's edge, whichever side it is on.
-  EXPECT_TRUE(scene.Caster.Cast(MakeRay({ 3.0, 4.5, 9.0 }, { 0.0, 0.0, -1.0 })).Found);
-  EXPECT_TRUE(scene.Caster.Cast(MakeRay({ 5.0, 4.5, 9.0 }, { 0.0, 0.0, -1.0 })).Found);
-  EXPECT_TRUE(scene.Caster.Cast(MakeRay({ 4.5, 3.0, 9.0 }, { 0.0, 0.0, -1.0 })).Found);
+  EXPECT_TRUE(scene.Caster.Cast(MakeReferenceRay({ 3.0, 4.5, 9.0 }, { 0.0, 0.0, -1.0 })).Found);
+  EXPECT_TRUE(scene.Caster.Cast(MakeReferenceRay({ 5.0, 4.5, 9.0 }, { 0.0, 0.0, -1.0 })).Found);
+  EXPECT_TRUE(scene.Caster.Cast(MakeReferenceRay({ 4.5, 3.0, 9.0 }, { 0.0, 0.0, -1.0 })).Found);
 }
 
 //------------------------------------------------------------------------------
@@ -186,10 +189,10 @@ TEST(ReferenceRayCaster, DegenerateGrids)
     { glm::ivec2(0, 0), glm::ivec2(1, 1), glm::ivec2(1, 8), glm::ivec2(8, 1) })
   {
     const Scene scene(size.x, size.y, Flat);
-    EXPECT_FALSE(scene.Caster.Cast(MakeRay({ 0.0, 0.0, 9.0 }, { 0.0, 0.0, -1.0 })).Found);
+    EXPECT_FALSE(scene.Caster.Cast(MakeReferenceRay({ 0.0, 0.0, 9.0 }, { 0.0, 0.0, -1.0 })).Found);
   }
-  const Scene none(9, 9, [](std::int64_t, std::int64_t) { return kNaN; });
-  EXPECT_FALSE(none.Caster.Cast(MakeRay({ 3.3, 3.3, 9.0 }, { 0.0, 0.0, -1.0 })).Found);
+  const Scene none(9, 9, [](std::int64_t, std::int64_t) { return terrain::kNaN; });
+  EXPECT_FALSE(none.Caster.Cast(MakeReferenceRay({ 3.3, 3.3, 9.0 }, { 0.0, 0.0, -1.0 })).Found);
 }
 
 //------------------------------------------------------------------------------
@@ -202,22 +205,23 @@ TEST(ReferenceRayCaster, AgreesWithDenseSampling)
   {
     const double roughness = run % 3 == 0 ? 8.0 : 1.5;
     const Scene scene(40, 75,
-      [&](std::int64_t, std::int64_t)
-      { return run % 4 == 3 && uniform(random) > 0.9 ? kNaN : roughness * uniform(random); });
+      [&](std::int64_t, std::int64_t) {
+        return run % 4 == 3 && uniform(random) > 0.9 ? terrain::kNaN : roughness * uniform(random);
+      });
     for (int k = 0; k < 20; ++k)
     {
       const glm::dvec3 from(
         20.0 + 40.0 * uniform(random), 37.0 + 60.0 * uniform(random), 15.0 * uniform(random));
       const glm::dvec3 to(
         20.0 + 19.0 * uniform(random), 37.0 + 36.0 * uniform(random), roughness * uniform(random));
-      auto ray = MakeRay(from, to - from);
+      auto ray = MakeReferenceRay(from, to - from);
       ray.End = 2.0;
       const auto hit = scene.Caster.Cast(ray);
       hits += hit.Found ? 1 : 0;
       // No sign change between neighbouring samples before the hit, and one at it.
       const double step = 1e-3 / glm::length(ray.Direction);
       const double end = hit.Found ? hit.Distance - 1e-9 : ray.End;
-      double last = kNaN;
+      double last = terrain::kNaN;
       for (double s = 0.0; s < end; s += step)
       {
         const double above = scene.Above(ray, s);
@@ -268,7 +272,7 @@ TEST(ReferenceRayCaster, FindsSilhouettes)
   // A ridge along y = 50, 10 high, on a flat field.
   const Scene scene(100, 100, [](std::int64_t, std::int64_t j) { return j == 50 ? 10.0 : 0.0; });
   const auto overRidge = [](double height) {
-    return MakeRay({ 50.3, 10.0, height }, { 0.0, 1.0, 0.0 });
+    return MakeReferenceRay({ 50.3, 10.0, height }, { 0.0, 1.0, 0.0 });
   };
   EXPECT_FALSE(scene.Caster.IsNearSilhouette(overRidge(9.9), 1e-3));
   EXPECT_TRUE(scene.Caster.IsNearSilhouette(overRidge(9.9999), 1e-3));
@@ -277,6 +281,6 @@ TEST(ReferenceRayCaster, FindsSilhouettes)
   EXPECT_EQ(scene.Caster.SilhouetteDistance(overRidge(10.00005), 1.0), 1e-4);
   EXPECT_FALSE(std::isfinite(scene.Caster.SilhouetteDistance(overRidge(15.0), 1.0)));
   // The border of the grid is a silhouette, too.
-  const auto down = MakeRay({ 98.9995, 20.0, 30.0 }, { 0.0, 0.0, -1.0 });
+  const auto down = MakeReferenceRay({ 98.9995, 20.0, 30.0 }, { 0.0, 0.0, -1.0 });
   EXPECT_EQ(scene.Caster.SilhouetteDistance(down, 1.0), 1e-3);
 }

@@ -10,17 +10,17 @@
 
 namespace
 {
-struct Field
+struct PathField
 {
   std::vector<double> Samples;
   terrain::HeightfieldView<double> View;
 };
 
-Field Random(std::int64_t width, std::int64_t height, unsigned seed)
+PathField Random(std::int64_t width, std::int64_t height, unsigned seed)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> value(-100.0, 100.0);
-  Field field;
+  PathField field;
   for (std::int64_t i = 0; i < width * height; ++i)
   {
     field.Samples.push_back(value(random));
@@ -43,7 +43,7 @@ std::vector<terrain::SurfacePiece> Walk(
 
 TEST(SurfacePath, PiecesAreTheSurface)
 {
-  const Field field = Random(12, 9, 1);
+  const PathField field = Random(12, 9, 1);
   std::mt19937 random(2);
   std::uniform_real_distribution<double> x(-3.0, 14.0);
   std::uniform_real_distribution<double> y(-3.0, 11.0);
@@ -93,7 +93,7 @@ TEST(SurfacePath, ChordErrorIsReached)
 
 TEST(SurfacePath, AlongGridLinesAndBorders)
 {
-  Field field = Random(5, 5, 3);
+  PathField field = Random(5, 5, 3);
   // Along the outermost line, along an inner one, and a point.
   for (double y : { 0.0, 2.0, 4.0 })
   {
@@ -116,7 +116,7 @@ TEST(SurfacePath, AlongGridLinesAndBorders)
 
 TEST(SurfacePath, DegenerateGrids)
 {
-  const Field line = Random(1, 7, 4);
+  const PathField line = Random(1, 7, 4);
   for (const terrain::SurfacePiece& piece : Walk(line.View, { 0.0, 0.0 }, { 0.0, 6.0 }))
   {
     EXPECT_FALSE(piece.HasSurface) << "a single column has no cells";
