@@ -164,7 +164,7 @@ void RefinementSelection::Reserve()
 template <typename Site, bool IsBelow>
 void RefinementSelection::SelectDepth(int depth, std::uint32_t first, std::uint32_t last)
 {
-  std::array<Found<Site>, 4 * Chunk> found;
+  std::array<Found<Site>, MostFound> found;
   for (; first < last; first += Chunk)
   {
     if (this->Counts && this->Counts->AreEnough())
@@ -332,11 +332,12 @@ void RefinementSelection::Take(int depth, Found<Site>* found, std::uint32_t coun
     const std::uint32_t second = links[b][1];
     const int triangles = int(first != UnsplitLink::Outside) + int(second != UnsplitLink::Outside);
     triangleCount += triangles;
-    links[2 * number] = { { first, first } };
-    links[2 * number + 1] = { { second, second } };
+    TriangleHalves* const own = links + std::size_t{ 2 } * number;
+    own[0] = { { first, first } };
+    own[1] = { { second, second } };
     if (hasHoles)
     {
-      SetDrawn(table.IsOdd, turn, site.Record.Drawn(), &links[2 * number]);
+      SetDrawn(table.IsOdd, turn, site.Record.Drawn(), own);
     }
     // Parents that are missing are not linked.
     links[std::max(a, UnsplitLink::Last)][0] = 2 * number;

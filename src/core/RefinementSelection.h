@@ -25,6 +25,7 @@
 #include "core/RefinementFrame.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -105,6 +106,8 @@ private:
   };
   /// Vertices at a time, for what is known of them to stay in the first cache.
   static constexpr std::uint32_t Chunk = 64;
+  /// Vertices that are found from them at most.
+  static constexpr std::size_t MostFound = std::size_t{ 4 } * Chunk;
 
   void Select(const RefinementFrame& frame, const SquareSites& square);
   void BeginSquare(const SquareSites& square);
@@ -145,9 +148,9 @@ private:
   AppendBuffer<std::uint8_t> Masks;
   AppendBuffer<TriangleHalves> Links;
   AppendBuffer<Ground> Grounds;
-  std::array<Place, 4 * Chunk> Places{};
+  std::array<Place, MostFound> Places{};
   /// Numbers of those that are needed.
-  std::array<std::uint32_t, 4 * Chunk> Kept{};
+  std::array<std::uint32_t, MostFound> Kept{};
   /// First vertex of each sample, column + 65536 row, of the last row and column, if several
   /// vertices share them; and the others.
   std::unordered_map<std::uint32_t, std::uint32_t> Border;
