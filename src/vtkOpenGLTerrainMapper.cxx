@@ -404,8 +404,7 @@ void vtkOpenGLTerrainMapper::ComputeBounds()
 {
   const bool hasHeights = this->UpdateHeights(); // and the box, which may be the mesh
   this->Superclass::ComputeBounds();
-  if (!hasHeights || !this->Internals->Heights.HasSurface() ||
-    !vtkMath::AreBoundsInitialized(this->Bounds))
+  if (!hasHeights || !this->Internals->Heights.HasSurface())
   {
     return;
   }

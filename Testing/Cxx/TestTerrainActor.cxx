@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace
 {
@@ -225,6 +226,30 @@ TEST_F(TerrainActor, StripsFollowTheCamera)
   this->Scene.Renderer->ResetCameraClippingRange();
   this->Draw();
   EXPECT_LT(2 * this->Terrain->GetStrips()->GetNumberOfTriangles(), triangles);
+}
+
+// A small island may be no triangle at all, and must not be gone for good: nothing is drawn of what
+// has no bounds.
+TEST_F(TerrainActor, StripsComeBackFromNothing)
+{
+  vtkDataArray* scalars = this->Heights->GetPointData()->GetScalars();
+  for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
+  {
+    const bool isIsland = id % 129 > 90 && id % 129 < 110 && id / 129 > 90 && id / 129 < 110;
+    scalars->SetComponent(
+      id, 0, isIsland ? scalars->GetComponent(id, 0) : std::numeric_limits<double>::quiet_NaN());
+  }
+  this->Terrain->SetTechnique(Techniques::Mesh);
+  this->Terrain->SetUseStrips(true);
+  const int drawn = countDrawn(this->Draw());
+  EXPECT_GT(drawn, 30);
+  const Bounds bounds = this->ActorBounds();
+  this->Terrain->GetStrips()->SetTolerance(20.0);
+  this->Draw();
+  EXPECT_EQ(this->Terrain->GetStrips()->GetNumberOfTriangles(), 0);
+  EXPECT_EQ(this->ActorBounds(), bounds);
+  this->Terrain->GetStrips()->SetTolerance(1.0);
+  EXPECT_EQ(countDrawn(this->Draw()), drawn);
 }
 
 TEST_F(TerrainActor, ShowsTheCoarseMeshAsWireframe)
