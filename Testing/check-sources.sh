@@ -33,12 +33,14 @@ done
 for file in $(git ls-files 'src/core/*'); do
   ! grep -nE '#include [<"](vtk|GL/|EGL/|gdal)' "$file" >&2 ||
     offence "$file: src/core/ includes neither VTK, OpenGL nor GDAL"
+  ! grep -nE '#include "' "$file" | grep -vE '"core/' >&2 ||
+    offence "$file: src/core/ is the ground floor: it includes nothing above it"
 done
 for file in $(git ls-files 'src/*.h' 'src/*.cxx'); do
   case $file in
-    */vtkTerrainCompatibility.h) ;;
+    */Compatibility.h) ;;
     *) ! grep -nE '^ *# *if.*VTK_(MAJOR_|MINOR_)?VERSION' "$file" >&2 ||
-      offence "$file: VTK versions are told apart in vtkTerrainCompatibility.h alone" ;;
+      offence "$file: VTK versions are told apart in Compatibility.h alone" ;;
   esac
 done
 # shellcheck disable=SC2086

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Beams: a safe common start for all rays of a tile of pixels. Twin, with the documentation of the
-// method and why it is conservative: src/core/PyramidBeam.h. Needs vtkTerrainPyramid.glsl and its
+// method and why it is conservative: src/core/rays/PyramidBeam.h. Needs vtkTerrainPyramid.glsl and its
 // uniforms; no further ones, no defines.
 
 struct TerrainBeam

@@ -12,7 +12,7 @@ layout(r32f, binding = 0) writeonly uniform image2D terrainBeamImage;
 const float terrainBeamSlack = 1e-6;
 
 // The beam of all pixels that lie within some pixels of a position both ways, from a distance on.
-// Twin: MakeTileBeam() in src/core/PyramidBeam.h.
+// Twin: MakeTileBeam() in src/core/rays/PyramidBeam.h.
 TerrainBeam terrainTileBeam(vec2 pixel, float pixels, float startDistance, float endDistance)
 {
   vec3 growth = pixels * (abs(terrainDirectionGC[1]) + abs(terrainDirectionGC[2]));

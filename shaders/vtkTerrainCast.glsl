@@ -44,7 +44,7 @@ struct TerrainSighting
 
 #ifdef TERRAIN_CLIP_PLANES
 // The part of the distances [range.x, range.y] of a pixel's ray that no clipping plane cuts off, and
-// the plane at which it begins, or -1. Twin: ClipRange() in src/core/Cutting.h.
+// the plane at which it begins, or -1. Twin: ClipRange() in src/core/surface/Cutting.h.
 vec2 terrainClipRange(vec2 pixel, vec2 range, out int begin)
 {
   begin = -1;

@@ -51,7 +51,7 @@ mat2 terrainTextureFootprint(vec2 pixel, TerrainSurface surface)
 #endif
 
 #ifdef TERRAIN_PAINT
-// What the surface's own colour is made from; twin: vtkTerrainColoring::Kinds.
+// What the surface's own colour is made from; twin: terrain::Coloring::Kinds.
 const int terrainOfMaterial = 0;
 const int terrainOfHeight = 1;
 const int terrainOfSlope = 2;
@@ -73,7 +73,7 @@ uniform int terrainColorLogarithm;    // 1 if it is x * logarithm of the value +
 uniform float terrainMaximumShownCrossings;
 
 const float terrainNotANumber = -3e38;
-const int terrainColorMapSize = 4096; // twin: ColorMapSize in src/vtkTerrainColoring.cxx
+const int terrainColorMapSize = 4096; // twin: ColorMapSize in src/render/Coloring.cxx
 
 // Weight of a corner, 0 or 1 each way, in bilinear interpolation.
 float terrainCornerWeight(ivec2 corner, vec2 fraction)

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reading the heightfield. Twin: CodedHeights in src/core/Ray.h; codes: src/core/HeightCodes.h.
+// Reading the heightfield. Twin: CodedHeights in src/core/rays/Ray.h; codes: src/core/grid/HeightCodes.h.
 // Defines: TERRAIN_HEIGHTS_INTEGER if texels are 16-bit integers; TERRAIN_GATHER if textureGather()
 // can be used (GLSL 4.00, or GL_ARB_texture_gather enabled): one look-up a cell instead of four.
 // TERRAIN_DETAIL if the heightfield is the sum of the texels, the base, and of a repeated detail:
-// all samples, cells and sizes are then those of the sum; twin: src/core/DetailHeights.h.
+// all samples, cells and sizes are then those of the sum; twin: src/core/surface/DetailHeights.h.
 
 #ifdef TERRAIN_HEIGHTS_INTEGER
 uniform usampler2D terrainHeights; // texels, W x H
@@ -64,7 +64,7 @@ uniform float terrainDetailScale;  // height codes per code of the detail
 
 // index % period of 0 <= index < 2^22, more than there are cells: exact, although a quotient may be off
 // by one, and on processors that divide integers one by one a tenth of the work. Twin: Wrap() in
-// src/core/DetailHeights.h.
+// src/core/surface/DetailHeights.h.
 ivec2 terrainWrap(ivec2 index, ivec2 period)
 {
   ivec2 rest = index - period * ivec2(vec2(index) / vec2(period));

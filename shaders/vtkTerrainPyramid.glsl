@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exact ray casting through the min-max pyramid. Twin, node for node: src/core/PyramidTraversal.h,
+// Exact ray casting through the min-max pyramid. Twin, node for node: src/core/rays/PyramidTraversal.h,
 // which documents the method. Needs vtkTerrainHeights.glsl and vtkTerrainRay.glsl.
 //
 // Uniforms to set:
@@ -22,7 +22,7 @@
 //   TERRAIN_WITHIN    optional: tolerances count; without, terrainTracePyramidWithin() is exact
 //   TERRAIN_VISIT(node, level)  optional: run for every node visited, which counts from the
 //                     south-west
-//   TERRAIN_DETAIL    see vtkTerrainHeights.glsl; twin of its part: src/core/DetailHeights.h, with
+//   TERRAIN_DETAIL    see vtkTerrainHeights.glsl; twin of its part: src/core/surface/DetailHeights.h, with
 //                     the uniforms declared below
 
 #if defined(TERRAIN_PYRAMID_BUFFER) && defined(TERRAIN_HEIGHTS_INTEGER)
@@ -84,7 +84,7 @@ uniform ivec2 terrainPyramidLayout;
 uniform int terrainPyramidLevels;
 
 // Where the nodes of a level begin in a buffer; parts: Quarters and Halves. Twin:
-// PyramidLayout::Begin() in src/core/MinMaxPyramid.h.
+// PyramidLayout::Begin() in src/core/surface/MinMaxPyramid.h.
 int terrainLevelBegin(ivec2 parts, int levels, int level)
 {
   return (parts.x >> (2 * level - 2)) + (parts.y >> (level - 1)) + 2 * (levels - level);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays and hits. Twin with the documentation of every member: src/core/Ray.h.
+// Rays and hits. Twin with the documentation of every member: src/core/rays/Ray.h.
 
 struct TerrainRay
 {

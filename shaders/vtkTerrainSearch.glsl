@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Searches for the first point of the surface on a ray, by steps. Twin: src/core/HeightSearch.h, which
+// Searches for the first point of the surface on a ray, by steps. Twin: src/core/rays/HeightSearch.h, which
 // documents the method and its parameters. Needs vtkTerrainHeights.glsl and vtkTerrainRay.glsl.
 
 uniform int terrainSteps;          // steps: all of a linear or exponential search, short ones of an equidistant

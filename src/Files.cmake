@@ -25,28 +25,29 @@ set(classes
   vtkTerrainViewpoint
 )
 
+# Private to the module: one line a file, by rooms.
 set(private_sources
   vtkOpenGLTerrainMapperColors
   vtkOpenGLTerrainMapperCutting
   vtkOpenGLTerrainMapperPasses
   vtkOpenGLTerrainMapperShaders
   vtkOpenGLTerrainMapperUniforms
-  vtkTerrainColoring
-  vtkTerrainComputeProgram
-  vtkTerrainComputeTexture
-  vtkTerrainCoordinateSystem
-  vtkTerrainDetailTexture
-  vtkTerrainGeoreferencePrepare
-  vtkTerrainHeightTexture
-  vtkTerrainPyramidTexture
-  vtkTerrainRasterFile
-  vtkTerrainRasterLayout
-  vtkTerrainRasterPiece
-  vtkTerrainRasterTiles
-  vtkTerrainRayCaster
-  vtkTerrainReprojectPlan
-  vtkTerrainSlopeTexture
-  vtkTerrainStripsOutput
+  data/ImageRayCaster
+  data/StripsOutput
+  place/GeoreferencePrepare
+  place/ReprojectPlan
+  raster/CoordinateSystem
+  raster/RasterFile
+  raster/RasterLayout
+  raster/RasterPiece
+  raster/RasterTiles
+  render/Coloring
+  render/ComputeProgram
+  render/ComputeTexture
+  render/DetailTexture
+  render/HeightTexture
+  render/PyramidTexture
+  render/SlopeTexture
 )
 
 set(private_headers
@@ -62,9 +63,9 @@ if (VTK_VERSION VERSION_LESS 9.4)
     vtkTerrainOffscreenRenderWindow
     vtkTerrainRenderWindowFactory)
   list(APPEND private_sources
-    vtkTerrainEGLContext
-    vtkTerrainGLContext
-    vtkTerrainOSMesaContext)
+    windows/EGLContext
+    windows/GLContext
+    windows/OSMesaContext)
 endif ()
 
 set(shaders
@@ -87,51 +88,51 @@ set(shaders
 
 # VTK-free algorithms: an object library, so that the unit tests link it without the module.
 set(core
-  BaseSteepness
-  CoarseMesh
-  CoarseMeshSurface
-  DetailHierarchy
-  DetailNoise
-  Geodesics
-  GeographicText
-  GeoidGrid
-  GridReference
-  HeightSearch
-  HeightSlopes
-  HeightUnits
-  HierarchyBands
-  HierarchyBuild
-  HierarchyFile
-  HierarchyLayout
-  HierarchyNesting
-  HierarchyTile
-  MappedFile
-  MinMaxPyramid
-  PixelRays
-  ProceduralTerrain
-  ReferenceRayCaster
-  Refinement
-  RefinementPlain
-  RefinementSelection
-  RoundNumbers
-  SceneFrame
-  StreamErosion
-  SunPosition
+  grid/HeightUnits
+  grid/RoundNumbers
+  landscape/DetailNoise
+  landscape/ProceduralTerrain
+  landscape/StreamErosion
+  mesh/CoarseMesh
+  mesh/CoarseMeshSurface
+  place/Geodesics
+  place/GeographicText
+  place/GeoidGrid
+  place/GridReference
+  place/SceneFrame
+  place/SunPosition
+  rays/HeightSearch
+  rays/PixelRays
+  rays/ReferenceRayCaster
+  strips/BaseSteepness
+  strips/DetailHierarchy
+  strips/HierarchyBands
+  strips/HierarchyBuild
+  strips/HierarchyFile
+  strips/HierarchyLayout
+  strips/HierarchyNesting
+  strips/HierarchyTile
+  strips/MappedFile
+  strips/Refinement
+  strips/RefinementPlain
+  strips/RefinementSelection
+  surface/HeightSlopes
+  surface/MinMaxPyramid
 )
 # Their results are the same bits on every machine: no fused multiply-add.
 set(core_without_contraction
-  DetailNoise
-  ProceduralTerrain
-  StreamErosion
+  landscape/DetailNoise
+  landscape/ProceduralTerrain
+  landscape/StreamErosion
 )
 # Its procedures recurse with triangles of a few numbers, which are slower gathered in vectors.
 set(core_without_vectors
-  Refinement
+  strips/Refinement
 )
 # They pass std::string to GeographicLib, and are compiled for its string ABI.
 set(core_with_geographic_strings
-  GeographicText
-  GeoidGrid
+  place/GeographicText
+  place/GeoidGrid
 )
 
 set(sources ${private_sources})

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLTerrainMapper.h"
 
-#include "vtkTerrainGL.h"
+#include "render/Driver.h"
+#include "render/Uniforms.h"
 #include "vtkTerrainMapperInternals.h"
-#include "vtkTerrainUniforms.h"
 
-#include "core/DetailHeights.h"
+#include "core/surface/DetailHeights.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
@@ -133,7 +133,7 @@ void vtkOpenGLTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseBeams: " << this->UseBeams << "\n";
   os << indent << "DetailCells: " << this->DetailCells << "\n";
   os << indent << "DetailScale: " << this->DetailScale << "\n";
-  const vtkTerrainColoring& coloring = this->Internals->Coloring;
+  const terrain::Coloring& coloring = this->Internals->Coloring;
   os << indent << "ShowCrossings: " << coloring.ShowCrossings << "\n";
   os << indent << "MaximumShownCrossings: " << coloring.MaximumShownCrossings << "\n";
   os << indent << "ColorSource: " << static_cast<int>(coloring.Source) << "\n";
@@ -509,7 +509,7 @@ void vtkOpenGLTerrainMapper::SetCameraShaderParameters(
   const ViewMatrices matrices(ren);
   const glm::dmat4 viewFromBuffer = matrices.ViewFromWorld * toGlm(act->GetMatrix()) *
     exaggeration * modelFromBuffer(this->VBOs->GetVBO("vertexMC"));
-  vtkTerrainProgramUniforms uniforms(cellBO.Program);
+  terrain::ProgramUniforms uniforms(cellBO.Program);
   uniforms.Set("MCVCMatrix", glm::mat4(viewFromBuffer));
   uniforms.Set("MCDCMatrix", glm::mat4(matrices.DisplayFromView * viewFromBuffer));
 }

@@ -74,8 +74,14 @@
 #include <vector> // For ProcessSelectorPixelBuffers
 
 class vtkImageData;
-class vtkTerrainComputeTexture;
-class vtkTerrainUniforms;
+namespace terrain
+{
+class ComputeTexture;
+}
+namespace terrain
+{
+class Uniforms;
+}
 namespace terrain
 {
 struct SampleRectangle;
@@ -475,13 +481,13 @@ private:
   bool UsesBeams(vtkActor* act) const;
   void ComputeBeams(vtkRenderer* ren, vtkActor* act);
   void ComputeSightings(vtkRenderer* ren, vtkActor* act);
-  void Compute(vtkRenderer* ren, vtkActor* act, vtkTerrainComputeTexture& texture,
+  void Compute(vtkRenderer* ren, vtkActor* act, terrain::ComputeTexture& texture,
     const std::string& defines, const std::string& functions, int pixels, int components);
-  void SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vtkActor* act);
-  void SetViewUniforms(vtkTerrainUniforms& uniforms);
-  void SetSearchUniforms(vtkTerrainUniforms& uniforms);
-  void SetClipUniforms(vtkTerrainUniforms& uniforms, vtkActor* act);
-  void SetVertexUniforms(vtkTerrainUniforms& uniforms);
+  void SetSurfaceUniforms(terrain::Uniforms& uniforms, vtkActor* act);
+  void SetViewUniforms(terrain::Uniforms& uniforms);
+  void SetSearchUniforms(terrain::Uniforms& uniforms);
+  void SetClipUniforms(terrain::Uniforms& uniforms, vtkActor* act);
+  void SetVertexUniforms(terrain::Uniforms& uniforms);
 
   Techniques Technique = Techniques::Pyramid;
   double VerticalExaggeration = 1.0;

@@ -116,14 +116,14 @@ vtkImageData* vtkOpenGLTerrainMapper::GetDrape() const
 //------------------------------------------------------------------------------
 bool vtkOpenGLTerrainMapper::HasTranslucentPolygonalGeometry()
 {
-  return vtkTerrainColoring::IsTranslucent(this) ||
+  return terrain::Coloring::IsTranslucent(this) ||
     this->Superclass::HasTranslucentPolygonalGeometry();
 }
 
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::UpdateColors(vtkRenderer* ren)
 {
-  vtkTerrainColoring& coloring = this->Internals->Coloring;
+  terrain::Coloring& coloring = this->Internals->Coloring;
   const std::string words =
     coloring.Update(this, static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow()));
   if (!words.empty())

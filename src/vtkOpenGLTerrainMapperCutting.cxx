@@ -6,8 +6,8 @@
  */
 #include "vtkOpenGLTerrainMapper.h"
 
+#include "render/Uniforms.h"
 #include "vtkTerrainMapperInternals.h"
-#include "vtkTerrainUniforms.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -104,7 +104,7 @@ double vtkOpenGLTerrainMapper::GetBlockBase() const
 //------------------------------------------------------------------------------
 terrain::SampleRectangle vtkOpenGLTerrainMapper::DrawnRectangle() const
 {
-  const vtkTerrainHeightTexture& heights = this->Internals->Heights;
+  const terrain::HeightTexture& heights = this->Internals->Heights;
   return this->Internals->Cutting.Drawn(
     heights.GetSize(), heights.HasDetail() ? this->DetailCells : 1);
 }
@@ -163,7 +163,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderClip(ShaderMap shaders, vtkRenderer* r
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetClipUniforms(vtkTerrainUniforms& uniforms, vtkActor* act)
+void vtkOpenGLTerrainMapper::SetClipUniforms(terrain::Uniforms& uniforms, vtkActor* act)
 {
   if (!uniforms.Uses("terrainClipPlaneCount") && !uniforms.Uses("terrainClipPlanesVC"))
   {
@@ -180,7 +180,7 @@ void vtkOpenGLTerrainMapper::SetClipUniforms(vtkTerrainUniforms& uniforms, vtkAc
     add(glm::dvec4(plane[0], plane[1], plane[2], plane[3]) * this->Internals->ViewToModel);
   }
   const terrain::Cutting& cutting = this->Internals->Cutting;
-  const vtkTerrainHeightTexture& heights = this->Internals->Heights;
+  const terrain::HeightTexture& heights = this->Internals->Heights;
   for (const glm::dvec4& plane :
     cutting.PlanesGC(this->DrawnRectangle(), heights.GetCodes().ToCode(cutting.BlockBase)))
   {

@@ -7,7 +7,7 @@
  */
 #include "vtkOpenGLTerrainMapper.h"
 
-#include "vtkTerrainGL.h"
+#include "render/Driver.h"
 #include "vtkTerrainMapperInternals.h"
 
 #include "vtkActor.h"

@@ -7,7 +7,7 @@
  */
 #include "vtkOpenGLTerrainMapper.h"
 
-#include "vtkTerrainGL.h"
+#include "render/Driver.h"
 #include "vtkTerrainMapperInternals.h"
 
 #include "vtkTerrainCast.h"
@@ -180,7 +180,7 @@ void vtkTerrainSubstitute(
 //------------------------------------------------------------------------------
 std::string vtkOpenGLTerrainMapper::HeightDefines() const
 {
-  const vtkTerrainHeightTexture& heights = this->Internals->Heights;
+  const terrain::HeightTexture& heights = this->Internals->Heights;
   std::string defines;
   if (heights.GetCodes().Format == terrain::HeightCodes::TexelFormat::UInt16)
   {
@@ -273,7 +273,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
     this->FollowDepth(shaders, act);
     this->FollowValues(shaders);
   }
-  if (this->CastsRays(act) && this->Technique == Techniques::Pyramid && vtkTerrainIsSoftware())
+  if (this->CastsRays(act) && this->Technique == Techniques::Pyramid && terrain::IsSoftware())
   {
     // its proxy is a box, whose few vertices cost nothing
     UniformPasser passer(shaders[vtkShader::Vertex]->GetSource(), defines);

@@ -7,10 +7,10 @@
  */
 #include "vtkOpenGLTerrainMapper.h"
 
-#include "vtkTerrainGL.h"
+#include "render/Driver.h"
 #include "vtkTerrainMapperInternals.h"
 
-#include "core/HeightSearch.h"
+#include "core/rays/HeightSearch.h"
 
 #include "vtkTerrainBeam.h"
 #include "vtkTerrainBeamCS.h"
@@ -68,7 +68,7 @@ double fieldValue(vtkPolyData* mesh, const char* name, double fallback)
 
 /// Sets a pixel vector, whose columns take (1, x, y) to its value, as floats; and what float cuts
 /// off.
-void setVector(vtkTerrainUniforms& uniforms, const char* name, const terrain::PixelVector& vector,
+void setVector(terrain::Uniforms& uniforms, const char* name, const terrain::PixelVector& vector,
   const char* lowName = nullptr)
 {
   const glm::dmat3 matrix(vector[0], vector[1], vector[2]);
@@ -84,25 +84,25 @@ void setVector(vtkTerrainUniforms& uniforms, const char* name, const terrain::Pi
 bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
 {
   if (!this->CastsRays(act) || this->Technique != Techniques::Pyramid ||
-    this->ComputeMode == ComputeModes::Off || !vtkTerrainComputeProgram::IsSupported() ||
+    this->ComputeMode == ComputeModes::Off || !terrain::ComputeProgram::IsSupported() ||
     this->Internals->SampleShading) // sightings are one a pixel
   {
     return false;
   }
-  return this->ComputeMode == ComputeModes::On || !vtkTerrainIsSoftware();
+  return this->ComputeMode == ComputeModes::On || !terrain::IsSoftware();
 }
 
 //------------------------------------------------------------------------------
 bool vtkOpenGLTerrainMapper::UsesBeams(vtkActor* act) const
 {
   return this->UseBeams && this->CastsRays(act) && this->Technique == Techniques::Pyramid &&
-    this->Surface == Surfaces::Bilinear && vtkTerrainComputeProgram::IsSupported() &&
+    this->Surface == Surfaces::Bilinear && terrain::ComputeProgram::IsSupported() &&
     !this->Internals->Cutting.Block; // walls may lie before the start
 }
 
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::Compute(vtkRenderer* ren, vtkActor* act,
-  vtkTerrainComputeTexture& texture, const std::string& defines, const std::string& functions,
+  terrain::ComputeTexture& texture, const std::string& defines, const std::string& functions,
   int pixels, int components)
 {
   vtkInternals& internals = *this->Internals;
@@ -112,7 +112,7 @@ void vtkOpenGLTerrainMapper::Compute(vtkRenderer* ren, vtkActor* act,
   const std::string words =
     texture.Fill(static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow()), source,
       (viewport + pixels - 1) / pixels, components,
-      [&](vtkTerrainUniforms& uniforms) { this->SetSurfaceUniforms(uniforms, act); });
+      [&](terrain::Uniforms& uniforms) { this->SetSurfaceUniforms(uniforms, act); });
   if (!words.empty())
   {
     vtkErrorMacro("A compute shader does not build: " << words);
@@ -150,7 +150,7 @@ void vtkOpenGLTerrainMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
   this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
-  vtkTerrainProgramUniforms uniforms(cellBO.Program);
+  terrain::ProgramUniforms uniforms(cellBO.Program);
   this->SetVertexUniforms(uniforms);
   if (this->UsesSurface(act))
   {
@@ -159,7 +159,7 @@ void vtkOpenGLTerrainMapper::SetMapperShaderParameters(
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vtkActor* act)
+void vtkOpenGLTerrainMapper::SetSurfaceUniforms(terrain::Uniforms& uniforms, vtkActor* act)
 {
   vtkInternals& internals = *this->Internals;
   internals.Heights.SetUniforms(uniforms);
@@ -195,7 +195,7 @@ void vtkOpenGLTerrainMapper::SetSurfaceUniforms(vtkTerrainUniforms& uniforms, vt
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> vtkOpenGLTerrainMapper::ReadCrossings()
 {
-  vtkTerrainComputeTexture& sightings = this->Internals->Sightings;
+  terrain::ComputeTexture& sightings = this->Internals->Sightings;
   const glm::ivec2 size = sightings.GetSize();
   const std::vector<glm::vec4> texels = sightings.Read();
   if (texels.empty())
@@ -214,7 +214,7 @@ vtkSmartPointer<vtkImageData> vtkOpenGLTerrainMapper::ReadCrossings()
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkTerrainUniforms& uniforms)
+void vtkOpenGLTerrainMapper::SetVertexUniforms(terrain::Uniforms& uniforms)
 {
   if (!uniforms.Uses("terrainLift"))
   {
@@ -242,7 +242,7 @@ void vtkOpenGLTerrainMapper::SetVertexUniforms(vtkTerrainUniforms& uniforms)
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetViewUniforms(vtkTerrainUniforms& uniforms)
+void vtkOpenGLTerrainMapper::SetViewUniforms(terrain::Uniforms& uniforms)
 {
   const terrain::PixelRays& rays = this->Internals->Rays;
   setVector(uniforms, "terrainOriginGC", rays.OriginGC, "terrainOriginLowGC");
@@ -264,13 +264,13 @@ void vtkOpenGLTerrainMapper::SetViewUniforms(vtkTerrainUniforms& uniforms)
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetSearchUniforms(vtkTerrainUniforms& uniforms)
+void vtkOpenGLTerrainMapper::SetSearchUniforms(terrain::Uniforms& uniforms)
 {
   if (!uniforms.Uses("terrainSecantSteps"))
   {
     return;
   }
-  const vtkTerrainHeightTexture& heights = this->Internals->Heights;
+  const terrain::HeightTexture& heights = this->Internals->Heights;
   const terrain::HeightCodes& codes = heights.GetCodes();
   const glm::dvec2 spacing = heights.GetGeometry().Spacing;
   terrain::SearchScene scene;

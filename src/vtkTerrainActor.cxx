@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainActor.h"
 
+#include "data/ImageHeights.h"
 #include "vtkTerrainCoarseMesh.h"
-#include "vtkTerrainHeightfield.h"
 #include "vtkTerrainStrips.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -276,9 +276,9 @@ bool vtkTerrainActor::HasSurface()
   this->TerrainMapper->GetBounds(); // brings the heights up to date
   vtkImageData* heights = this->GetHeights();
   bool found = false;
-  if (vtkTerrainHeightfield::WhyNotHeights(heights).empty())
+  if (terrain::ImageHeights::WhyNotHeights(heights).empty())
   {
-    vtkTerrainHeightfield::Dispatch(
+    terrain::ImageHeights::Dispatch(
       heights, [&found](const auto& view) { found = hasSurface(view); });
   }
   return found;

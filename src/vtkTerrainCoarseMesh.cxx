@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainCoarseMesh.h"
 
-#include "core/CoarseMesh.h"
-#include "core/CoarseMeshSurface.h"
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainParallelFor.h"
+#include "core/mesh/CoarseMesh.h"
+#include "core/mesh/CoarseMeshSurface.h"
+#include "data/ImageHeights.h"
+#include "data/SMPParallelFor.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -164,7 +164,7 @@ int vtkTerrainCoarseMesh::RequestData(
 {
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const std::string whyNot = vtkTerrainHeightfield::WhyNotHeights(image);
+  const std::string whyNot = terrain::ImageHeights::WhyNotHeights(image);
   if (!whyNot.empty())
   {
     vtkErrorMacro("No coarse mesh: " << whyNot << ".");
@@ -175,12 +175,12 @@ int vtkTerrainCoarseMesh::RequestData(
   options.CellsPerQuad = this->SamplesPerQuad;
   options.PushUp = this->PushUp;
   terrain::CoarseMesh mesh;
-  vtkTerrainHeightfield::Dispatch(image,
+  terrain::ImageHeights::Dispatch(image,
     [&](const auto& view)
-    { mesh = terrain::BuildCoarseMesh(view, options, vtkTerrainParallelFor); });
+    { mesh = terrain::BuildCoarseMesh(view, options, terrain::SMPParallelFor); });
   this->UpdateProgress(0.5);
 
-  const terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(image);
+  const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(image);
   const terrain::CoarseMeshSurface surface(
     mesh, this->PushUp && this->ClosedHull, FloorHeight(mesh, geometry, FloorMargin));
   FillOutput(surface, geometry, this->OutputPointsPrecision == SINGLE_PRECISION, output);

@@ -17,8 +17,8 @@
  * Method: Feher's three steps. Subsample the heights; push every quad up by the largest amount by
  * which the surface rises above its two triangles (eq. 1-2); raise each shared vertex to the
  * highest of its quads. The paper bounds samples, this filter bounds the bilinear patches
- * (core/CoarseMesh.h): in grid coordinates no point of any patch lies above the mesh, rounding of
- * the output's z included. x and y are the nearest numbers of the output's precision.
+ * (core/mesh/CoarseMesh.h): in grid coordinates no point of any patch lies above the mesh, rounding
+ * of the output's z included. x and y are the nearest numbers of the output's precision.
  *
  * The last quads of a row or column are smaller where the grid does not divide. A quad without a
  * single cell that has a surface is left out; a vertex whose sample has no height takes one from

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainDepthPass.h"
 
-#include "vtkTerrainGL.h"
+#include "render/Driver.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"

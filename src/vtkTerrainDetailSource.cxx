@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainDetailSource.h"
 
-#include "vtkTerrainParallelFor.h"
+#include "data/SMPParallelFor.h"
 
-#include "core/DetailNoise.h"
+#include "core/landscape/DetailNoise.h"
 
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
@@ -44,7 +44,7 @@ int vtkTerrainDetailSource::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputs), vtkInformationVector* outputs)
 {
   const std::vector<float> heights = terrain::MakeDetailNoise(
-    this->Size, static_cast<std::uint32_t>(this->Seed), vtkTerrainParallelFor);
+    this->Size, static_cast<std::uint32_t>(this->Seed), terrain::SMPParallelFor);
   vtkImageData* image = vtkImageData::GetData(outputs);
   image->SetExtent(0, this->Size - 1, 0, this->Size - 1, 0, 0);
   image->AllocateScalars(VTK_FLOAT, 1);

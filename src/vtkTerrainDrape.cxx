@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainDrape.h"
 
-#include "core/SurfacePath.h"
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainSetting.h"
+#include "core/rays/SurfacePath.h"
+#include "data/ImageHeights.h"
+#include "data/Setting.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -221,7 +221,7 @@ void vtkTerrainDrape::SetHeightsConnection(vtkAlgorithmOutput* heights)
 
 void vtkTerrainDrape::SetMode(ModeType mode)
 {
-  vtkTerrainSetting::Set(this, this->Mode, mode);
+  terrain::Setting::Set(this, this->Mode, mode);
 }
 
 int vtkTerrainDrape::FillInputPortInformation(int port, vtkInformation* info)
@@ -236,14 +236,14 @@ int vtkTerrainDrape::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkImageData* image = vtkImageData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const std::string why = vtkTerrainHeightfield::WhyNotHeights(image);
+  const std::string why = terrain::ImageHeights::WhyNotHeights(image);
   if (!why.empty())
   {
     vtkErrorMacro(<< why);
     return 0;
   }
   Rule rule;
-  rule.Geometry = vtkTerrainHeightfield::Geometry(image);
+  rule.Geometry = terrain::ImageHeights::Geometry(image);
   rule.Geometry.Exaggeration = this->Exaggeration;
   rule.Mode = this->Mode;
   rule.Offset = this->Offset;
@@ -255,7 +255,7 @@ int vtkTerrainDrape::RequestData(
   draped.Output = output;
   draped.Points->SetDataTypeToDouble();
   output->GetPointData()->InterpolateAllocate(input->GetPointData());
-  vtkTerrainHeightfield::Dispatch(image,
+  terrain::ImageHeights::Dispatch(image,
     [&](const auto& heights)
     {
       vtkIdType source = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainEGLRenderWindow.h"
 
-#include "vtkTerrainGLContext.h"
+#include "windows/GLContext.h"
 
 #include "vtkObjectFactory.h"
 
@@ -66,16 +66,16 @@ void vtkTerrainEGLRenderWindow::SetDeviceIndex(int index)
 //------------------------------------------------------------------------------
 int vtkTerrainEGLRenderWindow::GetNumberOfDevices()
 {
-  return vtkTerrainGetNumberOfEGLDevices();
+  return terrain::GetNumberOfEGLDevices();
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkTerrainGLContext> vtkTerrainEGLRenderWindow::CreateContext(std::string& whyNot)
+std::unique_ptr<terrain::GLContext> vtkTerrainEGLRenderWindow::CreateContext(std::string& whyNot)
 {
   if (this->DeviceIndex == kNoDevice)
   {
     whyNot = std::string(kDeviceVariable) + " is no device's number";
     return nullptr;
   }
-  return vtkTerrainMakeEGLContext(this->DeviceIndex, whyNot);
+  return terrain::MakeEGLContext(this->DeviceIndex, whyNot);
 }

@@ -37,7 +37,7 @@ protected:
   vtkTerrainEGLRenderWindow();
   ~vtkTerrainEGLRenderWindow() override;
 
-  std::unique_ptr<vtkTerrainGLContext> CreateContext(std::string& whyNot) override;
+  std::unique_ptr<terrain::GLContext> CreateContext(std::string& whyNot) override;
 };
 
 #endif

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainGeoTransform.h"
 
+#include "data/Setting.h"
 #include "vtkTerrainGeoreference.h"
-#include "vtkTerrainSetting.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -46,7 +46,7 @@ vtkTerrainGeoTransform::~vtkTerrainGeoTransform() = default;
 
 void vtkTerrainGeoTransform::SetGeoreference(vtkTerrainGeoreference* georeference)
 {
-  vtkTerrainSetting::Set(this, this->Georeference, georeference);
+  terrain::Setting::Set(this, this->Georeference, georeference);
 }
 
 vtkTerrainGeoreference* vtkTerrainGeoTransform::GetGeoreference() const
@@ -56,7 +56,7 @@ vtkTerrainGeoreference* vtkTerrainGeoTransform::GetGeoreference() const
 
 void vtkTerrainGeoTransform::SetSource(SourceType source)
 {
-  vtkTerrainSetting::Set(this, this->Source, source);
+  terrain::Setting::Set(this, this->Source, source);
 }
 
 vtkMTimeType vtkTerrainGeoTransform::GetMTime()

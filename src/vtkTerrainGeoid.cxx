@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainGeoid.h"
 
-#include "core/GeoidGrid.h"
+#include "core/place/GeoidGrid.h"
 
 #include "vtkObjectFactory.h"
 

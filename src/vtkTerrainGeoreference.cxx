@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainGeoreference.h"
 
-#include "core/Constants.h"
-#include "core/Geodesics.h"
-#include "core/GridReference.h"
-#include "core/HeightUnits.h"
-#include "vtkTerrainGeoreferenceInternals.h"
-#include "vtkTerrainSetting.h"
+#include "core/grid/Constants.h"
+#include "core/grid/HeightUnits.h"
+#include "core/place/Geodesics.h"
+#include "core/place/GridReference.h"
+#include "data/Setting.h"
+#include "place/GeoreferenceInternals.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
@@ -41,7 +41,7 @@ vtkMTimeType vtkTerrainGeoreference::GetMTime()
 
 void vtkTerrainGeoreference::SetCoordinateSystem(const std::string& definition)
 {
-  vtkTerrainSetting::Set(this, this->CoordinateSystem, definition);
+  terrain::Setting::Set(this, this->CoordinateSystem, definition);
 }
 
 void vtkTerrainGeoreference::SetExtent(double xMin, double xMax, double yMin, double yMax)
@@ -56,7 +56,7 @@ void vtkTerrainGeoreference::SetExtent(double xMin, double xMax, double yMin, do
 
 void vtkTerrainGeoreference::SetFrame(FrameType frame)
 {
-  vtkTerrainSetting::Set(this, this->Frame, frame);
+  terrain::Setting::Set(this, this->Frame, frame);
 }
 
 void vtkTerrainGeoreference::SetOrigin(double longitude, double latitude, double height)
@@ -102,12 +102,12 @@ void vtkTerrainGeoreference::SetHeightUnit(double metres)
 
 void vtkTerrainGeoreference::SetFileHeights(HeightType heights)
 {
-  vtkTerrainSetting::Set(this, this->FileHeights, heights);
+  terrain::Setting::Set(this, this->FileHeights, heights);
 }
 
 void vtkTerrainGeoreference::SetSceneHeights(HeightType heights)
 {
-  vtkTerrainSetting::Set(this, this->SceneHeights, heights);
+  terrain::Setting::Set(this, this->SceneHeights, heights);
 }
 
 double vtkTerrainGeoreference::HeightUnitFromName(const std::string& name)
@@ -138,7 +138,7 @@ bool vtkTerrainGeoreference::IsOnEarth()
 bool vtkTerrainGeoreference::IsGeographic()
 {
   this->Prepare();
-  return this->Internals->System.GetKind() == vtkTerrainCoordinateSystem::Kind::Geographic;
+  return this->Internals->System.GetKind() == terrain::CoordinateSystem::Kind::Geographic;
 }
 
 std::string vtkTerrainGeoreference::GetWarning()
@@ -200,7 +200,7 @@ std::string vtkTerrainGeoreference::GetSceneCoordinateSystem()
   if (this->Frame == FrameType::Grid)
   {
     return internals.System.GetMetres() == 1.0
-      ? vtkTerrainCoordinateSystem::ToWkt(this->CoordinateSystem)
+      ? terrain::CoordinateSystem::ToWkt(this->CoordinateSystem)
       : std::string();
   }
   char text[160];
@@ -210,9 +210,9 @@ std::string vtkTerrainGeoreference::GetSceneCoordinateSystem()
       std::snprintf(text, sizeof(text),
         "+proj=ortho +lat_0=%.17g +lon_0=%.17g +datum=WGS84 +units=m +type=crs",
         internals.Frame.Origin().y, internals.Frame.Origin().x);
-      return vtkTerrainCoordinateSystem::ToWkt(text);
+      return terrain::CoordinateSystem::ToWkt(text);
     case terrain::SceneKind::Geocentric:
-      return vtkTerrainCoordinateSystem::ToWkt("EPSG:4978");
+      return terrain::CoordinateSystem::ToWkt("EPSG:4978");
     case terrain::SceneKind::Zone:
       // EPSG: 326zz and 327zz are UTM north and south, 32661 and 32761 (easting first: 5041, 5042)
       // UPS.
@@ -220,7 +220,7 @@ std::string vtkTerrainGeoreference::GetSceneCoordinateSystem()
         internals.Frame.Zone() == 0
           ? (internals.Frame.Northern() ? 5041 : 5042)
           : (internals.Frame.Northern() ? 32600 : 32700) + internals.Frame.Zone());
-      return vtkTerrainCoordinateSystem::ToWkt(text);
+      return terrain::CoordinateSystem::ToWkt(text);
     default:
       return {};
   }
@@ -444,7 +444,7 @@ void vtkTerrainGeoreference::GetFlatError(double& horizontal, double& vertical)
   const glm::dvec3 centre(middle[0], middle[1], 0.0);
   const terrain::SceneFrame local =
     terrain::SceneFrame::AtOrigin(terrain::SceneKind::Local, centre);
-  std::vector<double> places = vtkTerrainExtent::Border(this->Extent);
+  std::vector<double> places = terrain::PlaceExtent::Border(this->Extent);
   const std::size_t count = places.size() / 3;
   this->Internals->System.ToPlaces(places.data(), static_cast<std::int64_t>(count));
   places.insert(places.end(), { centre.x, centre.y, 0.0 });
@@ -502,7 +502,7 @@ void vtkTerrainGeoreference::PrintSelf(ostream& os, vtkIndent indent)
   double origin[3];
   this->GetOrigin(origin);
   os << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n";
-  os << indent << "Extent: " << vtkTerrainExtent::ToText(this->Extent) << "\n";
+  os << indent << "Extent: " << terrain::PlaceExtent::ToText(this->Extent) << "\n";
   os << indent << "Frame: " << static_cast<int>(this->Frame) << "\n";
   os << indent << "Origin: " << origin[0] << ", " << origin[1] << ", " << origin[2] << "\n";
   os << indent << "Zone: " << this->GetZone() << (this->GetNorthern() ? " north" : " south")

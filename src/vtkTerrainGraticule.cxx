@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainGraticule.h"
 
-#include "core/GridReference.h"
-#include "core/RoundNumbers.h"
-#include "core/SceneFrame.h"
+#include "core/grid/RoundNumbers.h"
+#include "core/place/GridReference.h"
+#include "core/place/SceneFrame.h"
+#include "data/ImageHeights.h"
+#include "data/Setting.h"
 #include "vtkTerrainDrape.h"
 #include "vtkTerrainGeoreference.h"
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainSetting.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -95,7 +95,7 @@ vtkTerrainGraticule::~vtkTerrainGraticule() = default;
 
 void vtkTerrainGraticule::SetGeoreference(vtkTerrainGeoreference* georeference)
 {
-  vtkTerrainSetting::Set(this, this->Georeference, georeference);
+  terrain::Setting::Set(this, this->Georeference, georeference);
 }
 
 vtkTerrainGeoreference* vtkTerrainGraticule::GetGeoreference() const
@@ -105,7 +105,7 @@ vtkTerrainGeoreference* vtkTerrainGraticule::GetGeoreference() const
 
 void vtkTerrainGraticule::SetGrid(GridType grid)
 {
-  vtkTerrainSetting::Set(this, this->Grid, grid);
+  terrain::Setting::Set(this, this->Grid, grid);
 }
 
 vtkMTimeType vtkTerrainGraticule::GetMTime()
@@ -238,7 +238,7 @@ int vtkTerrainGraticule::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkImageData* heights = vtkImageData::GetData(inputs[0]);
-  std::string why = vtkTerrainHeightfield::WhyNotHeights(heights);
+  std::string why = terrain::ImageHeights::WhyNotHeights(heights);
   if (why.empty())
   {
     why = this->Georeference ? this->Georeference->GetWhyNot() : "there is no georeference";

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainHierarchy.h"
 
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainHierarchyData.h"
-#include "vtkTerrainParallelFor.h"
+#include "data/HierarchyData.h"
+#include "data/ImageHeights.h"
+#include "data/SMPParallelFor.h"
 
 #include "vtkFieldData.h"
 #include "vtkMath.h"
@@ -22,7 +22,7 @@ terrain::HeightRows RowsOf(vtkImageData* image)
 {
   return [image](std::int64_t first, std::int64_t count, float* heights)
   {
-    vtkTerrainHeightfield::Dispatch(image,
+    terrain::ImageHeights::Dispatch(image,
       [&](const auto& view)
       {
         const std::int64_t begin = first * view.Width;
@@ -70,7 +70,7 @@ bool vtkTerrainHierarchy::SetHeights(vtkImageData* heights, const ProgressFuncti
 {
   this->Data.reset();
   this->Modified();
-  std::string error = vtkTerrainHeightfield::WhyNotHeights(heights);
+  std::string error = terrain::ImageHeights::WhyNotHeights(heights);
   if (!error.empty())
   {
     return this->Finish(error);
@@ -79,10 +79,10 @@ bool vtkTerrainHierarchy::SetHeights(vtkImageData* heights, const ProgressFuncti
   error = terrain::HierarchyLayout::WhyNotSize(dims[0], dims[1]);
   if (error.empty())
   {
-    auto data = std::make_shared<vtkTerrainHierarchyData>();
+    auto data = std::make_shared<terrain::HierarchyData>();
     data->CoordinateSystem = CoordinateSystemOf(heights);
     error = terrain::BuildHierarchy(data->Memory, dims[0], dims[1],
-      vtkTerrainHeightfield::Geometry(heights), RowsOf(heights), vtkTerrainParallelFor, progress,
+      terrain::ImageHeights::Geometry(heights), RowsOf(heights), terrain::SMPParallelFor, progress,
       this->KeepBorder);
     if (error.empty())
     {
@@ -96,7 +96,7 @@ bool vtkTerrainHierarchy::OpenFile(const std::string& path, bool verify)
 {
   this->Data.reset();
   this->Modified();
-  auto data = std::make_shared<vtkTerrainHierarchyData>();
+  auto data = std::make_shared<terrain::HierarchyData>();
   data->IsFile = true;
   const std::string error = data->File.Open(path, verify);
   if (error.empty())
@@ -128,7 +128,7 @@ bool vtkTerrainHierarchy::PrepareFile(const std::string& path, int width, int he
   const auto heights = [&rows](std::int64_t first, std::int64_t count, float* out)
   { return rows(static_cast<vtkIdType>(first), static_cast<vtkIdType>(count), out); };
   const std::string error = terrain::WriteHierarchyFile(
-    path, width, height, geometry, coordinateSystem, heights, vtkTerrainParallelFor, progress);
+    path, width, height, geometry, coordinateSystem, heights, terrain::SMPParallelFor, progress);
   return this->Finish(error.empty() ? error : path + ": " + error);
 }
 

@@ -16,7 +16,7 @@
  * Memory: 12 bytes a sample, sides rounded up to 64 samples at each depth. A file keeps the same
  * bytes, checksums included 12 + 1e-5. A file that loses pages while it is open, because it was
  * truncated or its disk failed, never ends the process: IsDamaged() tells, and vtkTerrainStrips
- * reports an error. Method and bounds: core/HierarchyBuild.h, core/HierarchyFile.h.
+ * reports an error. Method and bounds: core/strips/HierarchyBuild.h, core/strips/HierarchyFile.h.
  *
  * @sa vtkTerrainStrips vtkTerrainRasterReader
  */
@@ -31,7 +31,10 @@
 #include <string>
 
 class vtkImageData;
-struct vtkTerrainHierarchyData;
+namespace terrain
+{
+struct HierarchyData;
+}
 
 class VTKTERRAIN_EXPORT vtkTerrainHierarchy : public vtkObject
 {
@@ -106,7 +109,7 @@ public:
   void ReleasePages();
 
   /// For vtkTerrainStrips: what is refined, never changed once it is there.
-  std::shared_ptr<const vtkTerrainHierarchyData> GetData() const
+  std::shared_ptr<const terrain::HierarchyData> GetData() const
   {
     return this->Data;
   }
@@ -121,7 +124,7 @@ protected:
 private:
   bool Finish(const std::string& error);
 
-  std::shared_ptr<vtkTerrainHierarchyData> Data;
+  std::shared_ptr<terrain::HierarchyData> Data;
   std::string ErrorMessage;
   bool KeepBorder = false;
 };

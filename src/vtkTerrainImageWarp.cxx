@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainImageWarp.h"
 
-#include "core/HeightSampling.h"
+#include "core/grid/HeightSampling.h"
+#include "data/ImageHeights.h"
+#include "data/Setting.h"
 #include "vtkTerrainGeoreference.h"
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainSetting.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
@@ -306,9 +306,9 @@ int vtkTerrainImageWarp::vtkInternals::Transform(
     if (internals.Scene->GetFrame() == Frame::Local)
     {
       // Beyond the surface, the last height before its border: pixels there only blend into it.
-      const terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(internals.Heights);
+      const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(internals.Heights);
       double last = internals.MiddleHeight;
-      vtkTerrainHeightfield::Dispatch(internals.Heights,
+      terrain::ImageHeights::Dispatch(internals.Heights,
         [&](const auto& heights)
         {
           for (std::size_t i = 0; i < points.size(); i += 3)
@@ -416,12 +416,12 @@ vtkTerrainImageWarp::~vtkTerrainImageWarp() = default;
 
 void vtkTerrainImageWarp::SetFileName(const std::string& fileName)
 {
-  vtkTerrainSetting::Set(this, this->FileName, fileName);
+  terrain::Setting::Set(this, this->FileName, fileName);
 }
 
 void vtkTerrainImageWarp::SetGeoreference(vtkTerrainGeoreference* georeference)
 {
-  vtkTerrainSetting::Set(this, this->Georeference, georeference);
+  terrain::Setting::Set(this, this->Georeference, georeference);
 }
 
 vtkTerrainGeoreference* vtkTerrainImageWarp::GetGeoreference() const
@@ -431,7 +431,7 @@ vtkTerrainGeoreference* vtkTerrainImageWarp::GetGeoreference() const
 
 void vtkTerrainImageWarp::SetCoordinateSystem(const std::string& definition)
 {
-  vtkTerrainSetting::Set(this, this->CoordinateSystem, definition);
+  terrain::Setting::Set(this, this->CoordinateSystem, definition);
 }
 
 vtkMTimeType vtkTerrainImageWarp::GetMTime()
@@ -457,7 +457,7 @@ int vtkTerrainImageWarp::RequestInformation(
   vtkInternals& internals = *this->Internals;
   internals.Heights = vtkImageData::GetData(inputs[0]);
   internals.Scene = this->Georeference;
-  this->ErrorMessage = vtkTerrainHeightfield::WhyNotHeights(internals.Heights);
+  this->ErrorMessage = terrain::ImageHeights::WhyNotHeights(internals.Heights);
   if (this->ErrorMessage.empty())
   {
     this->ErrorMessage = !this->Georeference ? "there is no georeference of the heights"

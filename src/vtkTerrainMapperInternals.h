@@ -7,13 +7,13 @@
 #ifndef vtkTerrainMapperInternals_h
 #define vtkTerrainMapperInternals_h
 
+#include "render/Coloring.h"
+#include "render/ComputeTexture.h"
+#include "render/HeightTexture.h"
 #include "vtkOpenGLTerrainMapper.h"
-#include "vtkTerrainColoring.h"
-#include "vtkTerrainComputeTexture.h"
-#include "vtkTerrainHeightTexture.h"
 
-#include "core/Cutting.h"
-#include "core/PixelRays.h"
+#include "core/rays/PixelRays.h"
+#include "core/surface/Cutting.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -35,7 +35,7 @@ public:
                                             "#define TERRAIN_GATHER\n"
                                             "#endif\n";
 
-  vtkTerrainHeightTexture Heights;
+  terrain::HeightTexture Heights;
   /// Why the heights cannot be used; empty if they can.
   std::string Why;
 
@@ -57,7 +57,7 @@ public:
   /// True if the actor's matrix and the view keep the orientation of triangles.
   bool KeepsOrientation = true;
 
-  vtkTerrainColoring Coloring;
+  terrain::Coloring Coloring;
   /// The proxy with texture coordinates, which VTK's code for textures asks for.
   vtkNew<vtkPolyData> TexturedProxy;
   vtkMTimeType TexturedTime = 0;
@@ -71,14 +71,14 @@ public:
   glm::ivec4 Viewport{ 0 };
   /// Distances at which the rays of tiles of BeamPixels x BeamPixels pixels begin
   /// (shaders/vtkTerrainBeamCS.glsl).
-  vtkTerrainComputeTexture BeamStarts;
+  terrain::ComputeTexture BeamStarts;
   static constexpr int BeamPixels = 8;
   static std::string BeamDefine()
   {
     return "#define TERRAIN_BEAM_PIXELS " + std::to_string(BeamPixels) + "\n";
   }
   /// The sightings of all pixels (shaders/vtkTerrainSightingCS.glsl).
-  vtkTerrainComputeTexture Sightings;
+  terrain::ComputeTexture Sightings;
 
   /// The defines that the shader of each primitive was built with.
   std::map<vtkOpenGLHelper*, std::string> ShaderBuiltWith;

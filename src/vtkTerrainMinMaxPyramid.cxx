@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainMinMaxPyramid.h"
 
-#include "core/MinMaxPyramid.h"
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainParallelFor.h"
+#include "core/surface/MinMaxPyramid.h"
+#include "data/ImageHeights.h"
+#include "data/SMPParallelFor.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkDataArray> MakeArray(
 /// The image of a level, without data.
 vtkNew<vtkImageData> MakeLevel(vtkImageData* heights, int level)
 {
-  const terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(heights);
+  const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(heights);
   const int* dims = heights->GetDimensions();
   const int size = 1 << level;
   vtkNew<vtkImageData> image;
@@ -62,7 +62,7 @@ void FillLevel(vtkImageData* heights, vtkImageData* level, Row&& row)
   unsigned char* const hidden = ghosts->GetPointer(0);
   const std::int64_t width = level->GetDimensions()[0] - 1;
   std::atomic<bool> anyHidden{ false };
-  vtkTerrainParallelFor(level->GetDimensions()[1] - 1,
+  terrain::SMPParallelFor(level->GetDimensions()[1] - 1,
     [&](std::int64_t begin, std::int64_t end)
     {
       std::vector<terrain::PyramidNode<T>> nodes(static_cast<std::size_t>(width));
@@ -93,7 +93,7 @@ void FillPyramid(
 {
   using Nodes = std::vector<terrain::PyramidNode<T>>;
   terrain::MinMaxPyramid<T> pyramid;
-  pyramid.Build(view, vtkTerrainParallelFor);
+  pyramid.Build(view, terrain::SMPParallelFor);
   const int top = pyramid.LevelCount();
   output->SetNumberOfBlocks(top == 0 ? 0 : static_cast<unsigned int>(top) + 1);
   for (int k = 0; top > 0 && k <= top; ++k)
@@ -139,13 +139,13 @@ int vtkTerrainMinMaxPyramid::RequestData(
 {
   vtkImageData* heights = vtkImageData::GetData(inputs[0]);
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
-  const std::string why = vtkTerrainHeightfield::WhyNotHeights(heights);
+  const std::string why = terrain::ImageHeights::WhyNotHeights(heights);
   if (!why.empty())
   {
     vtkErrorMacro(<< why);
     return 0;
   }
-  vtkTerrainHeightfield::Dispatch(
+  terrain::ImageHeights::Dispatch(
     heights, [&](const auto& view) { FillPyramid(heights, view, output); });
   return 1;
 }

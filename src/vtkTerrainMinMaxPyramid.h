@@ -16,7 +16,8 @@
  *     the lowest number of the type, their minimum the largest.
  * Level 0, the bounding map of the paper, has one cell for each cell of the heights; the last level
  * at most 2 x 2. The cells of the last column and row reach beyond the heights where these do not
- * divide, and may have wider bounds than they need (core/MinMaxPyramid.h), never narrower ones.
+ * divide, and may have wider bounds than they need (core/surface/MinMaxPyramid.h), never narrower
+ * ones.
  *
  * Method: S. Park, K. Oh, "GPU-only Terrain Rendering for Walk-through", sections 4 and 5, with
  * minima beside the maxima. Runs on the threads of vtkSMPTools; the result does not depend on them.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainOSMesaRenderWindow.h"
 
-#include "vtkTerrainGLContext.h"
+#include "windows/GLContext.h"
 
 #include "vtkObjectFactory.h"
 
@@ -21,8 +21,7 @@ void vtkTerrainOSMesaRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkTerrainGLContext> vtkTerrainOSMesaRenderWindow::CreateContext(
-  std::string& whyNot)
+std::unique_ptr<terrain::GLContext> vtkTerrainOSMesaRenderWindow::CreateContext(std::string& whyNot)
 {
-  return vtkTerrainMakeOSMesaContext(whyNot);
+  return terrain::MakeOSMesaContext(whyNot);
 }

@@ -29,7 +29,7 @@ protected:
   vtkTerrainOSMesaRenderWindow() = default;
   ~vtkTerrainOSMesaRenderWindow() override;
 
-  std::unique_ptr<vtkTerrainGLContext> CreateContext(std::string& whyNot) override;
+  std::unique_ptr<terrain::GLContext> CreateContext(std::string& whyNot) override;
 };
 
 #endif

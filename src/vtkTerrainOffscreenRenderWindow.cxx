@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainOffscreenRenderWindow.h"
 
-#include "vtkTerrainCompatibility.h"
-#include "vtkTerrainGLContext.h"
+#include "render/Compatibility.h"
+#include "windows/GLContext.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkRect.h"
@@ -60,7 +60,7 @@ void vtkTerrainOffscreenRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<vtkTerrainGLContext> vtkTerrainOffscreenRenderWindow::CreateContext(
+std::unique_ptr<terrain::GLContext> vtkTerrainOffscreenRenderWindow::CreateContext(
   std::string& whyNot)
 {
   if (whyNot.empty())
@@ -234,7 +234,7 @@ bool vtkTerrainOffscreenRenderWindow::IsCurrent()
 //------------------------------------------------------------------------------
 void vtkTerrainOffscreenRenderWindow::PushContext()
 {
-  this->OuterContext = vtkTerrainGLContext::GetCurrent();
+  this->OuterContext = terrain::GLContext::GetCurrent();
   this->MakeCurrent();
 }
 

@@ -27,7 +27,10 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class vtkTerrainGLContext;
+namespace terrain
+{
+class GLContext;
+}
 
 class VTKTERRAIN_EXPORT vtkTerrainOffscreenRenderWindow : public vtkOpenGLRenderWindow
 {
@@ -88,7 +91,7 @@ protected:
   ~vtkTerrainOffscreenRenderWindow() override;
 
   /// A new context, or null and one sentence in whyNot.
-  virtual std::unique_ptr<vtkTerrainGLContext> CreateContext(std::string& whyNot);
+  virtual std::unique_ptr<terrain::GLContext> CreateContext(std::string& whyNot);
 
   /// What Finalize does, callable from destructors.
   void Close();
@@ -99,8 +102,8 @@ protected:
   void DestroyWindow() override;
 
 private:
-  std::unique_ptr<vtkTerrainGLContext> Context;
-  vtkTerrainGLContext* OuterContext = nullptr;
+  std::unique_ptr<terrain::GLContext> Context;
+  terrain::GLContext* OuterContext = nullptr;
   std::string WhyNot;
   bool ErrorReported = false;
 };

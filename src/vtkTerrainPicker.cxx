@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainPicker.h"
 
+#include "data/ImageHeights.h"
+#include "data/ImageRayCaster.h"
 #include "vtkOpenGLTerrainMapper.h"
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainRayCaster.h"
 
-#include "core/SurfacePath.h"
+#include "core/rays/SurfacePath.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -41,7 +41,7 @@ struct ShownTerrain
 
   terrain::GridGeometry Geometry() const
   {
-    terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(this->Heights);
+    terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(this->Heights);
     geometry.Exaggeration = this->Exaggeration;
     return geometry;
   }
@@ -52,7 +52,7 @@ void readMapper(vtkMapper* mapper, ShownTerrain& shown)
 {
   auto* terrainMapper = vtkOpenGLTerrainMapper::SafeDownCast(mapper);
   vtkImageData* heights = terrainMapper ? terrainMapper->GetHeights() : nullptr;
-  if (vtkTerrainHeightfield::WhyNotHeights(heights).empty())
+  if (terrain::ImageHeights::WhyNotHeights(heights).empty())
   {
     shown.Heights = heights;
     shown.Exaggeration = terrainMapper->GetVerticalExaggeration();
@@ -202,12 +202,12 @@ class vtkTerrainPicker::vtkInternals
 public:
   /// The caster over an image, scanned if need be; counts scans. Casters of images that are gone
   /// are dropped.
-  const vtkTerrainRayCaster& CasterOf(vtkImageData* image, int& scans)
+  const terrain::ImageRayCaster& CasterOf(vtkImageData* image, int& scans)
   {
     this->Casters.remove_if(
-      [](const vtkTerrainRayCaster& caster) { return caster.GetImage() == nullptr; });
+      [](const terrain::ImageRayCaster& caster) { return caster.GetImage() == nullptr; });
     auto found = std::find_if(this->Casters.begin(), this->Casters.end(),
-      [image](const vtkTerrainRayCaster& caster) { return caster.GetImage() == image; });
+      [image](const terrain::ImageRayCaster& caster) { return caster.GetImage() == image; });
     if (found == this->Casters.end())
     {
       this->Casters.emplace_back();
@@ -218,7 +218,7 @@ public:
   }
 
 private:
-  std::list<vtkTerrainRayCaster> Casters;
+  std::list<terrain::ImageRayCaster> Casters;
 };
 
 //------------------------------------------------------------------------------
@@ -396,7 +396,7 @@ bool vtkTerrainPicker::GetProfile(
   }
   ProfileLines lines(shown, start, end);
   const terrain::GridGeometry geometry = shown.Geometry();
-  vtkTerrainHeightfield::Dispatch(shown.Heights,
+  terrain::ImageHeights::Dispatch(shown.Heights,
     [&](const auto& view)
     {
       terrain::WalkSurface(view, glm::dvec2(geometry.ToGrid(start)),

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainRasterReader.h"
 
-#include "vtkTerrainRasterFile.h"
-#include "vtkTerrainRasterPiece.h"
-#include "vtkTerrainSetting.h"
+#include "data/Setting.h"
+#include "raster/RasterFile.h"
+#include "raster/RasterPiece.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -37,9 +37,9 @@
 /// An opened file and what becomes of it.
 struct vtkTerrainRasterPlan
 {
-  vtkTerrainRasterFile File;
-  vtkTerrainRasterLayout Layout;
-  vtkTerrainRasterRequest Request;
+  terrain::RasterFile File;
+  terrain::RasterLayout Layout;
+  terrain::RasterRequest Request;
   int ScalarType = VTK_FLOAT;
   std::string Name;
   std::string VerticalUnit;
@@ -59,9 +59,9 @@ namespace
 constexpr const char* DefaultName = "Elevation";
 
 /// The window that four numbers mean, or an error.
-vtkTerrainRasterWindow ResolveWindow(const vtkTerrainRasterFile& file, const int window[4])
+terrain::RasterWindow ResolveWindow(const terrain::RasterFile& file, const int window[4])
 {
-  vtkTerrainRasterWindow resolved{ window[0], window[1], window[2], window[3] };
+  terrain::RasterWindow resolved{ window[0], window[1], window[2], window[3] };
   resolved.Width = window[2] == 0 ? file.GetWidth() - resolved.X : resolved.Width;
   resolved.Height = window[3] == 0 ? file.GetHeight() - resolved.Y : resolved.Height;
   if (resolved.X < 0 || resolved.Y < 0 || resolved.Width < 1 || resolved.Height < 1 ||
@@ -72,13 +72,13 @@ vtkTerrainRasterWindow ResolveWindow(const vtkTerrainRasterFile& file, const int
     text << "the window of " << resolved.Width << " x " << resolved.Height << " pixels at ("
          << resolved.X << ", " << resolved.Y << ") is not within its " << file.GetWidth() << " x "
          << file.GetHeight() << " pixels";
-    throw vtkTerrainRasterError(text.str());
+    throw terrain::RasterError(text.str());
   }
   return resolved;
 }
 
 /// Samples of the window under the two limits; as many as there are pixels if none applies.
-void ReduceSize(vtkTerrainRasterRequest& request, int maximumSize, vtkIdType maximumNumber)
+void ReduceSize(terrain::RasterRequest& request, int maximumSize, vtkIdType maximumNumber)
 {
   const auto width = static_cast<double>(request.Window.Width);
   const auto height = static_cast<double>(request.Window.Height);
@@ -103,7 +103,7 @@ void ReduceSize(vtkTerrainRasterRequest& request, int maximumSize, vtkIdType max
   request.Height = shrink(height);
 }
 
-int ScalarTypeOf(const vtkTerrainRasterFile& file)
+int ScalarTypeOf(const terrain::RasterFile& file)
 {
   if (file.IsSignedByte())
   {
@@ -131,7 +131,7 @@ int ScalarTypeOf(const vtkTerrainRasterFile& file)
 /// Scale and offset from file values to metres, and the scalars' type under them.
 void ResolveHeights(vtkTerrainRasterPlan& plan)
 {
-  vtkTerrainRasterRequest& request = plan.Request;
+  terrain::RasterRequest& request = plan.Request;
   plan.File.GetScaleAndOffset(request.Scale, request.Offset);
   plan.VerticalUnit = plan.File.GetVerticalUnit();
   plan.VerticalScale = plan.File.GetMetresPerVerticalUnit();
@@ -151,8 +151,8 @@ void ResolveHeights(vtkTerrainRasterPlan& plan)
 /// Position of the south-western sample, and spacing.
 void PlaceSamples(vtkTerrainRasterPlan& plan)
 {
-  const vtkTerrainRasterRequest& request = plan.Request;
-  const vtkTerrainRasterWindow& window = request.Window;
+  const terrain::RasterRequest& request = plan.Request;
+  const terrain::RasterWindow& window = request.Window;
   std::array<double, 6> transform = plan.Layout.GeoTransform;
   if (!plan.Layout.HasGeoTransform)
   {
@@ -191,18 +191,18 @@ void CheckWholeExtent(vtkInformation* info, const vtkTerrainRasterPlan& plan)
   info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
   if (whole[1] + 1 != plan.Request.Width || whole[3] + 1 != plan.Request.Height)
   {
-    throw vtkTerrainRasterError("it has " + std::to_string(plan.Request.Width) + " x " +
+    throw terrain::RasterError("it has " + std::to_string(plan.Request.Width) + " x " +
       std::to_string(plan.Request.Height) + " samples where the first of its series has " +
       std::to_string(whole[1] + 1) + " x " + std::to_string(whole[3] + 1));
   }
 }
 
-vtkTerrainRasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* samples)
+terrain::RasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* samples)
 {
   const auto read = [&plan, samples](auto type)
   {
     using Sample = decltype(type);
-    return vtkTerrainReadRasterPiece(plan.File, plan.Request, static_cast<Sample*>(samples));
+    return terrain::ReadRasterPiece(plan.File, plan.Request, static_cast<Sample*>(samples));
   };
   switch (plan.ScalarType)
   {
@@ -258,7 +258,7 @@ void AddNumbers(vtkFieldData* fields, const char* name, std::initializer_list<do
   fields->AddArray(array);
 }
 
-bool LooksLikeDegrees(const vtkTerrainRasterLayout& layout, double width, double height)
+bool LooksLikeDegrees(const terrain::RasterLayout& layout, double width, double height)
 {
   const std::array<double, 6>& t = layout.GeoTransform;
   const auto within = [](double a, double b, double limit)
@@ -288,7 +288,7 @@ void vtkTerrainRasterReader::SetFileName(const char* fileName)
 //------------------------------------------------------------------------------
 void vtkTerrainRasterReader::SetFileName(const std::string& fileName)
 {
-  vtkTerrainSetting::Set(this, this->FileName, fileName);
+  terrain::Setting::Set(this, this->FileName, fileName);
 }
 
 //------------------------------------------------------------------------------
@@ -300,7 +300,7 @@ const char* vtkTerrainRasterReader::GetFileName() const
 //------------------------------------------------------------------------------
 void vtkTerrainRasterReader::SetCoordinateSystem(const std::string& definition)
 {
-  vtkTerrainSetting::Set(this, this->CoordinateSystem, definition);
+  terrain::Setting::Set(this, this->CoordinateSystem, definition);
 }
 
 //------------------------------------------------------------------------------
@@ -320,11 +320,11 @@ int vtkTerrainRasterReader::CanReadFile(const char* fileName)
 {
   try
   {
-    vtkTerrainRasterFile file(fileName);
+    terrain::RasterFile file(fileName);
     file.SelectBand(0);
     return 2;
   }
-  catch (const vtkTerrainRasterError&)
+  catch (const terrain::RasterError&)
   {
     return 0;
   }
@@ -483,7 +483,7 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
 //------------------------------------------------------------------------------
 void vtkTerrainRasterReader::Read(vtkTerrainRasterPlan& plan, vtkImageData* image)
 {
-  vtkTerrainRasterRequest& request = plan.Request;
+  terrain::RasterRequest& request = plan.Request;
   if (request.Extent[1] < request.Extent[0] || request.Extent[3] < request.Extent[2])
   {
     return;
@@ -521,7 +521,7 @@ void vtkTerrainRasterReader::Read(vtkTerrainRasterPlan& plan, vtkImageData* imag
     return ghosts->GetPointer(0);
   };
   void* samples = image->GetPointData()->GetScalars()->GetVoidPointer(0);
-  const vtkTerrainRasterFindings findings = ReadSamples(plan, samples);
+  const terrain::RasterFindings findings = ReadSamples(plan, samples);
   if (findings.Undeclared > 0)
   {
     std::ostringstream text;
@@ -541,7 +541,7 @@ void vtkTerrainRasterReader::AddFieldData(
   const vtkTerrainRasterPlan& plan, vtkImageData* image) const
 {
   vtkFieldData* fields = image->GetFieldData();
-  const vtkTerrainRasterWindow& window = plan.Request.Window;
+  const terrain::RasterWindow& window = plan.Request.Window;
   AddText(fields, "FileName", this->FileName);
   AddText(fields, "CRS", plan.Layout.CRS);
   AddText(fields, "VerticalUnit", plan.VerticalUnit);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainReproject.h"
 
-#include "core/Constants.h"
-#include "core/HeightSampling.h"
-#include "vtkTerrainFieldData.h"
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainReprojectInternals.h"
-#include "vtkTerrainSetting.h"
+#include "core/grid/Constants.h"
+#include "core/grid/HeightSampling.h"
+#include "data/FieldData.h"
+#include "data/ImageHeights.h"
+#include "data/Setting.h"
+#include "place/ReprojectInternals.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
@@ -102,12 +102,12 @@ vtkTerrainGeoreference* vtkTerrainReproject::GetGeoreference() const
 
 void vtkTerrainReproject::SetCoordinateSystem(const std::string& definition)
 {
-  vtkTerrainSetting::Set(this, this->CoordinateSystem, definition);
+  terrain::Setting::Set(this, this->CoordinateSystem, definition);
 }
 
 void vtkTerrainReproject::SetInterpolation(InterpolationType interpolation)
 {
-  vtkTerrainSetting::Set(this, this->Interpolation, interpolation);
+  terrain::Setting::Set(this, this->Interpolation, interpolation);
 }
 
 vtkMTimeType vtkTerrainReproject::GetMTime()
@@ -198,7 +198,7 @@ void vtkTerrainReproject::SampleTiles(const std::vector<double>& scene,
       tile->Reference->SceneToFile(scene.data(), file.data(), count);
     }
     const bool cubic = this->Interpolation == InterpolationType::Cubic;
-    vtkTerrainHeightfield::Dispatch(tile->Image,
+    terrain::ImageHeights::Dispatch(tile->Image,
       [&](const auto& view)
       {
         vtkSMPTools::For(0, count, kSamplesPerTask,
@@ -307,15 +307,15 @@ void vtkTerrainReproject::AddFieldData(vtkImageData* output) const
   const std::string wkt = internals.Georeference->GetSceneCoordinateSystem();
   if (!wkt.empty())
   {
-    vtkTerrainFieldData::AddText(output, "CRS", wkt);
+    terrain::FieldData::AddText(output, "CRS", wkt);
   }
-  vtkTerrainFieldData::AddNumbers(output, "GeoTransform",
+  terrain::FieldData::AddNumbers(output, "GeoTransform",
     { internals.Origin[0] - 0.5 * s, s, 0.0, internals.Origin[1] + (height - 0.5) * s, 0.0, -s });
-  vtkTerrainFieldData::AddNumbers(output, "RasterSize", { width, height });
-  vtkTerrainFieldData::AddNumbers(output, "LayoutOrigin", { 0.0, 0.0 });
-  vtkTerrainFieldData::AddNumbers(output, "LayoutScale", { 1.0, 1.0 });
-  vtkTerrainFieldData::AddText(output, "VerticalUnit", "metre");
-  vtkTerrainFieldData::AddNumbers(output, "VerticalScale", { 1.0 });
+  terrain::FieldData::AddNumbers(output, "RasterSize", { width, height });
+  terrain::FieldData::AddNumbers(output, "LayoutOrigin", { 0.0, 0.0 });
+  terrain::FieldData::AddNumbers(output, "LayoutScale", { 1.0, 1.0 });
+  terrain::FieldData::AddText(output, "VerticalUnit", "metre");
+  terrain::FieldData::AddNumbers(output, "VerticalScale", { 1.0 });
 }
 
 int vtkTerrainReproject::RequestData(

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainScaleBar.h"
 
-#include "core/RoundNumbers.h"
+#include "core/grid/RoundNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

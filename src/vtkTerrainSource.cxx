@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainSource.h"
 
-#include "core/ProceduralTerrain.h"
-#include "vtkTerrainParallelFor.h"
+#include "core/landscape/ProceduralTerrain.h"
+#include "data/SMPParallelFor.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -29,7 +29,7 @@ template <typename T>
 void RoundHeights(const std::vector<float>& heights, std::int64_t count, T* rounded)
 {
   constexpr auto highest = static_cast<float>(std::numeric_limits<T>::max());
-  vtkTerrainParallelFor(count,
+  terrain::SMPParallelFor(count,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (std::int64_t k = begin; k < end; ++k)
@@ -164,7 +164,7 @@ int vtkTerrainSource::RequestData(vtkInformation* vtkNotUsed(request),
     const std::int64_t rows = std::min(blockRows, height - row);
     void* target = scalars->GetVoidPointer(width * row);
     this->Raised->Terrain.Sample(extent[0], extent[2] + row, width, rows,
-      rounds ? block.data() : static_cast<float*>(target), vtkTerrainParallelFor);
+      rounds ? block.data() : static_cast<float*>(target), terrain::SMPParallelFor);
     if (this->OutputScalarType == VTK_SHORT)
     {
       RoundHeights(block, width * rows, static_cast<short*>(target));

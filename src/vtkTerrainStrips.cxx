@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainStrips.h"
 
-#include "core/DetailHeights.h"
-#include "core/Refinement.h"
-#include "vtkTerrainHeightfield.h"
+#include "core/strips/Refinement.h"
+#include "core/surface/DetailHeights.h"
+#include "data/HierarchyData.h"
+#include "data/ImageHeights.h"
+#include "data/SMPParallelFor.h"
+#include "data/StripsOutput.h"
 #include "vtkTerrainHierarchy.h"
-#include "vtkTerrainHierarchyData.h"
-#include "vtkTerrainParallelFor.h"
-#include "vtkTerrainStripsOutput.h"
 
 #include "vtkCamera.h"
 #include "vtkExecutive.h"
@@ -37,7 +37,7 @@ namespace
 /// All that a mesh depends on.
 struct StripJob
 {
-  std::shared_ptr<const vtkTerrainHierarchyData> Data;
+  std::shared_ptr<const terrain::HierarchyData> Data;
   /// None without detail.
   std::shared_ptr<const terrain::DetailHierarchy> Detail;
   terrain::RefinementView View;
@@ -68,7 +68,7 @@ public:
     if (!this->Refiner || this->Data != job.Data || this->Detail != job.Detail)
     {
       this->Refiner = std::make_unique<terrain::Refiner>(
-        job.Data->View(), job.Detail.get(), vtkTerrainParallelFor);
+        job.Data->View(), job.Detail.get(), terrain::SMPParallelFor);
       this->Data = job.Data;
       this->Detail = job.Detail;
     }
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  std::shared_ptr<const vtkTerrainHierarchyData> Data;
+  std::shared_ptr<const terrain::HierarchyData> Data;
   std::shared_ptr<const terrain::DetailHierarchy> Detail;
   std::unique_ptr<terrain::Refiner> Refiner;
 };
@@ -129,7 +129,7 @@ bool IsEmptyPiece(vtkInformationVector* input, vtkInformationVector* output)
 std::vector<float> HeightsOf(vtkImageData* image)
 {
   std::vector<float> heights;
-  vtkTerrainHeightfield::Dispatch(image,
+  terrain::ImageHeights::Dispatch(image,
     [&heights](const auto& view)
     {
       heights.reserve(static_cast<std::size_t>(view.Width * view.Height));
@@ -418,14 +418,14 @@ bool vtkTerrainStrips::PrepareDetail(vtkInformationVector* input)
     return true;
   }
   auto detail = std::make_shared<terrain::DetailHierarchy>();
-  std::string error = vtkTerrainHeightfield::WhyNotHeights(image);
+  std::string error = terrain::ImageHeights::WhyNotHeights(image);
   if (error.empty())
   {
     const std::vector<float> heights = HeightsOf(image);
     error = heights.empty()
       ? "every sample needs a height"
       : detail->Build(heights.data(), { image->GetDimensions()[0], image->GetDimensions()[1] },
-          level, vtkTerrainParallelFor);
+          level, terrain::SMPParallelFor);
   }
   if (!error.empty())
   {
@@ -523,7 +523,7 @@ int vtkTerrainStrips::RequestData(
   {
     return 1;
   }
-  vtkTerrainStripsFill(internals.Mesh,
+  terrain::FillStrips(internals.Mesh,
     { internals.MeshJob.Data->View(), internals.MeshJob.Detail.get() },
     { this->ExaggeratePoints ? internals.MeshJob.View.Exaggeration : 1.0,
       internals.MeshJob.View.DetailScale, this->Normals, this->TextureCoordinates,

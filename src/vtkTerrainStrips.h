@@ -25,7 +25,7 @@
  * period, never for their product. Texture coordinates stay those of the heights, normals are the
  * slopes of both, added. Where the period does not divide by four detail cells, all triangles of a
  * depth below the samples have one error; larger powers of two are better, see
- * core/DetailHierarchy.h.
+ * core/strips/DetailHierarchy.h.
  *
  * Every triangle larger than half a cell is within the tolerance: rho = error * lambda / d <=
  * Tolerance, d from the eye to the nearest point of a sphere round the triangles, error the largest
@@ -44,7 +44,7 @@
  * modified when a mesh is finished, so the next Render takes it; IsBuilding() tells when to stop
  * rendering. For a still camera the result is exactly that of synchronous building.
  *
- * Method, sources and departures: core/Refinement.h.
+ * Method, sources and departures: core/strips/Refinement.h.
  *
  * @code
  * vtkNew<vtkTerrainStrips> strips;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainViewpoint.h"
 
-#include "core/Constants.h"
-#include "core/Geodesics.h"
-#include "core/HeightSampling.h"
-#include "core/SunPosition.h"
-#include "core/SurfacePath.h"
+#include "core/grid/Constants.h"
+#include "core/grid/HeightSampling.h"
+#include "core/place/Geodesics.h"
+#include "core/place/SunPosition.h"
+#include "core/rays/SurfacePath.h"
+#include "data/ImageHeights.h"
+#include "data/Setting.h"
 #include "vtkTerrainGeoreference.h"
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainSetting.h"
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
@@ -124,7 +124,7 @@ vtkTerrainViewpoint::~vtkTerrainViewpoint() = default;
 
 void vtkTerrainViewpoint::SetGeoreference(vtkTerrainGeoreference* georeference)
 {
-  vtkTerrainSetting::Set(this, this->Georeference, georeference);
+  terrain::Setting::Set(this, this->Georeference, georeference);
 }
 
 vtkTerrainGeoreference* vtkTerrainViewpoint::GetGeoreference() const
@@ -134,7 +134,7 @@ vtkTerrainGeoreference* vtkTerrainViewpoint::GetGeoreference() const
 
 void vtkTerrainViewpoint::SetHeights(vtkImageData* heights)
 {
-  vtkTerrainSetting::Set(this, this->Heights, heights);
+  terrain::Setting::Set(this, this->Heights, heights);
 }
 
 vtkImageData* vtkTerrainViewpoint::GetHeights() const
@@ -153,7 +153,7 @@ std::string vtkTerrainViewpoint::WhyNot() const
   {
     return why;
   }
-  return this->Georeference->IsOnEarth() ? vtkTerrainHeightfield::WhyNotHeights(this->Heights)
+  return this->Georeference->IsOnEarth() ? terrain::ImageHeights::WhyNotHeights(this->Heights)
                                          : "the heights have no coordinate system: there are no "
                                            "places in the scene";
 }
@@ -161,11 +161,11 @@ std::string vtkTerrainViewpoint::WhyNot() const
 double vtkTerrainViewpoint::GetGround(double x, double y)
 {
   double ground = kNaN;
-  if (vtkTerrainHeightfield::WhyNotHeights(this->Heights).empty())
+  if (terrain::ImageHeights::WhyNotHeights(this->Heights).empty())
   {
-    const terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(this->Heights);
+    const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(this->Heights);
     const glm::dvec3 grid = geometry.ToGrid({ x, y, 0.0 });
-    vtkTerrainHeightfield::Dispatch(this->Heights,
+    terrain::ImageHeights::Dispatch(this->Heights,
       [&](const auto& heights)
       {
         ground =
@@ -393,11 +393,11 @@ std::string vtkTerrainViewpoint::GetProfile(
 
 bool vtkTerrainViewpoint::IsVisible(const double from[3], const double to[3], double obstruction[3])
 {
-  if (!vtkTerrainHeightfield::WhyNotHeights(this->Heights).empty())
+  if (!terrain::ImageHeights::WhyNotHeights(this->Heights).empty())
   {
     return true;
   }
-  const terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(this->Heights);
+  const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(this->Heights);
   const glm::dvec3 a = geometry.ToGrid({ from[0], from[1], from[2] / this->Exaggeration });
   const glm::dvec3 b = geometry.ToGrid({ to[0], to[1], to[2] / this->Exaggeration });
   // The earth rises by t (1 - t) bulge between the ends.
@@ -406,7 +406,7 @@ bool vtkTerrainViewpoint::IsVisible(const double from[3], const double to[3], do
   const double bulge =
     length * length / (2.0 * terrain::kEarthRadius) * ((round ? 0.0 : 1.0) - this->Refraction);
   terrain::Highest highest{ 0.0, -HUGE_VAL };
-  vtkTerrainHeightfield::Dispatch(this->Heights,
+  terrain::ImageHeights::Dispatch(this->Heights,
     [&](const auto& heights)
     {
       terrain::WalkSurface(heights, glm::dvec2(a), glm::dvec2(b),

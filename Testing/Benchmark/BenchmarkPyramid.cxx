@@ -14,10 +14,10 @@
  * of the slowest ray's, and million rays a second on one thread; and the same when the rays of
  * tiles of K x K pixels start where a beam for the tile ends, with the beam's steps a pixel.
  */
-#include "core/PyramidBeam.h"
+#include "core/rays/PyramidBeam.h"
 
-#include "core/ProceduralTerrain.h"
-#include "vtkTerrainParallelFor.h"
+#include "core/landscape/ProceduralTerrain.h"
+#include "data/SMPParallelFor.h"
 
 #include <algorithm>
 #include <array>
@@ -63,7 +63,7 @@ struct Landscape
     parameters.Relief = Relief;
     std::vector<float> heights(this->Texels.size());
     terrain::ProceduralTerrain(parameters)
-      .Sample(0, 0, samples, samples, heights.data(), vtkTerrainParallelFor);
+      .Sample(0, 0, samples, samples, heights.data(), terrain::SMPParallelFor);
     std::transform(heights.begin(), heights.end(), this->Texels.begin(),
       [](float height) { return static_cast<Texel>(height * CodesPerMetre); });
     const Texel highest = *std::max_element(this->Texels.begin(), this->Texels.end());
@@ -76,7 +76,7 @@ struct Landscape
     terrain::HeightfieldView<Texel> view;
     view.Samples = this->Texels.data();
     view.Width = view.Height = this->Samples;
-    this->Pyramid.Build(view, vtkTerrainParallelFor);
+    this->Pyramid.Build(view, terrain::SMPParallelFor);
   }
   double Spacing() const
   {

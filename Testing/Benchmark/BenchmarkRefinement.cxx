@@ -8,13 +8,13 @@
 // of a table. Rates are millions of triangles in a second of processor time of one thread, median
 // and best of kRepeats; both procedures take turns, and their ratio is the median of those of each
 // turn.
-#include "core/HierarchyFile.h"
-#include "core/ProceduralTerrain.h"
-#include "core/Refinement.h"
+#include "core/landscape/ProceduralTerrain.h"
+#include "core/strips/HierarchyFile.h"
+#include "core/strips/Refinement.h"
+#include "data/HierarchyData.h"
+#include "data/SMPParallelFor.h"
 #include "vtkTerrainDetailSource.h"
 #include "vtkTerrainHierarchy.h"
-#include "vtkTerrainHierarchyData.h"
-#include "vtkTerrainParallelFor.h"
 #include "vtkTerrainRasterReader.h"
 
 #include <vtkImageData.h>
@@ -179,7 +179,7 @@ void MeasureDetail(const std::string& name, const terrain::HierarchyView& hierar
   source->Update();
   const auto* heights = static_cast<float*>(source->GetOutput()->GetScalarPointer());
   terrain::DetailHierarchy detail;
-  const std::string error = detail.Build(heights, { 1024, 1024 }, 6, vtkTerrainParallelFor);
+  const std::string error = detail.Build(heights, { 1024, 1024 }, 6, terrain::SMPParallelFor);
   if (!error.empty())
   {
     std::fprintf(stderr, "detail: %s\n", error.c_str());
@@ -221,7 +221,7 @@ terrain::HeightRows ProceduralRows(std::int64_t size)
   const auto landscape = std::make_shared<terrain::ProceduralTerrain>(parameters);
   return [landscape, size](std::int64_t first, std::int64_t count, float* heights)
   {
-    landscape->Sample(0, first, size, count, heights, vtkTerrainParallelFor);
+    landscape->Sample(0, first, size, count, heights, terrain::SMPParallelFor);
     return std::string();
   };
 }
@@ -243,7 +243,7 @@ int MeasureProcedural(std::int64_t size)
 {
   terrain::MemoryHierarchy hierarchy;
   const std::string error = terrain::BuildHierarchy(
-    hierarchy, size, size, ProceduralGeometry(), ProceduralRows(size), vtkTerrainParallelFor, {});
+    hierarchy, size, size, ProceduralGeometry(), ProceduralRows(size), terrain::SMPParallelFor, {});
   if (!error.empty())
   {
     return Failed(std::to_string(size), error);
@@ -322,7 +322,7 @@ int MeasurePrepared(const std::string& argument)
   const std::int64_t size = std::atoll(argument.c_str());
   const std::string path = argument.substr(colon + 1);
   const std::string error = terrain::WriteHierarchyFile(
-    path, size, size, ProceduralGeometry(), "", ProceduralRows(size), vtkTerrainParallelFor, {});
+    path, size, size, ProceduralGeometry(), "", ProceduralRows(size), terrain::SMPParallelFor, {});
   return error.empty() ? MeasureFile(path) : Failed(path, error);
 }
 

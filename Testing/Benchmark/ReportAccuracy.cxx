@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the techniques agree with a ray caster in double precision (core/ReferenceRayCaster.h):
+ * How the techniques agree with a ray caster in double precision (core/rays/ReferenceRayCaster.h):
  *
  *   ReportAccuracy [--size WxH] [--techniques T,T,...] [--exaggeration F] HEIGHTS...
  *
@@ -18,9 +18,9 @@
  *
  * The exit status is 1 if a file cannot be read or a picture not drawn.
  */
-#include "core/ReferenceRayCaster.h"
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainParallelFor.h"
+#include "core/rays/ReferenceRayCaster.h"
+#include "data/ImageHeights.h"
+#include "data/SMPParallelFor.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -258,7 +258,7 @@ Agreement Compare(const terrain::ReferenceRayCaster<T>& caster,
   const terrain::ReferenceCamera& camera, const std::vector<float>& distances)
 {
   std::vector<Agreement> rows(camera.Height);
-  vtkTerrainParallelFor(camera.Height,
+  terrain::SMPParallelFor(camera.Height,
     [&](std::int64_t begin, std::int64_t end)
     {
       for (std::int64_t y = begin; y < end; ++y)
@@ -298,7 +298,7 @@ bool ReportHeights(const Options& options, const Heights& heights,
   vtkTerrainCoarseMesh* coarseMesh)
 {
   using T = std::remove_cv_t<std::remove_reference_t<decltype(heights.Samples[0])>>;
-  const terrain::ReferenceRayCaster<T> caster(heights, geometry, vtkTerrainParallelFor);
+  const terrain::ReferenceRayCaster<T> caster(heights, geometry, terrain::SMPParallelFor);
   for (const std::string& name : options.Names)
   {
     Drawing drawing(options, reader, coarseMesh, ToTechnique(name));
@@ -335,7 +335,7 @@ bool Report(const Options& options, const std::string& file)
   vtkNew<vtkTerrainCoarseMesh> coarseMesh;
   coarseMesh->SetInputConnection(reader->GetOutputPort());
   coarseMesh->Update();
-  terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(image);
+  terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(image);
   geometry.Exaggeration = options.Exaggeration;
   const int* size = image->GetDimensions();
   std::printf("\n%s: %d x %d, heights %g to %g, %lld cells a quad, largest gap %g\n",
@@ -345,7 +345,7 @@ bool Report(const Options& options, const std::string& file)
   std::printf("%-12s %-8s %9s %7s %7s %9s %9s %9s %10s %6s\n", "technique", "view", "agree %",
     "misses", "extras", "hits", "1e-4 %", "1e-3 %", "largest", "off");
   bool done = false;
-  vtkTerrainHeightfield::Dispatch(image,
+  terrain::ImageHeights::Dispatch(image,
     [&](const auto& heights)
     { done = ReportHeights(options, heights, geometry, reader, coarseMesh); });
   return done;

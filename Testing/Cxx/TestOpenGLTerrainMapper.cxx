@@ -5,11 +5,11 @@
 // bilinear surface, and no point of the surface may lie before it on the ray.
 #include "vtkTerrainTestDrawing.h"
 
-#include "core/PixelRays.h"
+#include "core/rays/PixelRays.h"
+#include "data/ImageHeights.h"
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainDepthPass.h"
-#include "vtkTerrainHeightfield.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -102,7 +102,7 @@ double sampledDistance(const terrain::HeightfieldView<double>& view, const terra
 int countWrong(Drawing& drawing)
 {
   vtkImageData* distances = drawing.Distances();
-  const auto view = vtkTerrainHeightfield::View<double>(drawing.Heights);
+  const auto view = terrain::ImageHeights::View<double>(drawing.Heights);
   const terrain::PixelRays rays = drawing.Rays();
   const double end = std::min(rays.Far, rays.Near + 2000.0);
   int wrong = 0;
@@ -293,7 +293,7 @@ TEST(OpenGLTerrainMapper, CullsFacesOfTheSurface)
   drawing.Look(20.0, -10.0, -200.0, 20.0, 16.0, 100.0); // from below
   drawing.Actor->GetProperty()->BackfaceCullingOn();
   vtkImageData* distances = drawing.Distances();
-  const auto view = vtkTerrainHeightfield::View<double>(drawing.Heights);
+  const auto view = terrain::ImageHeights::View<double>(drawing.Heights);
   const terrain::PixelRays rays = drawing.Rays();
   int drawn = 0;
   int wrong = 0;
@@ -340,7 +340,7 @@ TEST(OpenGLTerrainMapper, HasTheBoundsOfTheHeights)
   double bounds[6];
   drawing.Mapper->GetBounds(bounds);
   double range[2] = { 1e300, -1e300 };
-  const auto view = vtkTerrainHeightfield::View<double>(drawing.Heights);
+  const auto view = terrain::ImageHeights::View<double>(drawing.Heights);
   for (int index = 0; index < Columns * Rows; ++index)
   {
     if (view.IsValid(index))

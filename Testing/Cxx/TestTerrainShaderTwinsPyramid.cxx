@@ -7,8 +7,8 @@
 
 #include "../Unit/UnitTestDetail.h"
 #include "../Unit/UnitTestRays.h"
-#include "core/PyramidBeam.h"
-#include "vtkTerrainGL.h"
+#include "core/rays/PyramidBeam.h"
+#include "render/Driver.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"

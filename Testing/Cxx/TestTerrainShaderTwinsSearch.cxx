@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// shaders/vtkTerrainSearch.glsl against its twin src/core/HeightSearch.h: the same rays through the
-// same fields, sample for sample.
+// shaders/vtkTerrainSearch.glsl against its twin src/core/rays/HeightSearch.h: the same rays
+// through the same fields, sample for sample.
 #include "vtkTerrainTesting.h"
 
 #include "../Unit/UnitTestRays.h"
-#include "core/HeightSearch.h"
-#include "vtkTerrainGL.h"
+#include "core/rays/HeightSearch.h"
+#include "render/Driver.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"

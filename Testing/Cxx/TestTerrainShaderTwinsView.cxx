@@ -6,10 +6,10 @@
 #include "vtkTerrainTesting.h"
 
 #include "../Unit/UnitTestFields.h"
-#include "core/Cutting.h"
-#include "core/HeightGradient.h"
-#include "core/PixelRays.h"
-#include "vtkTerrainGL.h"
+#include "core/rays/PixelRays.h"
+#include "core/surface/Cutting.h"
+#include "core/surface/HeightGradient.h"
+#include "render/Driver.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"

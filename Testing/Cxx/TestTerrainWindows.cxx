@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Which window vtkRenderWindow::New gives. The tests set the environment themselves.
-#include "vtkTerrainCompatibility.h"
+#include "render/Compatibility.h"
 #include "vtkTerrainTesting.h"
 
 #include "vtkActor.h"

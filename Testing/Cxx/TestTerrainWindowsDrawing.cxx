@@ -3,7 +3,7 @@
 //
 // What programs do with windows, on a scene of VTK's own: a lit sphere, a translucent cone, text;
 // and that terrains are the same in windows of both kinds.
-#include "vtkTerrainCompatibility.h"
+#include "render/Compatibility.h"
 #include "vtkTerrainTesting.h"
 #include "vtkTerrainTestingScene.h"
 

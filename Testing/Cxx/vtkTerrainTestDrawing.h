@@ -10,13 +10,13 @@
 
 #include "vtkTerrainTesting.h"
 
-#include "core/PixelRays.h"
-#include "core/ReferenceRayCaster.h"
+#include "core/rays/PixelRays.h"
+#include "core/rays/ReferenceRayCaster.h"
+#include "data/ImageHeights.h"
+#include "data/SMPParallelFor.h"
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainDepthPass.h"
-#include "vtkTerrainHeightfield.h"
-#include "vtkTerrainParallelFor.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -88,7 +88,7 @@ public:
     vtkMatrix4x4* toDisplay =
       this->Camera()->GetProjectionTransformMatrix(double(DrawingWidth) / DrawingHeight, -1.0, 1.0);
     vtkMatrix4x4* toWorld = this->Actor->GetMatrix();
-    const terrain::GridGeometry geometry = vtkTerrainHeightfield::Geometry(this->Heights);
+    const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(this->Heights);
     glm::dmat4 view;
     glm::dmat4 display;
     glm::dmat4 world;
@@ -165,7 +165,8 @@ template <typename T>
 Comparison CompareRays(const terrain::HeightfieldView<T>& view, const terrain::PixelRays& rays,
   vtkImageData* distances, Culling culling, double tolerance)
 {
-  const terrain::ReferenceRayCaster<T> caster(view, terrain::GridGeometry(), vtkTerrainParallelFor);
+  const terrain::ReferenceRayCaster<T> caster(
+    view, terrain::GridGeometry(), terrain::SMPParallelFor);
   Comparison result;
   for (int y = 0; y < DrawingHeight; ++y)
   {
@@ -204,7 +205,7 @@ inline Comparison CompareWithReference(
   vtkImageData* distances = drawing.Distances();
   const terrain::PixelRays rays = drawing.Rays();
   Comparison result;
-  vtkTerrainHeightfield::Dispatch(drawing.Heights,
+  terrain::ImageHeights::Dispatch(drawing.Heights,
     [&](const auto& view) { result = CompareRays(view, rays, distances, culling, tolerance); });
   return result;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainTesting.h"
 
-#include "vtkTerrainCompatibility.h"
+#include "render/Compatibility.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"

@@ -7,8 +7,8 @@
 #ifndef HierarchyTestTools_h
 #define HierarchyTestTools_h
 
-#include "core/HierarchyBuild.h"
-#include "core/Refinement.h"
+#include "core/strips/HierarchyBuild.h"
+#include "core/strips/Refinement.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No point of any patch lies above the coarse mesh, on a hundred thousand random and adversarial
 // fields; and the mesh is no higher than it must be.
-#include "core/CoarseMesh.h"
-#include "core/CoarseMeshSurface.h"
-#include "core/Constants.h"
+#include "core/grid/Constants.h"
+#include "core/mesh/CoarseMesh.h"
+#include "core/mesh/CoarseMeshSurface.h"
 
 #include "UnitTestFields.h"
 

@@ -9,7 +9,7 @@
 
 #include "UnitTestFields.h"
 
-#include "core/DetailHeights.h"
+#include "core/surface/DetailHeights.h"
 
 namespace terrain
 {

@@ -7,10 +7,10 @@
 #ifndef UnitTestFields_h
 #define UnitTestFields_h
 
-#include "core/HeightCodes.h"
-#include "core/MinMaxPyramid.h"
-#include "core/ParallelFor.h"
-#include "core/PyramidTraversal.h"
+#include "core/grid/HeightCodes.h"
+#include "core/grid/ParallelFor.h"
+#include "core/rays/PyramidTraversal.h"
+#include "core/surface/MinMaxPyramid.h"
 
 #include <algorithm>
 #include <cmath>

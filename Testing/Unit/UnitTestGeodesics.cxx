@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/Geodesics.h"
-#include "core/SceneFrame.h"
+#include "core/place/Geodesics.h"
+#include "core/place/SceneFrame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/GridReference.h"
-#include "core/SceneFrame.h"
+#include "core/place/GridReference.h"
+#include "core/place/SceneFrame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/HeightSampling.h"
+#include "core/grid/HeightSampling.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The searches: where they sample, what they find, and how default parameters agree with the
 // reference.
-#include "core/HeightSearch.h"
+#include "core/rays/HeightSearch.h"
 
 #include "UnitTestHullEntries.h"
-#include "core/ReferenceRayCaster.h"
+#include "core/rays/ReferenceRayCaster.h"
 
 #include <gtest/gtest.h>
 

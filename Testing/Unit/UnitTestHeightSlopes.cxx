@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UnitTestFields.h"
 
-#include "core/HeightSlopes.h"
+#include "core/surface/HeightSlopes.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // Layout and preprocess: every vertex has its own record, errors and spheres are nested and hold.
 #include "HierarchyTestTools.h"
 
-#include "core/HierarchyNesting.h"
+#include "core/strips/HierarchyNesting.h"
 
 #include <gtest/gtest.h>
 

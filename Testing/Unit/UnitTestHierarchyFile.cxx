@@ -4,7 +4,7 @@
 // process.
 #include "HierarchyTestTools.h"
 
-#include "core/HierarchyFile.h"
+#include "core/strips/HierarchyFile.h"
 
 #include <gtest/gtest.h>
 

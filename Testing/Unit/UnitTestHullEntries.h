@@ -8,7 +8,7 @@
 #ifndef UnitTestHullEntries_h
 #define UnitTestHullEntries_h
 
-#include "core/CoarseMesh.h"
+#include "core/mesh/CoarseMesh.h"
 
 #include <glm/glm.hpp>
 

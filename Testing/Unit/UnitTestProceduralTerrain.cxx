@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/LatticeNoise.h"
-#include "core/ProceduralTerrain.h"
+#include "core/landscape/LatticeNoise.h"
+#include "core/landscape/ProceduralTerrain.h"
 
 #include "UnitTestFields.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UnitTestRays.h"
 
-#include "core/PyramidBeam.h"
+#include "core/rays/PyramidBeam.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference against closed forms, and against dense sampling of random rays and fields.
-#include "core/Constants.h"
-#include "core/ReferenceRayCaster.h"
+#include "core/grid/Constants.h"
+#include "core/rays/ReferenceRayCaster.h"
 
 #include <gtest/gtest.h>
 

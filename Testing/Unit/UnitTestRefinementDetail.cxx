@@ -3,8 +3,8 @@
 // Refinement that runs on below the samples of a base, over repeated detail.
 #include "HierarchyTestTools.h"
 
-#include "core/DetailHierarchy.h"
-#include "core/RefinementDetail.h"
+#include "core/strips/DetailHierarchy.h"
+#include "core/strips/RefinementDetail.h"
 
 #include <gtest/gtest.h>
 

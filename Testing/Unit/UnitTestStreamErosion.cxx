@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/LatticeNoise.h"
-#include "core/StreamErosion.h"
+#include "core/landscape/LatticeNoise.h"
+#include "core/landscape/StreamErosion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/HeightSampling.h"
-#include "core/SurfacePath.h"
+#include "core/grid/HeightSampling.h"
+#include "core/rays/SurfacePath.h"
 
 #include <gtest/gtest.h>
 

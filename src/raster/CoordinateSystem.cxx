@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "raster/CoordinateSystem.h"
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <vector>
+
+namespace terrain
+{
+namespace
+{
+using Reference = std::unique_ptr<void, void (*)(void*)>;
+
+// Points transformed by one call of OGR.
+constexpr std::int64_t kChunk = 1024;
+
+/// GDAL's messages of the calling thread go nowhere while this lives; results tell what went wrong.
+class Quiet
+{
+public:
+  Quiet()
+  {
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    CPLErrorReset();
+  }
+  ~Quiet()
+  {
+    CPLPopErrorHandler();
+  }
+  Quiet(const Quiet&) = delete;
+  void operator=(const Quiet&) = delete;
+};
+
+Reference NewReference()
+{
+  Reference reference(OSRNewSpatialReference(nullptr), OSRRelease);
+  OSRSetAxisMappingStrategy(reference.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  return reference;
+}
+
+bool ReadInto(OGRSpatialReferenceH reference, const std::string& definition)
+{
+  // A web address would be fetched.
+  if (definition.find("://") != std::string::npos && definition.find('[') == std::string::npos)
+  {
+    return false;
+  }
+  return OSRSetFromUserInput(reference, definition.c_str()) == OGRERR_NONE;
+}
+
+std::string Wkt(OGRSpatialReferenceH reference)
+{
+  char* text = nullptr;
+  const char* const options[] = { "FORMAT=WKT2_2018", nullptr };
+  std::string result;
+  if (OSRExportToWktEx(reference, &text, options) == OGRERR_NONE && text)
+  {
+    result = text;
+  }
+  CPLFree(text);
+  return result;
+}
+
+std::string Attribute(OGRSpatialReferenceH reference, const char* name)
+{
+  const char* value = OSRGetAttrValue(reference, name, 0);
+  return value ? value : "";
+}
+
+/// The beginning of a long definition, for messages.
+std::string Shortened(const std::string& text)
+{
+  constexpr std::size_t kLongest = 60;
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+}
+}
+
+/// Transformations to and from WGS84, each used by one thread at a time.
+class CoordinateSystem::Pool
+{
+public:
+  Pool(OGRSpatialReferenceH from, OGRSpatialReferenceH to)
+    : Masters{ OCTNewCoordinateTransformation(from, to), OCTNewCoordinateTransformation(to, from) }
+  {
+  }
+
+  ~Pool()
+  {
+    for (int way = 0; way < 2; ++way)
+    {
+      for (OGRCoordinateTransformationH idle : this->Idle[way])
+      {
+        OCTDestroyCoordinateTransformation(idle);
+      }
+      if (this->Masters[way])
+      {
+        OCTDestroyCoordinateTransformation(this->Masters[way]);
+      }
+    }
+  }
+
+  Pool(const Pool&) = delete;
+  void operator=(const Pool&) = delete;
+
+  bool IsComplete() const
+  {
+    return this->Masters[0] && this->Masters[1];
+  }
+
+  OGRCoordinateTransformationH Take(int way)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Idle[way].empty())
+    {
+      return OCTClone(this->Masters[way]);
+    }
+    OGRCoordinateTransformationH taken = this->Idle[way].back();
+    this->Idle[way].pop_back();
+    return taken;
+  }
+
+  void GiveBack(int way, OGRCoordinateTransformationH taken)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Idle[way].push_back(taken);
+  }
+
+private:
+  std::array<OGRCoordinateTransformationH, 2> Masters;
+  std::array<std::vector<OGRCoordinateTransformationH>, 2> Idle;
+  std::mutex Mutex;
+};
+
+CoordinateSystem::CoordinateSystem() = default;
+CoordinateSystem::~CoordinateSystem() = default;
+
+std::string CoordinateSystem::Read(const std::string& definition)
+{
+  this->TheKind = Kind::None;
+  this->Name.clear();
+  this->Metres = this->Degrees = 1.0;
+  this->VerticalName.clear();
+  this->VerticalMetres = 0.0;
+  this->EllipsoidalHeights = this->IsPlaces = false;
+  this->Transformations.reset();
+  if (definition.empty())
+  {
+    return {};
+  }
+
+  const Quiet quiet;
+  const Reference whole = NewReference();
+  if (!ReadInto(whole.get(), definition))
+  {
+    const std::string reason = CPLGetLastErrorMsg();
+    return "the coordinate system '" + Shortened(definition) + "' is not understood" +
+      (reason.empty() ? "" : " (" + reason + ")");
+  }
+  const char* name = OSRGetName(whole.get());
+  this->Name = name ? name : "unnamed";
+  if (OSRIsLocal(whole.get()))
+  {
+    this->TheKind = Kind::Engineering;
+    this->Metres = OSRGetLinearUnits(whole.get(), nullptr);
+    return {};
+  }
+  if (OSRIsCompound(whole.get()))
+  {
+    this->VerticalName = Attribute(whole.get(), "COMPD_CS|VERT_CS");
+    this->VerticalMetres = OSRGetTargetLinearUnits(whole.get(), "VERT_CS", nullptr);
+  }
+  else if (OSRGetAxesCount(whole.get()) == 3 && !OSRIsGeocentric(whole.get()))
+  {
+    this->VerticalName = "height above the ellipsoid";
+    this->EllipsoidalHeights = true;
+  }
+  const Reference flat(OSRClone(whole.get()), OSRRelease);
+  OSRDemoteTo2D(flat.get(), nullptr);
+  if (OSRIsCompound(flat.get()))
+  {
+    OSRStripVertical(flat.get());
+  }
+  OSRSetAxisMappingStrategy(flat.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  const bool projected = OSRIsProjected(flat.get());
+  if (!projected && !OSRIsGeographic(flat.get()))
+  {
+    return "the coordinate system '" + this->Name +
+      "' is neither a map projection nor longitude and latitude";
+  }
+
+  const Reference places = NewReference();
+  if (OSRImportFromEPSG(places.get(), 4326) != OGRERR_NONE)
+  {
+    return "PROJ's database of coordinate systems (proj.db) is not found";
+  }
+  if (projected)
+  {
+    this->Metres = OSRGetLinearUnits(flat.get(), nullptr);
+  }
+  else
+  {
+    this->Degrees = OSRGetAngularUnits(flat.get(), nullptr) * 180.0 / std::acos(-1.0);
+    const char* const options[] = { "IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
+      "CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS", nullptr };
+    this->IsPlaces = OSRIsSameEx(flat.get(), places.get(), options) != 0;
+  }
+  this->Transformations = std::make_unique<Pool>(flat.get(), places.get());
+  if (!this->Transformations->IsComplete())
+  {
+    return "no transformation is known from '" + this->Name + "' to longitude and latitude";
+  }
+  this->TheKind = projected ? Kind::Projected : Kind::Geographic;
+  return {};
+}
+
+bool CoordinateSystem::Transform(double* points, std::int64_t count, int stride, bool forward) const
+{
+  const Quiet quiet;
+  const int way = forward ? 0 : 1;
+  OGRCoordinateTransformationH transformation = this->Transformations->Take(way);
+  if (!transformation)
+  {
+    return false;
+  }
+  std::array<double, kChunk> x{};
+  std::array<double, kChunk> y{};
+  std::array<int, kChunk> good{};
+  for (std::int64_t begin = 0; begin < count; begin += kChunk)
+  {
+    const std::int64_t size = std::min(kChunk, count - begin);
+    double* chunk = points + begin * stride;
+    for (std::int64_t i = 0; i < size; ++i)
+    {
+      x[i] = chunk[i * stride];
+      y[i] = chunk[i * stride + 1];
+    }
+    OCTTransformEx(
+      transformation, static_cast<int>(size), x.data(), y.data(), nullptr, good.data());
+    for (std::int64_t i = 0; i < size; ++i)
+    {
+      const bool found = good[i] && std::isfinite(x[i]) && std::isfinite(y[i]);
+      chunk[i * stride] = found ? x[i] : std::numeric_limits<double>::quiet_NaN();
+      chunk[i * stride + 1] = found ? y[i] : std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  this->Transformations->GiveBack(way, transformation);
+  return true;
+}
+
+bool CoordinateSystem::ToPlaces(double* points, std::int64_t count, int stride) const
+{
+  if (!this->IsOnEarth())
+  {
+    return false;
+  }
+  if (!this->IsPlaces)
+  {
+    return this->Transform(points, count, stride, true);
+  }
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    double* point = points + i * stride;
+    if (!(std::abs(point[1]) <= 90.0) || !std::isfinite(point[0]))
+    {
+      point[0] = point[1] = std::numeric_limits<double>::quiet_NaN();
+    }
+    else if (std::abs(point[0]) > 180.0)
+    {
+      point[0] = std::remainder(point[0], 360.0);
+    }
+  }
+  return true;
+}
+
+bool CoordinateSystem::FromPlaces(
+  double* points, std::int64_t count, double nearX, int stride) const
+{
+  if (!this->IsOnEarth() || (!this->IsPlaces && !this->Transform(points, count, stride, false)))
+  {
+    return false;
+  }
+  if (this->TheKind == Kind::Geographic)
+  {
+    const double turn = 360.0 / this->Degrees;
+    for (std::int64_t i = 0; i < count; ++i)
+    {
+      double& x = points[i * stride];
+      x = std::abs(x - nearX) <= 0.5 * turn ? x : nearX + std::remainder(x - nearX, turn);
+    }
+  }
+  return true;
+}
+
+std::string CoordinateSystem::ToWkt(const std::string& definition)
+{
+  const Quiet quiet;
+  const Reference reference = NewReference();
+  return ReadInto(reference.get(), definition) ? Wkt(reference.get()) : std::string();
+}
+}

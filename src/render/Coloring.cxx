@@ -1,0 +1,521 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/Coloring.h"
+
+#include "data/SMPParallelFor.h"
+#include "render/Driver.h"
+#include "render/HeightTexture.h"
+#include "render/Uniforms.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkLookupTable.h"
+#include "vtkMath.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace terrain
+{
+namespace
+{
+using ColorSources = vtkOpenGLTerrainMapper::ColorSources;
+
+/// Twins of terrainColorMapSize and terrainNotANumber in shaders/vtkTerrainColor.glsl.
+constexpr int ColorMapSize = 4096;
+constexpr float NotANumber = -3e38f;
+constexpr float LargestAnisotropy = 16.0f;
+
+/// Text that changes with an object's state and with some numbers.
+template <typename... Numbers>
+std::string stateOf(vtkObject* object, Numbers... numbers)
+{
+  std::ostringstream state;
+  state << static_cast<const void*>(object) << ' ' << object->GetMTime();
+  ((state << ' ' << numbers), ...);
+  return state.str();
+}
+
+/// The array that the mapper's scalar mode selects in the heights' image, or null.
+vtkDataArray* findArray(vtkOpenGLTerrainMapper* mapper, bool& cells)
+{
+  int association = 0;
+  vtkAbstractArray* array =
+    vtkAbstractMapper::GetAbstractScalars(mapper->GetHeights(), mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), association);
+  cells = association == 1;
+  return association == 2 ? nullptr : vtkDataArray::SafeDownCast(array);
+}
+
+/// True if the array's tuples become colours one by one, which are then mixed: it holds colours, or
+/// the table knows values only that are equal to its own.
+bool isDirect(vtkOpenGLTerrainMapper* mapper, vtkDataArray* array)
+{
+  vtkScalarsToColors* table = mapper->GetLookupTable();
+  const int mode = mapper->GetColorMode();
+  const bool vectors = mapper->GetArrayComponent() < 0 && array->GetNumberOfComponents() > 1 &&
+    table->GetVectorMode() == vtkScalarsToColors::RGBCOLORS;
+  return vectors || table->GetIndexedLookup() || mode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (mode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(array));
+}
+
+/// Component of an array that the table maps; -1 for the magnitude.
+int mappedComponent(vtkOpenGLTerrainMapper* mapper, vtkDataArray* array)
+{
+  vtkScalarsToColors* table = mapper->GetLookupTable();
+  const int last = array->GetNumberOfComponents() - 1;
+  if (mapper->GetArrayComponent() < 0 && table->GetVectorMode() == vtkScalarsToColors::MAGNITUDE)
+  {
+    return last > 0 ? -1 : 0;
+  }
+  const int own = mapper->GetArrayComponent();
+  return std::clamp(own < 0 ? table->GetVectorComponent() : own, 0, last);
+}
+
+double valueOf(vtkDataArray* array, vtkIdType tuple, int component)
+{
+  if (component >= 0)
+  {
+    return array->GetComponent(tuple, component);
+  }
+  double sum = 0.0;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    sum += array->GetComponent(tuple, c) * array->GetComponent(tuple, c);
+  }
+  return std::sqrt(sum);
+}
+
+glm::vec4 colorOf(vtkScalarsToColors* table, double value)
+{
+  unsigned char color[4];
+  table->MapScalarsThroughTable2(&value, color, VTK_DOUBLE, 1, 1, VTK_RGBA);
+  return glm::vec4(color[0], color[1], color[2], color[3]) / 255.0f;
+}
+
+void clampToEdge(vtkTextureObject* texture)
+{
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+}
+
+/// Anisotropy of textures. llvmpipe's filter (Mesa 22) takes wrong texels with explicit gradients.
+float supportedAnisotropy()
+{
+  return IsSoftware() ? 1.0f : LargestAnisotropy;
+}
+
+/// Multiplies the colours of an image with alpha, of 2 or 4 components, by it: only so may texels
+/// be mixed.
+std::vector<unsigned char> premultiplied(
+  const unsigned char* texels, vtkIdType count, int components)
+{
+  std::vector<unsigned char> result(texels, texels + count * components);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    unsigned char* texel = result.data() + i * components;
+    const int alpha = texel[components - 1];
+    for (int c = 0; c < components - 1; ++c)
+    {
+      texel[c] = static_cast<unsigned char>((texel[c] * alpha + 127) / 255);
+    }
+  }
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string Coloring::Update(vtkOpenGLTerrainMapper* mapper, vtkOpenGLRenderWindow* window)
+{
+  for (Made* made : this->Textures())
+  {
+    made->Used = false;
+  }
+  const std::string words = this->UpdateScalars(mapper, window);
+  const std::string more = this->UpdateDrape(window);
+  this->Painted = this->Painted || this->Kind != Kinds::Material || this->DrapeTexture.Used ||
+    this->Hillshade || this->Contours;
+  if (this->Painted)
+  {
+    this->FillIn(mapper->GetHeights()->GetDimensions(), window);
+  }
+  return words.empty() ? more : words;
+}
+
+//------------------------------------------------------------------------------
+void Coloring::FillIn(const int heights[2], vtkOpenGLRenderWindow* window)
+{
+  // like the arrays of these samples: some drivers build programs for sizes that are powers of two
+  // (those of cells may then cost one more)
+  const auto size = [](int samples) { return (samples & (samples - 1)) == 0 ? 2U : 3U; };
+  const auto fill = [&](
+                      Made& made, unsigned int width, unsigned int height, int components, int type)
+  {
+    const bool there = !made.From.empty() && made.Texture->GetContext() == window;
+    if (!there && this->StartsToMake(made, "nothing", window))
+    {
+      std::array<float, 9> nothing{};
+      made.Texture->Create2DFromRaw(width, height, components, type, nothing.data());
+    }
+    made.Used = true;
+  };
+  fill(this->ColorMap, 2, 1, 4, VTK_UNSIGNED_CHAR);
+  fill(this->Values, size(heights[0]), size(heights[1]), 1, VTK_FLOAT);
+  fill(this->Colors, size(heights[0]), size(heights[1]), 4, VTK_UNSIGNED_CHAR);
+}
+
+//------------------------------------------------------------------------------
+bool Coloring::StartsToMake(Made& made, const std::string& from, vtkOpenGLRenderWindow* window)
+{
+  made.Used = true;
+  if (made.From == from && made.Texture->GetContext() == window)
+  {
+    return false;
+  }
+  made.From = from;
+  made.Texture->ReleaseGraphicsResources(made.Texture->GetContext());
+  made.Texture->ResetFormatAndType();
+  made.Texture->SetContext(window);
+  made.Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  made.Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  clampToEdge(made.Texture);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string Coloring::UpdateScalars(vtkOpenGLTerrainMapper* mapper, vtkOpenGLRenderWindow* window)
+{
+  this->Kind = this->ShowCrossings ? Kinds::Crossings : Kinds::Material;
+  if (!mapper->GetScalarVisibility() || this->ShowCrossings)
+  {
+    return {};
+  }
+  bool cells = false;
+  vtkDataArray* array = this->Source == ColorSources::Array ? findArray(mapper, cells) : nullptr;
+  if (array && array->GetLookupTable())
+  {
+    mapper->SetLookupTable(array->GetLookupTable()); // as VTK's mappers do
+  }
+  const bool heights = array && array == mapper->GetHeights()->GetPointData()->GetScalars() &&
+    !isDirect(mapper, array);
+  if (heights || this->Source == ColorSources::Height)
+  {
+    this->Kind = Kinds::Height;
+  }
+  else if (this->Source != ColorSources::Array)
+  {
+    this->Kind = this->Source == ColorSources::Slope ? Kinds::Slope : Kinds::Aspect;
+  }
+  else
+  {
+    return this->UpdateArray(mapper, array, cells, window);
+  }
+  this->UpdateColorMap(mapper, window);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string Coloring::UpdateArray(
+  vtkOpenGLTerrainMapper* mapper, vtkDataArray* array, bool cells, vtkOpenGLRenderWindow* window)
+{
+  if (!array)
+  {
+    return "The heights' image has no array to colour by of the name or kind that is asked for";
+  }
+  const int* size = mapper->GetHeights()->GetDimensions();
+  const int width = cells ? size[0] - 1 : size[0];
+  const int height = cells ? size[1] - 1 : size[1];
+  if (array->GetNumberOfTuples() != vtkIdType{ width } * height)
+  {
+    return "The array to colour by has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples, not " + std::to_string(width) + " x " + std::to_string(height);
+  }
+  this->OfCells = cells;
+  if (isDirect(mapper, array))
+  {
+    this->Kind = Kinds::Colors;
+    this->UpdateColors(mapper, array, width, height, window);
+    return {};
+  }
+  this->Kind = Kinds::Values;
+  this->UpdateValues(array, mappedComponent(mapper, array), width, height, window);
+  this->UpdateColorMap(mapper, window);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void Coloring::UpdateValues(
+  vtkDataArray* array, int component, int width, int height, vtkOpenGLRenderWindow* window)
+{
+  if (!this->StartsToMake(this->Values, stateOf(array, component, width, height), window))
+  {
+    return;
+  }
+  double range[2];
+  array->GetRange(range, component);
+  this->ValueOffset = std::isfinite(range[0]) && range[0] <= range[1] ? range[0] : 0.0;
+  std::vector<float> values(static_cast<std::size_t>(width) * height);
+  SMPParallelFor(array->GetNumberOfTuples(),
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        const double value = valueOf(array, i, component) - this->ValueOffset;
+        values[i] = std::isfinite(value) ? static_cast<float>(value) : NotANumber;
+      }
+    });
+  this->Values.Texture->SetInternalFormat(GL_R32F);
+  this->Values.Texture->SetFormat(GL_RED);
+  this->Values.Texture->Create2DFromRaw(static_cast<unsigned int>(width),
+    static_cast<unsigned int>(height), 1, VTK_FLOAT, values.data());
+  ++this->NumberOfUploads;
+}
+
+//------------------------------------------------------------------------------
+void Coloring::UpdateColors(vtkOpenGLTerrainMapper* mapper, vtkDataArray* array, int width,
+  int height, vtkOpenGLRenderWindow* window)
+{
+  vtkScalarsToColors* table = mapper->GetLookupTable();
+  table->Build();
+  if (!this->StartsToMake(this->Colors,
+        stateOf(array, mapper->GetColorMode(), mapper->GetArrayComponent(), table->GetMTime()),
+        window))
+  {
+    return;
+  }
+  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
+    table->MapScalars(array, mapper->GetColorMode(), mapper->GetArrayComponent(), VTK_RGBA));
+  this->Colors.Texture->Create2DFromRaw(static_cast<unsigned int>(width),
+    static_cast<unsigned int>(height), 4, VTK_UNSIGNED_CHAR, colors->GetPointer(0));
+  ++this->NumberOfUploads;
+}
+
+//------------------------------------------------------------------------------
+void Coloring::UpdateColorMap(vtkOpenGLTerrainMapper* mapper, vtkOpenGLRenderWindow* window)
+{
+  vtkScalarsToColors* table = mapper->GetLookupTable();
+  if (!mapper->GetUseLookupTableScalarRange())
+  {
+    table->SetRange(mapper->GetScalarRange());
+  }
+  table->Build();
+  if (!this->StartsToMake(this->ColorMap, stateOf(table), window))
+  {
+    return;
+  }
+  double range[2] = { table->GetRange()[0], table->GetRange()[1] };
+  this->Logarithm = table->UsingLogScale() != 0 && range[0] > 0.0 && range[1] > 0.0;
+  const double below = range[0] - 1.0 - std::abs(range[0]);
+  const double above = range[1] + 1.0 + std::abs(range[1]);
+  this->SpecialColors = { colorOf(table, this->Logarithm ? 0.5 * range[0] : below),
+    colorOf(table, above), colorOf(table, vtkMath::Nan()) };
+  if (this->Logarithm)
+  {
+    range[0] = std::log(range[0]);
+    range[1] = std::log(range[1]);
+  }
+  const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
+  this->ColorScale = { 1.0 / width, -range[0] / width };
+  std::vector<double> values(ColorMapSize);
+  for (int i = 0; i < ColorMapSize; ++i)
+  {
+    const double value = range[0] + (range[1] - range[0]) * (i + 0.5) / ColorMapSize;
+    values[i] = this->Logarithm ? std::exp(value) : value;
+  }
+  std::vector<unsigned char> colors(std::size_t{ 4 } * ColorMapSize);
+  table->MapScalarsThroughTable2(
+    values.data(), colors.data(), VTK_DOUBLE, ColorMapSize, 1, VTK_RGBA);
+  this->ColorMap.Texture->Create2DFromRaw(ColorMapSize, 1, 4, VTK_UNSIGNED_CHAR, colors.data());
+}
+
+//------------------------------------------------------------------------------
+std::string Coloring::UpdateDrape(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Drape || this->Drape->GetNumberOfPoints() == 0 || this->ShowCrossings)
+  {
+    return {};
+  }
+  auto* texels = vtkUnsignedCharArray::SafeDownCast(this->Drape->GetPointData()->GetScalars());
+  const int* size = this->Drape->GetDimensions();
+  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
+  if (!texels || texels->GetNumberOfComponents() > 4 || size[2] != 1)
+  {
+    return "The drape must be an image of W x H x 1 points with 1 to 4 unsigned chars";
+  }
+  if (limit > 0 && std::max(size[0], size[1]) > limit)
+  {
+    return "The drape has more than " + std::to_string(limit) + " pixels a side";
+  }
+  if (!this->StartsToMake(this->DrapeTexture, stateOf(this->Drape), window))
+  {
+    return {};
+  }
+  this->DrapeComponents = texels->GetNumberOfComponents();
+  std::vector<unsigned char> copy;
+  if (this->DrapeComponents % 2 == 0)
+  {
+    copy = premultiplied(texels->GetPointer(0), texels->GetNumberOfTuples(), this->DrapeComponents);
+  }
+  vtkTextureObject* texture = this->DrapeTexture.Texture;
+  texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  texture->SetMaxLevel(16);
+  texture->SetMaximumAnisotropicFiltering(supportedAnisotropy());
+  texture->Create2DFromRaw(static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]),
+    this->DrapeComponents, VTK_UNSIGNED_CHAR, copy.empty() ? texels->GetPointer(0) : copy.data());
+  texture->Activate();
+  glGenerateMipmap(GL_TEXTURE_2D);
+  texture->Deactivate();
+  ++this->NumberOfUploads;
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string Coloring::Defines() const
+{
+  std::string defines = this->Painted ? "#define TERRAIN_PAINT\n" : "";
+  if (this->DrapeTexture.Used)
+  {
+    defines += "#define TERRAIN_DRAPE " + std::to_string(this->DrapeComponents) + "\n";
+  }
+  return defines;
+}
+
+//------------------------------------------------------------------------------
+bool Coloring::IsTranslucent(vtkOpenGLTerrainMapper* mapper)
+{
+  if (!mapper->GetScalarVisibility() || !mapper->GetHeights())
+  {
+    return false;
+  }
+  bool cells = false;
+  vtkDataArray* array = mapper->GetColorSource() == ColorSources::Array
+    ? findArray(mapper, cells)
+    : mapper->GetHeights()->GetPointData()->GetScalars();
+  vtkScalarsToColors* table = mapper->GetLookupTable();
+  table->Build();
+  return array && table->IsOpaque(array, mapper->GetColorMode(), mapper->GetArrayComponent()) == 0;
+}
+
+//------------------------------------------------------------------------------
+void Coloring::Activate()
+{
+  for (Made* made : this->Textures())
+  {
+    if (made->Used)
+    {
+      made->Texture->Activate();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Coloring::Deactivate()
+{
+  for (Made* made : this->Textures())
+  {
+    if (made->Used)
+    {
+      made->Texture->Deactivate();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Coloring::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (Made* made : this->Textures())
+  {
+    made->Texture->ReleaseGraphicsResources(window);
+    made->From.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec2 Coloring::ValueScale(const HeightTexture& heights) const
+{
+  if (this->Kind == Kinds::Height)
+  {
+    return { heights.GetCodes().Scale, heights.GetCodes().Offset };
+  }
+  return { 1.0, this->Kind == Kinds::Values ? this->ValueOffset : 0.0 };
+}
+
+//------------------------------------------------------------------------------
+void Coloring::SetUniforms(
+  Uniforms& uniforms, const HeightTexture& heights, double exaggeration) const
+{
+  auto setTexture = [&](const char* name, const Made& made)
+  {
+    if (made.Used && uniforms.Uses(name))
+    {
+      uniforms.Set(name, made.Texture->GetTextureUnit());
+    }
+  };
+  setTexture("terrainColorMap", this->ColorMap);
+  setTexture("terrainValues", this->Values);
+  setTexture("terrainColors", this->Colors);
+  setTexture("terrainDrape", this->DrapeTexture);
+  if (uniforms.Uses("terrainColorKind"))
+  {
+    const int texels = this->OfCells ? 1 : 4;
+    const glm::ivec2 needed(
+      this->Kind == Kinds::Values ? texels : 0, this->Kind == Kinds::Colors ? texels : 0);
+    // Both scales in one, made in double: values may lie far from 0.
+    const glm::dvec2 value = this->ValueScale(heights);
+    const glm::dvec2 color = this->Logarithm
+      ? this->ColorScale
+      : glm::dvec2(this->ColorScale.x * value.x, this->ColorScale.x * value.y + this->ColorScale.y);
+    uniforms.Set("terrainColorKind", static_cast<int>(this->Kind));
+    uniforms.Set("terrainArrayTexels", needed);
+    uniforms.SetArray("terrainSpecialColors", 3, this->SpecialColors.data());
+    uniforms.Set("terrainValueScale", glm::vec2(value));
+    uniforms.Set("terrainColorScale", glm::vec2(color));
+    uniforms.Set("terrainColorLogarithm", this->Logarithm ? 1 : 0);
+  }
+  const HeightCodes& codes = heights.GetCodes();
+  const GridGeometry& geometry = heights.GetGeometry();
+  if (uniforms.Uses("terrainGradientScale"))
+  {
+    uniforms.Set("terrainGradientScale", glm::vec2(codes.Scale / geometry.Spacing));
+  }
+  if (uniforms.Uses("terrainDrapeScale"))
+  {
+    const std::array<double, 4>& bounds = this->DrapeBounds;
+    const glm::dvec2 size(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+    const glm::dvec2 corner(bounds[0], bounds[2]);
+    uniforms.Set("terrainDrapeScale",
+      glm::vec4(
+        glm::dvec4(geometry.Spacing / size, (glm::dvec2(geometry.Origin) - corner) / size)));
+  }
+  if (uniforms.Uses("terrainSunDirection"))
+  {
+    const double azimuth = vtkMath::RadiansFromDegrees(this->HillshadeAzimuth);
+    const double altitude = vtkMath::RadiansFromDegrees(this->HillshadeAltitude);
+    const glm::vec3 sun(std::sin(azimuth) * std::cos(altitude),
+      std::cos(azimuth) * std::cos(altitude), std::sin(altitude));
+    uniforms.SetArray("terrainSunDirection", 1, &sun);
+    uniforms.Set("terrainShadeRelief", static_cast<float>(exaggeration));
+    uniforms.Set("terrainShadeStrength", this->Hillshade && !this->ShowCrossings ? 1.0f : 0.0f);
+  }
+  if (uniforms.Uses("terrainContourScale"))
+  {
+    const double number = codes.Offset / this->ContourInterval; // of which only the fraction counts
+    uniforms.Set("terrainContourScale",
+      glm::vec2(codes.Scale / this->ContourInterval, number - std::floor(number)));
+    uniforms.Set("terrainContourWidth", static_cast<float>(this->ContourWidth));
+    const double shown = this->Contours && !this->ShowCrossings ? 1.0 : 0.0;
+    uniforms.Set(
+      "terrainContourColor", glm::vec4(this->ContourColor * glm::dvec4(1.0, 1.0, 1.0, shown)));
+  }
+  if (uniforms.Uses("terrainMaximumShownCrossings"))
+  {
+    uniforms.Set("terrainMaximumShownCrossings", static_cast<float>(this->MaximumShownCrossings));
+  }
+}
+}

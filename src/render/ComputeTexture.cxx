@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/ComputeTexture.h"
+
+#include "render/Driver.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+
+namespace terrain
+{
+namespace
+{
+/// Texels of a group of invocations each way.
+constexpr int GroupSize = 8;
+
+GLuint groups(int texels)
+{
+  return static_cast<GLuint>((texels + GroupSize - 1) / GroupSize);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string ComputeTexture::Fill(vtkOpenGLRenderWindow* window, const std::string& source,
+  glm::ivec2 size, int components, const std::function<void(Uniforms&)>& setUniforms)
+{
+  this->Filled = false;
+  this->Size = { 0, 0 };
+  const auto [entry, isNew] = this->Programs.try_emplace(source);
+  ComputeProgram& program = entry->second;
+  if (isNew)
+  {
+    std::string words = program.Build(source);
+    if (!words.empty())
+    {
+      return words;
+    }
+  }
+  if (!program.IsBuilt())
+  {
+    return {};
+  }
+  this->Allocate(window, size, components);
+  window->GetShaderCache()->ReleaseCurrentShader();
+  program.Use();
+  setUniforms(program);
+  this->Texture->Activate();
+  glBindImageTexture(0, this->Texture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
+    components == 4 ? GL_RGBA32F : GL_R32F);
+  glDispatchCompute(groups(size.x), groups(size.y), 1);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  glUseProgram(0);
+  this->Size = size;
+  this->Filled = true;
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void ComputeTexture::Allocate(vtkOpenGLRenderWindow* window, glm::ivec2 size, int components)
+{
+  if (this->Texture->GetContext() == window &&
+    static_cast<int>(this->Texture->GetWidth()) == size.x &&
+    static_cast<int>(this->Texture->GetHeight()) == size.y &&
+    this->Texture->GetComponents() == components)
+  {
+    return;
+  }
+  this->Texture->ReleaseGraphicsResources(this->Texture->GetContext());
+  this->Texture->SetContext(window);
+  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->Texture->Allocate2D(
+    static_cast<unsigned int>(size.x), static_cast<unsigned int>(size.y), components, VTK_FLOAT);
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::vec4> ComputeTexture::Read()
+{
+  std::vector<glm::vec4> texels(static_cast<std::size_t>(this->Size.x) * this->Size.y);
+  if (!texels.empty())
+  {
+    this->Texture->Activate();
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, texels.data());
+    this->Texture->Deactivate();
+  }
+  return texels;
+}
+
+//------------------------------------------------------------------------------
+void ComputeTexture::Finish()
+{
+  if (this->Filled)
+  {
+    this->Texture->Deactivate();
+    this->Filled = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ComputeTexture::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Filled = false;
+  this->Size = { 0, 0 };
+  this->Texture->ReleaseGraphicsResources(window);
+  for (auto& [source, program] : this->Programs)
+  {
+    if (program.IsBuilt())
+    {
+      window->MakeCurrent();
+      program.Release();
+    }
+  }
+  this->Programs.clear();
+}
+}
