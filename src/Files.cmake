@@ -37,6 +37,7 @@ set(private_sources
   place/GeoreferencePrepare
   place/ReprojectPlan
   raster/CoordinateSystem
+  raster/GDALTable
   raster/RasterFile
   raster/RasterLayout
   raster/RasterPiece
@@ -179,9 +180,15 @@ vtk_module_link(vtkTerrain::Terrain
   PRIVATE
     "$<BUILD_INTERFACE:vtkTerrainWarnings>"
     "$<BUILD_INTERFACE:glm::glm>"
-    GDAL::GDAL
     GeographicLib::GeographicLib
+    ${CMAKE_DL_LIBS}
     ${window_libraries})
+# GDAL is found at run time (raster/GDALTable.h). What the table lacks must not wait till then.
+target_include_directories(Terrain PRIVATE
+  "$<TARGET_PROPERTY:GDAL::GDAL,INTERFACE_INCLUDE_DIRECTORIES>")
+if (CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_link_options(Terrain PRIVATE LINKER:-z,defs)
+endif ()
 # Reading VTK's headers takes longer than compiling what uses them.
 target_precompile_headers(Terrain PRIVATE
   <glm/glm.hpp> <algorithm> <array> <cmath> <functional> <string> <vector>

@@ -5,6 +5,7 @@
 #include "core/grid/HeightSampling.h"
 #include "data/ImageHeights.h"
 #include "data/Setting.h"
+#include "raster/GDALTable.h"
 #include "vtkTerrainGeoreference.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -18,19 +19,13 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <cpl_conv.h>
-#include <cpl_error.h>
-#include <cpl_string.h>
-#include <gdal.h>
-#include <gdal_alg.h>
-#include <gdal_utils.h>
-#include <gdalwarper.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+namespace terrain
+{
 namespace
 {
 using Frame = vtkTerrainGeoreference::FrameType;
@@ -118,7 +113,8 @@ Dataset AsColors(GDALDatasetH file)
 }
 }
 
-class vtkTerrainImageWarp::vtkInternals
+/// A picture on its way into a scene.
+class ImageWarp
 {
 public:
   Dataset File{ Own(nullptr) };
@@ -144,9 +140,12 @@ public:
 };
 
 /// Opens the file, and finds its CRS and its affine transform. Returns one sentence on failure.
-std::string vtkTerrainImageWarp::vtkInternals::Open(
-  const std::string& name, const std::string& system)
+std::string ImageWarp::Open(const std::string& name, const std::string& system)
 {
+  if (!WhyNoGDAL().empty())
+  {
+    return WhyNoGDAL();
+  }
   GDALAllRegister();
   const Messages messages;
   this->Colors = Own(nullptr);
@@ -196,7 +195,7 @@ std::string vtkTerrainImageWarp::vtkInternals::Open(
 }
 
 /// Pixels of the picture (x, y, height of the scene) to the scene, in place.
-bool vtkTerrainImageWarp::vtkInternals::PixelsToScene(std::vector<double>& points)
+bool ImageWarp::PixelsToScene(std::vector<double>& points)
 {
   for (std::size_t i = 0; i < points.size(); i += 3)
   {
@@ -208,7 +207,7 @@ bool vtkTerrainImageWarp::vtkInternals::PixelsToScene(std::vector<double>& point
     this->Scene->PlacesToScene(points.data(), points.data(), count);
 }
 
-bool vtkTerrainImageWarp::vtkInternals::SceneToPixels(std::vector<double>& points)
+bool ImageWarp::SceneToPixels(std::vector<double>& points)
 {
   const auto count = static_cast<vtkIdType>(points.size() / 3);
   if (!this->Scene->SceneToPlaces(points.data(), points.data(), count) ||
@@ -225,7 +224,7 @@ bool vtkTerrainImageWarp::vtkInternals::SceneToPixels(std::vector<double>& point
 }
 
 /// Finds the overlap with the heights and the grid of the output. Returns one sentence on failure.
-std::string vtkTerrainImageWarp::vtkInternals::Place(int maximumSize)
+std::string ImageWarp::Place(int maximumSize)
 {
   const double width = GDALGetRasterXSize(this->File.get());
   const double height = GDALGetRasterYSize(this->File.get());
@@ -290,10 +289,10 @@ std::string vtkTerrainImageWarp::vtkInternals::Place(int maximumSize)
 }
 
 /// GDAL's transformer: pixels of the output to and from pixels of the picture.
-int vtkTerrainImageWarp::vtkInternals::Transform(
+int ImageWarp::Transform(
   void* self, int dstToSrc, int count, double* x, double* y, double*, int* success)
 {
-  auto& internals = *static_cast<vtkInternals*>(self);
+  auto& internals = *static_cast<ImageWarp*>(self);
   std::vector<double> points(3 * static_cast<std::size_t>(count), 0.0);
   for (int i = 0; i < count; ++i)
   {
@@ -306,15 +305,15 @@ int vtkTerrainImageWarp::vtkInternals::Transform(
     if (internals.Scene->GetFrame() == Frame::Local)
     {
       // Beyond the surface, the last height before its border: pixels there only blend into it.
-      const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(internals.Heights);
+      const GridGeometry geometry = ImageHeights::Geometry(internals.Heights);
       double last = internals.MiddleHeight;
-      terrain::ImageHeights::Dispatch(internals.Heights,
+      ImageHeights::Dispatch(internals.Heights,
         [&](const auto& heights)
         {
           for (std::size_t i = 0; i < points.size(); i += 3)
           {
             const glm::dvec3 grid = geometry.ToGrid({ points[i], points[i + 1], 0.0 });
-            const double z = terrain::SampleBilinear(heights, grid.x, grid.y);
+            const double z = SampleBilinear(heights, grid.x, grid.y);
             last = std::isnan(z) ? last : z + geometry.Origin.z;
             points[i + 2] = last;
           }
@@ -341,7 +340,7 @@ int vtkTerrainImageWarp::vtkInternals::Transform(
 }
 
 /// Warps the picture into Size[0] x Size[1] pixels of RGBA, southern row first.
-std::string vtkTerrainImageWarp::vtkInternals::Warp(unsigned char* rgba)
+std::string ImageWarp::Warp(unsigned char* rgba)
 {
   const Messages messages;
   const Dataset target = Own(
@@ -376,11 +375,11 @@ std::string vtkTerrainImageWarp::vtkInternals::Warp(unsigned char* rgba)
   }
   options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "INIT_DEST", "0");
   void* approximate = nullptr;
-  options->pfnTransformer = vtkInternals::Transform;
+  options->pfnTransformer = ImageWarp::Transform;
   options->pTransformerArg = this;
   if (this->Scene->GetFrame() != Frame::Local)
   {
-    approximate = GDALCreateApproxTransformer(vtkInternals::Transform, this, kApproximation);
+    approximate = GDALCreateApproxTransformer(ImageWarp::Transform, this, kApproximation);
     options->pfnTransformer = GDALApproxTransform;
     options->pTransformerArg = approximate;
   }
@@ -404,6 +403,12 @@ std::string vtkTerrainImageWarp::vtkInternals::Warp(unsigned char* rgba)
   }
   return result == CE_None ? "" : "the picture cannot be warped (" + Messages::Last() + ")";
 }
+
+}
+
+class vtkTerrainImageWarp::vtkInternals : public terrain::ImageWarp
+{
+};
 
 vtkStandardNewMacro(vtkTerrainImageWarp);
 

@@ -316,6 +316,18 @@ const char* vtkTerrainRasterReader::GetWarningMessage() const
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainRasterReader::AddGDAL(const std::string& fileName)
+{
+  terrain::AddGDAL(fileName);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainRasterReader::GetGDALFile()
+{
+  return terrain::GetGDALFile();
+}
+
+//------------------------------------------------------------------------------
 int vtkTerrainRasterReader::CanReadFile(const char* fileName)
 {
   try

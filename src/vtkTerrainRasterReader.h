@@ -154,6 +154,16 @@ public:
   /// What the last update warned of, one line; empty if nothing.
   const char* GetWarningMessage() const;
 
+  ///@{
+  /// GDAL is not linked to the module. When a file or a coordinate system first needs it, it is
+  /// found in this order: the library that the environment variable VTKTERRAIN_GDAL names; one that
+  /// is in the process already; those that AddGDAL has named, files that are GDAL or bring it when
+  /// loaded, in the order of the calls; the system's. AddGDAL has no effect afterwards. GetGDALFile
+  /// tells the file that was taken; empty as long as none was needed, and if none was found.
+  static void AddGDAL(VTK_FILEPATH const std::string& fileName);
+  static std::string GetGDALFile();
+  ///@}
+
   /// 0 if GDAL opens no raster under this name, 2 if it does.
   virtual int CanReadFile(VTK_FILEPATH const char* fileName);
   /// Extensions of usual elevation files, separated by spaces.

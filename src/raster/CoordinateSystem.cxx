@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "raster/CoordinateSystem.h"
 
-#include <cpl_conv.h>
-#include <cpl_error.h>
-#include <ogr_srs_api.h>
+#include "raster/GDALTable.h"
 
 #include <algorithm>
 #include <array>
@@ -155,6 +153,10 @@ std::string CoordinateSystem::Read(const std::string& definition)
   {
     return {};
   }
+  if (!WhyNoGDAL().empty())
+  {
+    return WhyNoGDAL();
+  }
 
   const Quiet quiet;
   const Reference whole = NewReference();
@@ -301,6 +303,10 @@ bool CoordinateSystem::FromPlaces(
 
 std::string CoordinateSystem::ToWkt(const std::string& definition)
 {
+  if (!WhyNoGDAL().empty())
+  {
+    return {};
+  }
   const Quiet quiet;
   const Reference reference = NewReference();
   return ReadInto(reference.get(), definition) ? Wkt(reference.get()) : std::string();

@@ -4,10 +4,6 @@
 
 #include "raster/RasterTiles.h"
 
-#include <cpl_error.h>
-#include <cpl_string.h>
-#include <cpl_vsi.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -126,6 +122,10 @@ void CPL_STDCALL GDALMessages::Collect(CPLErr kind, CPLErrorNum /*number*/, cons
 //------------------------------------------------------------------------------
 RasterFile::RasterFile(const char* fileName)
 {
+  if (!WhyNoGDAL().empty())
+  {
+    throw RasterError(WhyNoGDAL());
+  }
   RegisterDrivers();
   const GDALMessages messages;
   if (fileName && *fileName)

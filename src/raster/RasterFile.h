@@ -10,8 +10,7 @@
 #ifndef vtkTerrain_raster_RasterFile_h
 #define vtkTerrain_raster_RasterFile_h
 
-#include <gdal.h>
-#include <ogr_srs_api.h>
+#include "raster/GDALTable.h"
 
 #include <array>
 #include <cstdint>

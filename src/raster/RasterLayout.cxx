@@ -6,9 +6,6 @@
 #include "core/grid/Constants.h"
 #include "raster/CoordinateSystem.h"
 
-#include <cpl_conv.h>
-#include <ogr_srs_api.h>
-
 #include <GeographicLib/Ellipsoid.hpp>
 
 #include <algorithm>

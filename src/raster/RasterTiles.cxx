@@ -4,11 +4,6 @@
 
 #include "raster/RasterFile.h"
 
-#include <cpl_conv.h>
-#include <cpl_string.h>
-#include <cpl_vsi.h>
-#include <gdal_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <memory>

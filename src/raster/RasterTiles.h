@@ -7,7 +7,7 @@
 #ifndef vtkTerrain_raster_RasterTiles_h
 #define vtkTerrain_raster_RasterTiles_h
 
-#include <gdal.h>
+#include "raster/GDALTable.h"
 
 namespace terrain
 {
