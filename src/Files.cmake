@@ -118,7 +118,10 @@ set(core
   strips/RefinementPlain
   strips/RefinementSelection
   surface/HeightSlopes
+  surface/MemoryTiles
   surface/MinMaxPyramid
+  surface/TilePyramid
+  surface/TileReduction
 )
 # Their results are the same bits on every machine: no fused multiply-add.
 set(core_without_contraction
