@@ -7,8 +7,8 @@ import sys
 import numpy as np
 import pyvista
 
-from vtkTerrain import vtkTerrainSource
-from vtkTerrain.plotting import add_terrain, enable_terrain_picking
+from vtkterrain import vtkTerrainSource
+from vtkterrain.plotting import add_terrain, enable_terrain_picking
 
 
 def landscape():

@@ -5,9 +5,9 @@ import sys
 
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
-from vtkTerrain import vtkTerrainActor, vtkTerrainRasterReader
+from vtkterrain import vtkTerrainActor, vtkTerrainRasterReader
 
-heights = vtkTerrainRasterReader()  # or vtkTerrainSource, or vtkTerrain.heights_from_array(array)
+heights = vtkTerrainRasterReader()  # or vtkTerrainSource, or vtkterrain.heights_from_array(array)
 heights.SetFileName(sys.argv[1])
 
 terrain = vtkTerrainActor()

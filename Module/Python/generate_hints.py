@@ -10,9 +10,9 @@ import keyword
 import re
 import sys
 
-import vtkTerrain.vtkTerrain as wrapped
+import vtkterrain.vtkTerrain as wrapped
 
-_HEADER = '''"""Type hints of vtkTerrain. Generated from the docstrings of the wrapped classes."""
+_HEADER = '''"""Type hints of vtkterrain. Generated from the docstrings of the wrapped classes."""
 from typing import Any, MutableSequence, Sequence, Tuple, overload
 '''
 _PLAIN_TYPES = {"None", "bool", "bytes", "float", "int", "object", "str", "type",

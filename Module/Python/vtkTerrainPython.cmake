@@ -1,7 +1,7 @@
 # Decides whether the module is wrapped for Python. Sets vtkTerrain_wrap_python; if it is on, then also
 # Python3_EXECUTABLE, to an interpreter that imports VTK in the version that the module is built with.
 set(VTKTERRAIN_WRAP_PYTHON AUTO CACHE STRING
-  "Make the Python package vtkTerrain: ON, OFF, or AUTO where all that it takes is found")
+  "Make the Python package vtkterrain: ON, OFF, or AUTO where all that it takes is found")
 set_property(CACHE VTKTERRAIN_WRAP_PYTHON PROPERTY STRINGS AUTO ON OFF)
 
 # Sets the variable named by result to why an interpreter cannot use the module; empty if it can.

@@ -16,14 +16,14 @@ import time
 def draw(side):
     """Draws once and prints the milliseconds."""
     import numpy as np
-    import vtkTerrain
+    import vtkterrain
     from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
     waves = (10.0 * np.sin(0.01 * np.arange(side))).astype(np.float32)
     field = waves[:, None] + waves
     begin = time.perf_counter()
-    terrain = vtkTerrain.vtkTerrainActor()
-    terrain.SetInputData(vtkTerrain.heights_from_array(field))
+    terrain = vtkterrain.vtkTerrainActor()
+    terrain.SetInputData(vtkterrain.heights_from_array(field))
     renderer = vtkRenderer()
     renderer.AddActor(terrain)
     window = vtkRenderWindow()

@@ -9,7 +9,7 @@ import numpy as np
 import vtkTerrainTesting
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
 
-from vtkTerrain import array_from_heights, heights_from_array, vtkTerrainCoarseMesh, vtkTerrainSource
+from vtkterrain import array_from_heights, heights_from_array, vtkTerrainCoarseMesh, vtkTerrainSource
 
 
 class TestHeights(unittest.TestCase):

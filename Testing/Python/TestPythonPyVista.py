@@ -12,7 +12,7 @@ import vtkTerrainTesting
 try:
     import pyvista
 
-    from vtkTerrain import plotting
+    from vtkterrain import plotting
 except ImportError as error:
     pyvista = None
     WHY_NOT = str(error)

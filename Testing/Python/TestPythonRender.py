@@ -38,7 +38,7 @@ class TestRender(unittest.TestCase):
         np.testing.assert_array_equal(picture, vtkTerrainTesting.read_picture(from_cxx))
 
     def test_window_without_a_display(self):
-        import vtkTerrain  # noqa: F401, registers the windows
+        import vtkterrain  # noqa: F401, registers the windows
         from vtkmodules.vtkCommonCore import vtkVersion
         from vtkmodules.vtkRenderingCore import vtkRenderWindow
 

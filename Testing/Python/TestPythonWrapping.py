@@ -9,11 +9,11 @@ import unittest
 import vtkTerrainTesting
 from vtkmodules.vtkCommonCore import reference
 
-import vtkTerrain
+import vtkterrain
 
 
 def wrapped_classes():
-    return [member for name, member in vars(vtkTerrain).items()
+    return [member for name, member in vars(vtkterrain).items()
             if isinstance(member, type) and name.startswith("vtk")]
 
 
@@ -37,11 +37,11 @@ class TestWrapping(unittest.TestCase):
             self.assertRegex(summary, f"^{cls.__name__} - ..........")
 
     def test_every_method_of_one_signature_has_a_docstring(self):
-        self.assertIn("exaggerat", vtkTerrain.vtkOpenGLTerrainMapper.SetVerticalExaggeration.__doc__)
-        self.assertIn("zone", vtkTerrain.vtkTerrainGeoreference.SetZone.__doc__)
+        self.assertIn("exaggerat", vtkterrain.vtkOpenGLTerrainMapper.SetVerticalExaggeration.__doc__)
+        self.assertIn("zone", vtkterrain.vtkTerrainGeoreference.SetZone.__doc__)
 
     def test_properties_of_all_types(self):
-        mapper = vtkTerrain.vtkOpenGLTerrainMapper()
+        mapper = vtkterrain.vtkOpenGLTerrainMapper()
         for technique in ("Mesh", "Linear", "Exponential", "Equidistant", "Pyramid"):
             value = getattr(mapper.Techniques, technique)
             mapper.SetTechnique(value)
@@ -49,15 +49,15 @@ class TestWrapping(unittest.TestCase):
         self.assertRaises(TypeError, mapper.SetTechnique, "Mesh")
         mapper.SetShowCrossings(True)
         self.assertIs(mapper.GetShowCrossings(), True)
-        source = vtkTerrain.vtkTerrainSource()
+        source = vtkterrain.vtkTerrainSource()
         source.SetDimensions(65, 33)
         self.assertEqual(source.GetDimensions(), (65, 33))
-        reader = vtkTerrain.vtkTerrainRasterReader()
+        reader = vtkterrain.vtkTerrainRasterReader()
         reader.SetFileName(pathlib.Path("/a/b.tif"))
         self.assertEqual(reader.GetFileName(), "/a/b.tif")
 
     def test_arrays_in_and_out(self):
-        place = vtkTerrain.vtkTerrainGeoreference()
+        place = vtkterrain.vtkTerrainGeoreference()
         place.SetCoordinateSystem("EPSG:32645")
         place.SetExtent(478000.0, 502000.0, 3088000.0, 3108000.0)
         self.assertEqual(place.GetExtent(), (478000.0, 502000.0, 3088000.0, 3108000.0))
@@ -75,28 +75,28 @@ class TestWrapping(unittest.TestCase):
     def test_a_hierarchy_from_image_to_strips(self):
         from vtkmodules.vtkRenderingCore import vtkCamera
 
-        source = vtkTerrain.vtkTerrainSource()
+        source = vtkterrain.vtkTerrainSource()
         source.SetDimensions(65, 65)
         source.Update()
-        hierarchy = vtkTerrain.vtkTerrainHierarchy()
+        hierarchy = vtkterrain.vtkTerrainHierarchy()
         self.assertFalse(hierarchy.SetHeights(None))
         self.assertTrue(hierarchy.GetErrorMessage())
         self.assertTrue(hierarchy.SetHeights(source.GetOutput()), hierarchy.GetErrorMessage())
         path = pathlib.Path(vtkTerrainTesting.output_path("python.hierarchy"))
         self.assertTrue(hierarchy.WriteFile(path), hierarchy.GetErrorMessage())
-        opened = vtkTerrain.vtkTerrainHierarchy()
+        opened = vtkterrain.vtkTerrainHierarchy()
         self.assertTrue(opened.OpenFile(path, True), opened.GetErrorMessage())
         camera = vtkCamera()
         camera.SetPosition(20000.0, -60000.0, 30000.0)
         camera.SetFocalPoint(20000.0, 20000.0, 0.0)
-        strips = vtkTerrain.vtkTerrainStrips()
+        strips = vtkterrain.vtkTerrainStrips()
         strips.SetHierarchy(opened)
         strips.SetCamera(camera)
         strips.Update()
         self.assertGreater(strips.GetNumberOfTriangles(), 10)
 
     def test_errors_are_told(self):
-        reader = vtkTerrain.vtkTerrainRasterReader()
+        reader = vtkterrain.vtkTerrainRasterReader()
         reader.SetFileName("/nowhere.tif")
         reader.GlobalWarningDisplayOff()
         reader.Update()
@@ -104,7 +104,7 @@ class TestWrapping(unittest.TestCase):
         self.assertIn("/nowhere.tif", reader.GetErrorMessage())
 
     def test_type_hints_cover_the_classes(self):
-        package = pathlib.Path(vtkTerrain.__file__).parent
+        package = pathlib.Path(vtkterrain.__file__).parent
         self.assertTrue((package / "py.typed").exists())
         stub = ast.parse((package / "vtkTerrain.pyi").read_text())
         hinted = {node.name: {part.name for part in node.body if isinstance(part, ast.FunctionDef)}

@@ -9,8 +9,8 @@ import vtkTerrainTesting
 try:
     import xarray
 
-    from vtkTerrain import array_from_heights
-    from vtkTerrain.xarrays import heights_from_dataarray
+    from vtkterrain import array_from_heights
+    from vtkterrain.xarrays import heights_from_dataarray
 except ImportError:
     xarray = None
 

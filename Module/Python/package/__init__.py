@@ -3,11 +3,26 @@
 """Draws heightfields in VTK without building their full mesh.
 
 The classes are those of the C++ module, wrapped by VTK's own tools, so that they mix with all of
-``vtkmodules``; ``help(vtkTerrain.vtkOpenGLTerrainMapper)`` shows their documentation. On VTK before
+``vtkmodules``; ``help(vtkterrain.vtkOpenGLTerrainMapper)`` shows their documentation. On VTK before
 9.4, importing the package also lets ``vtkRenderWindow()`` give a window that draws without a
-display. ``heights_from_array`` makes heights of numpy arrays.
+display. ``heights_from_array`` makes heights of numpy arrays. ``vtkterrain.plotting`` is for PyVista,
+``vtkterrain.xarrays`` for xarray, ``python -m vtkterrain FILE`` shows a file in a browser.
 """
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, registers how VTK draws
+from . import _supply
 
-from .heights import array_from_heights, heights_from_array
-from .vtkTerrain import *  # noqa: F403
+_supply.check_vtk()
+
+import vtkmodules.vtkRenderingOpenGL2  # noqa: E402, F401, registers how VTK draws
+
+from . import vtkTerrain as _wrapped  # noqa: E402
+from ._built_with import VERSION as __version__  # noqa: E402
+from .heights import array_from_heights, heights_from_array  # noqa: E402
+from .vtkTerrain import *  # noqa: E402, F403
+
+# Without it a star import would bind the name of the inner module, and hide what is called the same.
+__all__ = ["__version__", "array_from_heights", "heights_from_array",
+           *(name for name, member in vars(_wrapped).items()
+             if isinstance(member, type) and name.startswith("vtk"))]
+
+_supply.offer_gdal(vtkTerrainRasterReader)  # noqa: F405
+_supply.warn_without_opengl()

@@ -3,7 +3,7 @@
 """Terrain in PyVista's plotters.
 
 >>> import pyvista
->>> from vtkTerrain.plotting import add_terrain
+>>> from vtkterrain.plotting import add_terrain
 >>> plotter = pyvista.Plotter()
 >>> terrain = add_terrain(plotter, "dem.tif", exaggeration=1.5)
 >>> plotter.show()
@@ -91,7 +91,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
         What draws it.
     heights : array_like, pyvista.ImageData, xarray.DataArray, str or path
         Heights: an array of rows, from the south, and columns; an image of W x H x 1 points with one
-        scalar each; a DataArray (see ``vtkTerrain.xarrays``); or the name of any raster that GDAL
+        scalar each; a DataArray (see ``vtkterrain.xarrays``); or the name of any raster that GDAL
         opens.
     technique : {"pyramid", "linear", "exponential", "equidistant", "mesh"}
         How the surface is found. "pyramid" is exact; "mesh" draws all cells as triangles.
@@ -116,7 +116,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
         As those of ``pyvista.Plotter.add_mesh``.
     **place
         For a plain array: ``spacing``, ``origin``, ``first_row``, ``coordinate_system``, as
-        ``vtkTerrain.heights_from_array`` takes them.
+        ``vtkterrain.heights_from_array`` takes them.
     """
     actor = vtkTerrainActor()
     techniques = {key.lower(): value for key, value in vars(type(actor.GetTechnique())).items()

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the package takes from where it runs: VTK, GDAL, OpenGL. Versions are told apart here alone."""
+import ctypes
+import glob
+import importlib.util
+import os
+import sys
+import warnings
+
+from . import _built_with
+
+# Packages that bring GDAL, and a module of each that is linked to it.
+_BRINGERS_OF_GDAL = {"rasterio": "_base", "pyogrio": "_ogr", "osgeo": "_gdal"}
+# What VTK's windows open; any of them will do.
+_OPENGL_WITHOUT_A_DISPLAY = ("libEGL.so.1", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so")
+
+
+def check_vtk():
+    """Raises an ImportError that names the remedy if Python's VTK is not the one built for."""
+    wanted = _built_with.VTK_SERIES
+    major, minor = wanted.split(".")
+    remedy = f"pip install 'vtk>={wanted},<{major}.{int(minor) + 1}', or build vtkterrain for the VTK there is"
+    try:
+        from vtkmodules import vtkCommonCore
+    except ImportError as error:
+        raise ImportError(f"vtkterrain needs VTK {wanted}, Python cannot import any ({error}): "
+                          f"{remedy}") from error
+    version = vtkCommonCore.vtkVersion.GetVTKVersion()
+    if version.split(".")[:2] != [major, minor]:
+        raise ImportError(f"vtkterrain {_built_with.VERSION} is built for VTK {wanted}, Python imports "
+                          f"{version} from {os.path.dirname(vtkCommonCore.__file__)}: {remedy}")
+
+
+def _files_that_bring_gdal():
+    """Extension modules linked to GDAL: of packages that are imported first, else that are installed."""
+    for package in sorted(_BRINGERS_OF_GDAL, key=lambda name: name not in sys.modules):
+        try:
+            spec = importlib.util.find_spec(package)
+        except (ImportError, ValueError):
+            continue
+        for folder in (spec.submodule_search_locations or []) if spec else []:
+            yield from sorted(glob.glob(os.path.join(glob.escape(folder), _BRINGERS_OF_GDAL[package] + ".*.so")))
+
+
+def offer_gdal(reader):
+    """Names the GDALs of Python's packages to the module, which loads one when it needs it."""
+    for path in _files_that_bring_gdal():
+        reader.AddGDAL(path)
+
+
+def _can_load(library):
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def why_no_opengl():
+    """Why VTK could draw nothing here, in a sentence that names the remedy; empty if it can."""
+    if os.environ.get("DISPLAY") or any(map(_can_load, _OPENGL_WITHOUT_A_DISPLAY)):
+        return ""
+    return ("there is neither a display nor libEGL nor OSMesa, and VTK ends the process when it is to draw: "
+            "install libEGL and a driver (Debian: libegl1 libgl1-mesa-dri)")
+
+
+def warn_without_opengl():
+    """Says so at import, before VTK's own window can end the process."""
+    reason = why_no_opengl()
+    if reason:
+        warnings.warn(reason, RuntimeWarning, stacklevel=3)

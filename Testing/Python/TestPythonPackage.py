@@ -1,0 +1,148 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package as a whole: its names, and what it says where VTK, GDAL or OpenGL is missing."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+import vtkTerrainTesting
+
+# Loads a library of another name that has all of GDAL's functions: a second GDAL in the process.
+LOAD_GDAL = "import ctypes; ctypes.CDLL({!r})\n"
+READ = """
+import vtkterrain
+reader = vtkterrain.vtkTerrainRasterReader()
+reader.GlobalWarningDisplayOff()
+reader.SetFileName({!r})
+reader.Update()
+print(reader.GetErrorMessage() or 'read')
+print(vtkterrain.vtkTerrainRasterReader.GetGDALFile())
+"""
+
+
+def run(code, path=(), **environment):
+    """Runs code in a Python of its own; returns what it printed, and its errors."""
+    paths = [*map(str, path), *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))]
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False,
+                            env={**os.environ, "PYTHONPATH": os.pathsep.join(paths), **environment})
+    return result.stdout.strip(), result.stderr.strip()
+
+
+class TestNames(unittest.TestCase):
+    def test_a_star_import_hides_nothing(self):
+        printed, errors = run("""
+import vtkterrain
+package = vtkterrain
+from vtkterrain import *
+assert vtkterrain is package
+assert callable(heights_from_array) and callable(array_from_heights)
+print(vtkTerrainActor.__name__, "vtkTerrain" in globals())
+""")
+        self.assertEqual((printed, errors), ("vtkTerrainActor False", ""))
+
+    def test_all_names_are_there(self):
+        import vtkterrain
+
+        self.assertEqual([name for name in vtkterrain.__all__ if not hasattr(vtkterrain, name)], [])
+        self.assertRegex(vtkterrain.__version__, r"^\d+\.\d+\.\d+$")
+
+    def test_the_former_name_is_the_same_package_and_warns(self):
+        printed, errors = run("""
+from vtkTerrain import *
+import vtkTerrain
+import vtkterrain
+import vtkTerrain.heights
+assert vtkTerrain is vtkterrain
+assert vtkTerrain.heights is vtkterrain.heights
+from vtkTerrain.vtkTerrain import vtkTerrainSource
+assert vtkTerrainSource is vtkterrain.vtkTerrainSource
+assert vtkterrain.heights.__spec__.name == "vtkterrain.heights"
+vtkTerrain.heights_from_array([[1.0, 2.0]])
+try:
+    import vtkTerrain.nothing
+except ModuleNotFoundError as error:
+    print(error)
+""")
+        self.assertIn("vtkterrain.nothing", printed)
+        self.assertEqual(errors.count("FutureWarning"), 1)
+        self.assertIn("import vtkterrain", errors)
+
+
+class TestSupply(unittest.TestCase):
+    def test_another_vtk_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            fake = pathlib.Path(folder, "vtkmodules")
+            fake.mkdir()
+            (fake / "__init__.py").touch()
+            for version in ("9.5.2", "9.0.3", "9.70.1"):
+                (fake / "vtkCommonCore.py").write_text(
+                    f"class vtkVersion:\n    GetVTKVersion = staticmethod(lambda: {version!r})\n")
+                errors = run("import vtkterrain", [folder])[1].splitlines()[-1]
+                self.assertIn(f"imports {version} from {fake}", errors)
+                self.assertIn("pip install 'vtk>=9.", errors)
+            (fake / "vtkCommonCore.py").write_text("raise ImportError('libvtk.so: no such file')\n")
+            errors = run("import vtkterrain", [folder])[1].splitlines()[-1]
+            self.assertIn("cannot import any (libvtk.so: no such file)", errors)
+
+    def test_without_opengl_it_warns_before_a_window_ends_the_process(self):
+        code = """
+import ctypes
+original = ctypes.CDLL.__init__
+def missing(self, name, *arguments, **options):
+    if name and name.startswith(("libEGL", "libOSMesa")):
+        raise OSError(name)
+    original(self, name, *arguments, **options)
+ctypes.CDLL.__init__ = missing
+import vtkterrain
+"""
+        self.assertIn("libgl1-mesa-dri", run(code, DISPLAY="")[1])
+        self.assertEqual(run(code, DISPLAY=":99")[1], "")
+        self.assertEqual(run("import vtkterrain", DISPLAY="")[1], "")
+
+
+class TestGDAL(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.path = vtkTerrainTesting.output_path("package.asc")
+        vtkTerrainTesting.write_ascii_grid(cls.path, np.arange(12.0).reshape(3, 4))
+        cls.answer, _, cls.gdal = run(READ.format(cls.path))[0].partition("\n")
+        if cls.answer != "read":
+            raise unittest.SkipTest(cls.answer)
+
+    def test_it_is_loaded_when_it_is_needed(self):
+        printed, _ = run("import vtkterrain\nprint(repr(vtkterrain.vtkTerrainRasterReader.GetGDALFile()))")
+        self.assertEqual(printed, "''")
+        self.assertIn("libgdal", self.gdal)
+
+    def test_none_is_told_with_the_remedy(self):
+        printed, _ = run(READ.format(self.path), VTKTERRAIN_GDAL="/nowhere/libgdal.so")
+        self.assertIn(f"'{self.path}'", printed)
+        self.assertIn("/nowhere/libgdal.so", printed)
+
+    def test_a_library_that_is_no_gdal_is_told(self):
+        printed, _ = run(READ.format(self.path), VTKTERRAIN_GDAL="libm.so.6")
+        self.assertIn("it has no function", printed)
+
+    def test_of_two_in_a_process_the_one_that_was_there_first_is_taken(self):
+        with tempfile.TemporaryDirectory() as folder:
+            link = os.path.join(folder, "libgdal-other.so")
+            pathlib.Path(link).write_bytes(pathlib.Path(self.gdal).read_bytes())
+            try:
+                printed, errors = run(LOAD_GDAL.format(link) + READ.format(self.path))
+            finally:
+                os.remove(link)
+            if "OSError" in errors:
+                self.skipTest("GDAL does not load from elsewhere")
+            self.assertEqual(printed, f"read\n{link}")
+
+    def test_one_that_is_named_comes_before_one_that_is_there(self):
+        printed, _ = run(LOAD_GDAL.format(self.gdal) + READ.format(self.path), VTKTERRAIN_GDAL=self.gdal)
+        self.assertEqual(printed, f"read\n{self.gdal}")
+
+
+if __name__ == "__main__":
+    vtkTerrainTesting.run()
