@@ -104,6 +104,8 @@ set(core
   place/SunPosition
   rays/HeightSearch
   rays/PixelRays
+  rays/QueryWalk
+  rays/RayQuery
   rays/ReferenceRayCaster
   strips/BaseSteepness
   strips/DetailHierarchy

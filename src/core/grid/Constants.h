@@ -17,6 +17,8 @@ namespace terrain
 constexpr double kDegree = glm::radians(1.0);
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+/// Mean radius of the earth in metres, for estimates only.
+constexpr double kEarthRadius = 6371008.8;
 }
 
 #endif

@@ -53,9 +53,10 @@ inline SamplePosition FindSample(double coordinate, std::int64_t count)
   return position;
 }
 
-/// The surface itself: the bilinear patch of the cell. Exact.
-template <typename T>
-double SampleBilinear(const HeightfieldView<T>& heights, double x, double y)
+/// The surface itself: the bilinear patch of the cell. Exact. Heights is a HeightfieldView, or has
+/// Width, Height and At() as it has.
+template <typename Heights>
+double SampleBilinear(const Heights& heights, double x, double y)
 {
   const SamplePosition i = FindSample(x, heights.Width);
   const SamplePosition j = FindSample(y, heights.Height);

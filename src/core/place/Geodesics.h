@@ -9,15 +9,14 @@
 #ifndef terrain_Geodesics_h
 #define terrain_Geodesics_h
 
+#include "core/grid/Constants.h"
+
 #include <glm/glm.hpp>
 
 #include <vector>
 
 namespace terrain
 {
-/// Mean radius of the earth in metres, for estimates only.
-constexpr double kEarthRadius = 6371008.8;
-
 /// Shortest way between two places along the ellipsoid.
 struct GeodesicLeg
 {

@@ -71,8 +71,8 @@ inline std::vector<double> GridCrossings(
 
 /// The cell whose surface lies at a position, -1 in x if there is none. On a grid line either
 /// neighbour serves.
-template <typename T>
-glm::i64vec2 FindCellWithSurface(const HeightfieldView<T>& heights, const glm::dvec2& position)
+template <typename Heights>
+glm::i64vec2 FindCellWithSurface(const Heights& heights, const glm::dvec2& position)
 {
   constexpr double kOnLine = 1e-9;
   const glm::dvec2 low = glm::floor(position - kOnLine);
@@ -96,10 +96,11 @@ glm::i64vec2 FindCellWithSurface(const HeightfieldView<T>& heights, const glm::d
 
 /// Calls visit(piece) for every stretch of the way between two positions, in order, without gaps.
 /// A way of no length is one piece from 0 to 1. Positions must be finite.
+/// Heights is a HeightfieldView, or has Width, Height, At() and IsCellValid() as it has.
 /// Cost: O(cells crossed).
-template <typename T, typename Visit>
+template <typename Heights, typename Visit>
 void WalkSurface(
-  const HeightfieldView<T>& heights, const glm::dvec2& from, const glm::dvec2& to, Visit&& visit)
+  const Heights& heights, const glm::dvec2& from, const glm::dvec2& to, Visit&& visit)
 {
   const glm::dvec2 last(
     static_cast<double>(heights.Width - 1), static_cast<double>(heights.Height - 1));
