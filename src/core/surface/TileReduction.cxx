@@ -11,7 +11,7 @@ namespace
 {
 /// Sums of heights with small weights.
 template <typename T>
-using Sum = std::conditional_t<std::is_same_v<T, float>, float, std::int32_t>;
+using SumType = std::conditional_t<std::is_same_v<T, float>, float, std::int32_t>;
 
 /// Adds the bounds of another node.
 template <typename T>
@@ -64,7 +64,7 @@ struct ColumnExtremes
 template <typename T>
 struct ColumnSums
 {
-  std::vector<Sum<T>> Sums;
+  std::vector<SumType<T>> Sums;
   std::vector<unsigned char> Lacks;
 
   explicit ColumnSums(std::size_t count)
@@ -76,7 +76,7 @@ struct ColumnSums
   {
     for (std::size_t i = 0; i < this->Sums.size(); ++i)
     {
-      this->Sums[i] = Sum<T>(a[i]) + 2 * Sum<T>(b[i]) + Sum<T>(c[i]);
+      this->Sums[i] = SumType<T>(a[i]) + 2 * SumType<T>(b[i]) + SumType<T>(c[i]);
       this->Lacks[i] = static_cast<unsigned char>(
         !IsStoredHeight(a[i]) | !IsStoredHeight(b[i]) | !IsStoredHeight(c[i]));
     }
@@ -85,7 +85,7 @@ struct ColumnSums
 
 /// A sixteenth of a sum; whole numbers are rounded to the nearest.
 template <typename T>
-T Sixteenth(Sum<T> sum)
+T Sixteenth(SumType<T> sum)
 {
   if constexpr (std::is_same_v<T, float>)
   {
