@@ -96,6 +96,8 @@ set(core
   landscape/StreamErosion
   mesh/CoarseMesh
   mesh/CoarseMeshSurface
+  mesh/GreedyMesh
+  mesh/GreedyTile
   place/Geodesics
   place/GeographicText
   place/GeoidGrid
