@@ -15,6 +15,7 @@ set(classes
   vtkTerrainGraticule
   vtkTerrainHierarchy
   vtkTerrainImageWarp
+  vtkTerrainMesh
   vtkTerrainMinMaxPyramid
   vtkTerrainPicker
   vtkTerrainRasterReader
@@ -33,6 +34,7 @@ set(private_sources
   vtkOpenGLTerrainMapperShaders
   vtkOpenGLTerrainMapperUniforms
   data/ImageRayCaster
+  data/MeshOutput
   data/StripsOutput
   place/GeoreferencePrepare
   place/ReprojectPlan

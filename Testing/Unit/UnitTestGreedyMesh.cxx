@@ -106,7 +106,7 @@ TEST(GreedyMesh, KeepsItsErrorAtEverySample)
           std::to_string(cells));
         const GridMesh mesh = BuildGreedyMesh(view, Options(tolerance, cells), SerialFor);
         const double rounding = 1e-12 * 6e4;
-        EXPECT_LE(FindMeshError(view, mesh), tolerance + rounding);
+        EXPECT_LE(FindMeshError(view, mesh, SerialFor), tolerance + rounding);
         if (cells == 7 && tolerance == 1.0)
         {
           double largest = 0.0;
@@ -121,7 +121,7 @@ TEST(GreedyMesh, KeepsItsErrorAtEverySample)
               largest = isCovered ? std::max(largest, std::abs(height - view.At(i, j))) : largest;
             }
           }
-          EXPECT_NEAR(largest, FindMeshError(view, mesh), rounding);
+          EXPECT_NEAR(largest, FindMeshError(view, mesh, SerialFor), rounding);
         }
       }
     }
@@ -170,9 +170,9 @@ TEST(GreedyMesh, FindsWhatIsNotCoveredAndWhatIsOff)
   GridMesh mesh;
   mesh.Vertices = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } };
   mesh.Triangles = { 0, 1, 2 };
-  EXPECT_TRUE(std::isinf(FindMeshError(field.View(), mesh)));
+  EXPECT_TRUE(std::isinf(FindMeshError(field.View(), mesh, SerialFor)));
   mesh.Triangles = { 0, 1, 2, 0, 2, 3 };
-  EXPECT_EQ(FindMeshError(field.View(), mesh), 4.0);
+  EXPECT_EQ(FindMeshError(field.View(), mesh, SerialFor), 4.0);
 }
 
 TEST(GreedyMesh, IsTheSameHoweverRangesAreSplit)

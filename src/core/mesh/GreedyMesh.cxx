@@ -6,8 +6,10 @@
 #include "core/mesh/GreedyTile.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <unordered_map>
 #include <utility>
 
@@ -22,9 +24,27 @@ template <typename T>
 class Samples
 {
 public:
-  explicit Samples(const HeightfieldView<T>& view)
+  Samples(const HeightfieldView<T>& view, const ParallelFor& parallelFor)
     : View(view)
+    , Cells(std::max<std::int64_t>((view.Width - 1) * (view.Height - 1), 0))
   {
+    parallelFor(view.Height - 1,
+      [this](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t j = begin; j < end; ++j)
+        {
+          for (std::int64_t i = 0; i < this->View.Width - 1; ++i)
+          {
+            this->Cells[i + (this->View.Width - 1) * j] = this->View.IsCellValid(i, j);
+          }
+        }
+      });
+    this->HasHoles = std::find(this->Cells.begin(), this->Cells.end(), 0) != this->Cells.end();
+  }
+
+  bool HasCell(std::int64_t i, std::int64_t j) const
+  {
+    return this->Cells[i + (this->View.Width - 1) * j] != 0;
   }
 
   /// Number of cells with a surface around sample (i, j), and of those without one.
@@ -38,27 +58,39 @@ public:
       for (std::int64_t x = std::max<std::int64_t>(i - 1, 0); x <= i && x < this->View.Width - 1;
            ++x)
       {
-        ++(this->View.IsCellValid(x, y) ? with : without);
+        ++(this->HasCell(x, y) ? with : without);
       }
     }
     return { with, without };
   }
 
+  /// True if something is asked of the mesh at the sample.
+  bool IsAsked(std::int64_t i, std::int64_t j) const
+  {
+    return !this->HasHoles || this->CountCells(i, j).first > 0;
+  }
+
   bool IsOnHole(std::int64_t i, std::int64_t j) const
   {
+    if (!this->HasHoles)
+    {
+      return false;
+    }
     const auto [with, without] = this->CountCells(i, j);
     return with > 0 && without > 0;
   }
 
-  /// The height where a cell around the sample has a surface, else NaN.
+  /// The height where something is asked, else NaN.
   double At(std::int64_t i, std::int64_t j) const
   {
-    return this->View.IsValid(this->View.Index(i, j)) && this->CountCells(i, j).first > 0
-      ? this->View.At(i, j)
-      : kNothingAsked;
+    return this->IsAsked(i, j) ? this->View.At(i, j) : kNothingAsked;
   }
 
   const HeightfieldView<T>& View;
+
+private:
+  std::vector<unsigned char> Cells;
+  bool HasHoles = false;
 };
 
 /// Which samples of a line become vertices: its ends, what is kept already, and the worst sample
@@ -125,8 +157,9 @@ template <typename T>
 class TileBuilder
 {
 public:
-  TileBuilder(const HeightfieldView<T>& view, const GreedyMeshOptions& options, double tolerance)
-    : At(view)
+  TileBuilder(const HeightfieldView<T>& view, const GreedyMeshOptions& options, double tolerance,
+    const ParallelFor& parallelFor)
+    : At(view, parallelFor)
     , Tolerance(tolerance)
     , Columns(view.Width, options.CellsPerTile)
     , Rows(view.Height, options.CellsPerTile)
@@ -249,7 +282,7 @@ private:
       const glm::dvec2 middle = glm::dvec2(kept.Vertices[corners[k]] +
                                   kept.Vertices[corners[k + 1]] + kept.Vertices[corners[k + 2]]) /
         3.0;
-      if (this->At.View.IsCellValid(
+      if (this->At.HasCell(
             static_cast<std::int64_t>(middle.x), static_cast<std::int64_t>(middle.y)))
       {
         kept.Triangles.insert(kept.Triangles.end(), { corners[k], corners[k + 1], corners[k + 2] });
@@ -328,7 +361,7 @@ GridMesh BuildGreedyMesh(
   used.CellsPerTile = std::clamp(options.CellsPerTile, 1, kMostTileCells);
   const double slack = kMeshErrorSlack * LargestHeight(view);
   const double tolerance = std::max(slack, options.MaximumError - slack);
-  TileBuilder<T> tiles(view, used, tolerance);
+  TileBuilder<T> tiles(view, used, tolerance, parallelFor);
   tiles.MakeBorders(parallelFor);
   std::vector<GridMesh> parts(tiles.NumberOfTiles());
   parallelFor(tiles.NumberOfTiles(),
@@ -348,41 +381,65 @@ GridMesh BuildGreedyMesh(
   return mesh;
 }
 
-template <typename T>
-double FindMeshError(const HeightfieldView<T>& view, const GridMesh& mesh)
+namespace
 {
-  std::vector<char> covered(view.Width * view.Height, 0);
-  double largest = 0.0;
-  for (std::size_t k = 0; k < mesh.Triangles.size(); k += 3)
+/// Largest vertical distance of the samples on a triangle, whose samples are marked as covered.
+template <typename T>
+double CompareTriangle(const HeightfieldView<T>& view, const glm::ivec2* corners,
+  std::vector<std::atomic<bool>>& covered)
+{
+  const auto cross = [](const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r)
+  { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
+  double heights[3];
+  for (int k = 0; k < 3; ++k)
   {
-    const glm::dvec2 a = mesh.Vertices[mesh.Triangles[k]];
-    const glm::dvec2 b = mesh.Vertices[mesh.Triangles[k + 1]];
-    const glm::dvec2 c = mesh.Vertices[mesh.Triangles[k + 2]];
-    const auto cross = [](const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r)
-    { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
-    const auto height = [&view](const glm::dvec2& p)
-    { return view.At(static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y)); };
-    const double area = cross(a, b, c);
-    const glm::dvec2 low = glm::min(glm::min(a, b), c);
-    const glm::dvec2 high = glm::max(glm::max(a, b), c);
-    for (double y = low.y; y <= high.y; ++y)
+    heights[k] = view.At(corners[k].x, corners[k].y);
+  }
+  const double area = cross(corners[0], corners[1], corners[2]);
+  const glm::ivec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
+  const glm::ivec2 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
+  double largest = 0.0;
+  for (int y = low.y; y <= high.y; ++y)
+  {
+    for (int x = low.x; x <= high.x; ++x)
     {
-      for (double x = low.x; x <= high.x; ++x)
+      const glm::dvec2 p(x, y);
+      const double u = cross(corners[1], corners[2], p);
+      const double v = cross(corners[2], corners[0], p);
+      const double w = cross(corners[0], corners[1], p);
+      if (u >= 0.0 && v >= 0.0 && w >= 0.0)
       {
-        const glm::dvec2 p(x, y);
-        const double u = cross(b, c, p);
-        const double v = cross(c, a, p);
-        const double w = cross(a, b, p);
-        if (u >= 0.0 && v >= 0.0 && w >= 0.0)
-        {
-          covered[view.Index(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y))] = 1;
-          const double z = (u * height(a) + v * height(b) + w * height(c)) / area;
-          largest = std::max(largest, std::abs(z - height(p)));
-        }
+        covered[view.Index(x, y)].store(true, std::memory_order_relaxed);
+        const double z = (u * heights[0] + v * heights[1] + w * heights[2]) / area;
+        largest = std::max(largest, std::abs(z - view.At(x, y)));
       }
     }
   }
-  const Samples<T> samples(view);
+  return largest;
+}
+}
+
+template <typename T>
+double FindMeshError(
+  const HeightfieldView<T>& view, const GridMesh& mesh, const ParallelFor& parallelFor)
+{
+  std::vector<std::atomic<bool>> covered(view.Width * view.Height);
+  std::mutex mutex;
+  double largest = 0.0;
+  parallelFor(static_cast<std::int64_t>(mesh.Triangles.size() / 3),
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      double ofRange = 0.0;
+      for (std::int64_t k = 3 * begin; k < 3 * end; k += 3)
+      {
+        const glm::ivec2 corners[3] = { mesh.Vertices[mesh.Triangles[k]],
+          mesh.Vertices[mesh.Triangles[k + 1]], mesh.Vertices[mesh.Triangles[k + 2]] };
+        ofRange = std::max(ofRange, CompareTriangle(view, corners, covered));
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      largest = std::max(largest, ofRange);
+    });
+  const Samples<T> samples(view, parallelFor);
   for (std::int64_t j = 0; j < view.Height; ++j)
   {
     for (std::int64_t i = 0; i < view.Width; ++i)
@@ -423,7 +480,7 @@ std::vector<glm::ivec2> FindBorderEdges(const GridMesh& mesh)
 #define TERRAIN_INSTANTIATE(T)                                                                     \
   template GridMesh BuildGreedyMesh(                                                               \
     const HeightfieldView<T>&, const GreedyMeshOptions&, const ParallelFor&);                      \
-  template double FindMeshError(const HeightfieldView<T>&, const GridMesh&);
+  template double FindMeshError(const HeightfieldView<T>&, const GridMesh&, const ParallelFor&);
 TERRAIN_FOR_EACH_SAMPLE_TYPE(TERRAIN_INSTANTIATE)
 #undef TERRAIN_INSTANTIATE
 }

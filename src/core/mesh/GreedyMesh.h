@@ -73,7 +73,8 @@ GridMesh BuildGreedyMesh(
  * whatever made the mesh.
  */
 template <typename T>
-double FindMeshError(const HeightfieldView<T>& view, const GridMesh& mesh);
+double FindMeshError(
+  const HeightfieldView<T>& view, const GridMesh& mesh, const ParallelFor& parallelFor);
 
 /// Edges with a triangle on one side only, two vertices each, the triangle to the left of the way
 /// from the first to the second.
