@@ -17,6 +17,7 @@ set(classes
   vtkTerrainImageWarp
   vtkTerrainMesh
   vtkTerrainMinMaxPyramid
+  vtkTerrainOutputFile
   vtkTerrainPicker
   vtkTerrainRasterReader
   vtkTerrainReproject
@@ -40,6 +41,7 @@ set(private_sources
   place/ReprojectPlan
   raster/CoordinateSystem
   raster/GDALTable
+  raster/InputFiles
   raster/RasterFile
   raster/RasterLayout
   raster/RasterPiece
@@ -91,6 +93,7 @@ set(shaders
 
 # VTK-free algorithms: an object library, so that the unit tests link it without the module.
 set(core
+  files/OutputFile
   grid/HeightUnits
   grid/RoundNumbers
   landscape/DetailNoise

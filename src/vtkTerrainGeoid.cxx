@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainGeoid.h"
 
+#include "core/files/OutputFile.h"
 #include "core/place/GeoidGrid.h"
 
 #include "vtkObjectFactory.h"
@@ -45,6 +46,10 @@ std::string DefaultDirectory()
 /// Size in bytes, -1 if the file cannot be opened.
 std::streamoff FileSize(const std::string& path)
 {
+  if (!terrain::WhyNotInput(path).empty())
+  {
+    return -1;
+  }
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   return file ? static_cast<std::streamoff>(file.tellg()) : -1;
 }

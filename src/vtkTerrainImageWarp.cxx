@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainImageWarp.h"
 
+#include "core/files/OutputFile.h"
 #include "core/grid/HeightSampling.h"
 #include "data/ImageHeights.h"
 #include "data/Setting.h"
@@ -145,6 +146,11 @@ std::string ImageWarp::Open(const std::string& name, const std::string& system)
   if (!WhyNoGDAL().empty())
   {
     return WhyNoGDAL();
+  }
+  const std::string whyNot = WhyNotInput(name);
+  if (!whyNot.empty())
+  {
+    return "'" + name + "': " + whyNot;
   }
   GDALAllRegister();
   const Messages messages;

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <sys/stat.h>
+
 namespace
 {
 class TerrainPrepare : public TerrainRenderFixture
@@ -96,16 +98,57 @@ TEST_F(TerrainPrepare, KeepsTheOldFileWhenTheDiskIsFull)
 TEST_F(TerrainPrepare, LeavesNothingWhenItIsStopped)
 {
   const std::string zeros = this->WriteZeros(4000);
-  for (const char* signal : { "INT", "TERM" })
+  for (const char* signal : { "TERM", "HUP", "XCPU" })
   {
     // as soon as the file is begun
     const RunResult result = this->RunCommand({ "/bin/sh", "-c",
       Program() + " " + zeros + " out.hierarchy & p=$!\n" +
-        "while [ ! -e out.hierarchy.partial ]; do sleep 0.01; kill -0 $p || exit 99; done\n" +
-        "kill -" + signal + " $p; wait $p" });
+        "while ! ls | grep -q partial; do sleep 0.01; kill -0 $p || exit 99; done\n" + "kill -" +
+        signal + " $p; wait $p" });
     ExpectRefused(result, 1, "stopped on request");
     EXPECT_EQ(this->ListFiles(), std::vector<std::string>{ "zeros.vrt" });
   }
+}
+
+TEST_F(TerrainPrepare, NeverReplacesItsInput)
+{
+  const std::string hill = this->WriteHill();
+  const std::string content = this->ReadText("hill.tif");
+  std::filesystem::create_symlink("hill.tif", this->Path("link.tif"));
+  for (const char* out : { "hill.tif", "./hill.tif", "link.tif" })
+  {
+    ExpectRefused(this->Prepare({ hill, out }), 2, "HEIGHTS is read from");
+    ExpectRefused(this->Prepare({ "link.tif", out }), 2, "HEIGHTS is read from");
+  }
+  EXPECT_EQ(this->ReadText("hill.tif"), content);
+  EXPECT_EQ(this->ListFiles(), (std::vector<std::string>{ "hill.tif", "link.tif" }));
+}
+
+// A pipe without a writer is waited for by whoever opens it.
+TEST_F(TerrainPrepare, TakesRegularFilesOnly)
+{
+  const std::string hill = this->WriteHill();
+  ASSERT_EQ(mkfifo(this->Path("pipe").c_str(), 0666), 0);
+  ExpectRefused(this->Prepare({ hill, "pipe" }), 1, "no regular file");
+  ExpectRefused(this->Prepare({ hill, "/dev/null" }), 1, "no regular file");
+  ExpectRefused(this->Prepare({ "pipe", "out.hierarchy" }), 1, "no regular file");
+  ExpectRefused(this->Prepare({ "--check", "pipe" }), 1, "not a regular file");
+  EXPECT_TRUE(std::filesystem::is_fifo(this->Path("pipe")));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(TerrainPrepare, TwoOfOneNameDoNotMeet)
+{
+  const std::string zeros = this->WriteZeros(3000);
+  const std::string hill = this->WriteHill();
+  const RunResult result = this->RunCommand({ "/bin/sh", "-c",
+    Program() + " " + zeros + " out.hierarchy & p=$!\n" +
+      "while ! ls | grep -q partial; do sleep 0.01; kill -0 $p || exit 99; done\n" + Program() +
+      " " + hill + " out.hierarchy && wait $p" });
+  EXPECT_EQ(result.Status, 0) << result.Errors;
+  EXPECT_EQ(
+    this->ListFiles(), (std::vector<std::string>{ "hill.tif", "out.hierarchy", "zeros.vrt" }));
+  EXPECT_EQ(this->Prepare({ "--check", "out.hierarchy" }).Status, 0);
 }
 
 TEST_F(TerrainPrepare, FindsDamage)

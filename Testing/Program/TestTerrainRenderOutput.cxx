@@ -296,3 +296,45 @@ TEST_F(TerrainRenderOutput, FailureKeepsWhatWasThere)
   EXPECT_EQ(this->ReadText("picture.png"), "an older picture");
   EXPECT_EQ(this->ListFiles(), std::vector<std::string>{ "picture.png" });
 }
+
+TEST_F(TerrainRenderOutput, InputsAndOutputsAreNeverReplaced)
+{
+  const std::string hill = this->WriteHill();
+  const std::string content = this->ReadText("hill.tif");
+  std::filesystem::create_symlink("hill.tif", this->Path("link.tif"));
+  const std::vector<std::vector<std::string>> lines{ { hill, "--output", "./hill.tif" },
+    { hill, "--output", "link.tif" }, { "link.tif", "--output", "hill.tif" },
+    { hill, "--depth", "hill.tif" }, { hill, "--stats", "link.tif" },
+    { "--track", hill, "--output", "link.tif" }, { "--drape", hill, "--output", "link.tif" },
+    { "--detail", "link.tif", "--output", hill }, { "--stats", "./terrain.png" },
+    { "--depth", "depth.tif", "--stats", "./depth.tif" } };
+  for (const std::vector<std::string>& line : lines)
+  {
+    ExpectRefused(this->Run(line), 2, line[line.size() - 2]);
+  }
+  EXPECT_EQ(this->ReadText("hill.tif"), content);
+  EXPECT_EQ(this->ListFiles(), (std::vector<std::string>{ "hill.tif", "link.tif" }));
+}
+
+TEST_F(TerrainRenderOutput, LinksAreFollowed)
+{
+  this->WriteText("target.png", "what was there before");
+  std::filesystem::create_symlink("target.png", this->Path("picture.png"));
+  this->ExpectDrawn(this->Draw(this->WriteHill()));
+  EXPECT_TRUE(std::filesystem::is_symlink(this->Path("picture.png")));
+  EXPECT_EQ(this->ReadPictureSize("target.png").front(), this->ReadPicture().Width);
+}
+
+TEST_F(TerrainRenderOutput, SignalsLeaveNothingBehind)
+{
+  const std::string hill = this->WriteHill();
+  for (const char* signal : { "TERM", "HUP" })
+  {
+    const RunResult result = this->RunCommand({ "/bin/sh", "-c",
+      Program() + " " + hill + " --size 64x64 --frames 1000000 --depth depth.tif & p=$!\n" +
+        "while ! ls | grep -q partial; do sleep 0.01; kill -0 $p || exit 99; done\n" +
+        "sleep 0.2; kill -" + signal + " $p; wait $p" });
+    ExpectRefused(result, 1, "stopped on request");
+    EXPECT_EQ(this->ListFiles(), std::vector<std::string>{ "hill.tif" });
+  }
+}

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 #include <sys/resource.h>
@@ -43,9 +44,23 @@ public:
 
   std::string Path;
 
-  bool Exists(const std::string& suffix = "") const
+  bool Exists() const
   {
-    return access((this->Path + suffix).c_str(), F_OK) == 0;
+    return access(this->Path.c_str(), F_OK) == 0;
+  }
+  /// Path of the file under construction beside it, empty if there is none.
+  std::string FindPartial() const
+  {
+    const std::filesystem::path path(this->Path);
+    const std::string begin = path.filename().string() + ".";
+    for (const auto& entry : std::filesystem::directory_iterator(path.parent_path()))
+    {
+      if (entry.path().filename().string().compare(0, begin.size(), begin) == 0)
+      {
+        return entry.path().string();
+      }
+    }
+    return {};
   }
   std::string Content() const
   {
@@ -91,7 +106,7 @@ TEST(HierarchyFile, RefinesLikeMemory)
   ASSERT_EQ(Write(streamed, raster), "");
   ASSERT_EQ(terrain::WriteHierarchyFile(copied.Path, memory.View(), "LOCAL_CS[\"test\"]", {}), "");
   EXPECT_EQ(streamed.Content(), copied.Content());
-  EXPECT_FALSE(streamed.Exists(".partial"));
+  EXPECT_EQ(streamed.FindPartial(), "");
   HierarchyFile file;
   ASSERT_EQ(file.Open(streamed.Path, true), "");
   EXPECT_EQ(file.CoordinateSystem(), "LOCAL_CS[\"test\"]");
@@ -168,7 +183,7 @@ TEST(HierarchyFile, IsUnfinishedWhileItIsWritten)
               {
                 EXPECT_FALSE(file.Exists());
                 HierarchyFile other;
-                seen = other.Open(file.Path + ".partial", false);
+                seen = other.Open(file.FindPartial(), false);
                 return true;
               }),
     "");
@@ -181,7 +196,7 @@ TEST(HierarchyFile, LeavesNothingBehindWhenItFails)
   const TemporaryFile file("failed");
   EXPECT_NE(Write(file, MakeHills(60, 200), [](double) { return false; }), "");
   EXPECT_FALSE(file.Exists());
-  EXPECT_FALSE(file.Exists(".partial"));
+  EXPECT_EQ(file.FindPartial(), "");
   EXPECT_NE(terrain::WriteHierarchyFile("/nowhere/at/all", 2, 2, MakeGeometry(), "",
               RowsOf(MakeHills(2, 2)), terrain::SerialFor, {}),
     "");
@@ -201,7 +216,7 @@ TEST(HierarchyFile, FailsCleanlyWhenThereIsNoSpace)
   std::signal(SIGXFSZ, handler);
   EXPECT_NE(error, "");
   EXPECT_FALSE(file.Exists());
-  EXPECT_FALSE(file.Exists(".partial"));
+  EXPECT_EQ(file.FindPartial(), "");
 }
 
 TEST(HierarchyFile, SurvivesShrinkingWhileItIsMapped)

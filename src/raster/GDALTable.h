@@ -68,6 +68,7 @@
   ENTRY(GDALGetBlockSize)                                                                          \
   ENTRY(GDALGetDescription)                                                                        \
   ENTRY(GDALGetDriverByName)                                                                       \
+  ENTRY(GDALGetFileList)                                                                           \
   ENTRY(GDALGetGeoTransform)                                                                       \
   ENTRY(GDALGetMaskBand)                                                                           \
   ENTRY(GDALGetMaskFlags)                                                                          \

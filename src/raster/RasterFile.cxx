@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "raster/RasterFile.h"
 
+#include "core/files/OutputFile.h"
 #include "raster/RasterTiles.h"
 
 #include <algorithm>
@@ -128,6 +129,11 @@ RasterFile::RasterFile(const char* fileName)
   }
   RegisterDrivers();
   const GDALMessages messages;
+  const std::string whyNot = WhyNotInput(fileName ? fileName : "");
+  if (!whyNot.empty())
+  {
+    throw RasterError(whyNot);
+  }
   if (fileName && *fileName)
   {
     this->Dataset = GDALOpenEx(fileName, GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,

@@ -84,6 +84,10 @@ public:
   RasterFile(const RasterFile&) = delete;
   void operator=(const RasterFile&) = delete;
 
+  /// Names, as GDAL tells them, of the files that the raster is read from. Not told are those that
+  /// belong to the parts of a virtual raster or to the tiles of a directory.
+  std::vector<std::string> GetFileNames() const;
+
   /// A CRS in place of the one that the file names: EPSG code, WKT or PROJ string. Throws if it is
   /// not understood.
   void SetCoordinateSystem(const std::string& definition);

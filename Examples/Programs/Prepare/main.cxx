@@ -5,6 +5,8 @@
 // Reads the raster from north to south in bands of rows, so it never is in memory as a whole.
 // Exit status 0; 2 for a wrong command line; 1 otherwise, with one line on stderr that names the
 // file and the reason, and no output left behind.
+#include "Ending.h"
+
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
@@ -16,14 +18,13 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 #include <vtkTerrainHierarchy.h>
+#include <vtkTerrainOutputFile.h>
 #include <vtkTerrainRasterReader.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -35,13 +36,6 @@
 
 namespace
 {
-std::atomic<bool> Interrupted{ false };
-
-void OnInterrupt(int)
-{
-  Interrupted = true;
-}
-
 /// A bar on stderr, if that is a terminal and the work is not quiet.
 class ProgressBar
 {
@@ -224,7 +218,7 @@ int Prepare(const std::string& heights, const std::string& out, bool quiet)
       [&](double part)
       {
         bar.Show(part);
-        return !Interrupted;
+        return true;
       });
   }
   if (!done)
@@ -236,6 +230,17 @@ int Prepare(const std::string& heights, const std::string& out, bool quiet)
     std::cerr << "terrain-prepare: " << reader.Warning() << "\n";
   }
   return 0;
+}
+
+/// OUT must be no file that HEIGHTS is read from, which would be lost.
+void CheckOutput(const std::string& heights, const std::string& out)
+{
+  vtkNew<vtkTerrainOutputFile> file;
+  file->AddInput(heights);
+  if (!file->FindInput(out).empty())
+  {
+    throw CLI::ValidationError("OUT", "'" + out + "' is a file that HEIGHTS is read from");
+  }
 }
 
 /// The program; what it throws is a fault of its own.
@@ -258,15 +263,18 @@ int Run(int argc, char** argv)
     {
       throw CLI::ValidationError(check ? "--check takes one file" : "OUT is required");
     }
+    CheckOutput(heights, out);
   }
   catch (const CLI::ParseError& error)
   {
-    return app.exit(error) == 0 ? 0 : 2;
+    if (error.get_exit_code() == 0)
+    {
+      return app.exit(error);
+    }
+    Fail(error.what());
+    return 2;
   }
-  std::signal(SIGINT, OnInterrupt);
-  std::signal(SIGTERM, OnInterrupt);
-  // A limit on file sizes is an error like a full disk, not the end of the process.
-  std::signal(SIGXFSZ, SIG_IGN);
+  EndOnSignals("terrain-prepare: stopped on request\n");
   vtkObject::GlobalWarningDisplayOff();
   return check ? Check(heights) : Prepare(heights, out, quiet);
 }

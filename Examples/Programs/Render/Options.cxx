@@ -4,11 +4,18 @@
 
 #include "Arguments.h"
 
+#include "vtkNew.h"
+#include "vtkTerrainOutputFile.h"
+
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <map>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace
@@ -204,31 +211,46 @@ void CheckTechnique(const Options& options)
   }
 }
 
-/// No output may have the name of an input, which would be written over, or of another output.
+/// Absolute, links followed as far as there is something; empty for no name.
+std::string CanonicalPath(const std::string& name)
+{
+  std::error_code error;
+  return name.empty()
+    ? name
+    : std::filesystem::weakly_canonical(std::filesystem::absolute(name), error).string();
+}
+
+/// No output may be a file that an input is read from, which would be lost, or another output.
 void CheckFiles(const Options& options)
 {
-  std::vector<std::pair<const char*, std::string>> files = { { "HEIGHTS", options.Heights },
-    { "--drape", options.Place.Drape }, { "--detail", options.Detail.File } };
-  for (const std::string& track : options.Place.Tracks)
+  if (options.Output.empty())
   {
-    files.emplace_back("--track", track);
+    Refuse("--output", "needs the name of a file");
+  }
+  std::vector<std::string> inputs = { options.Heights, options.Place.Drape, options.Detail.File };
+  inputs.insert(inputs.end(), options.Place.Tracks.begin(), options.Place.Tracks.end());
+  const vtkNew<vtkTerrainOutputFile> files;
+  std::vector<std::string> paths;
+  for (const std::string& input : inputs)
+  {
+    files->AddInput(input);
+    paths.push_back(CanonicalPath(input));
   }
   for (const auto& [option, output] :
     { std::pair<const char*, std::string>{ "--output", options.Output },
       { "--depth", options.Depth }, { "--stats", options.Stats } })
   {
-    for (const auto& [other, name] : files)
+    const std::string input = files->FindInput(output);
+    if (!input.empty())
     {
-      if (!output.empty() && output == name)
-      {
-        Refuse(option, "'" + output + "' is " + other + " already");
-      }
+      Refuse(option, "'" + output + "' is a file that the input '" + input + "' is read from");
     }
-    files.emplace_back(option, output);
-  }
-  if (options.Output.empty())
-  {
-    Refuse("--output", "needs the name of a file");
+    const std::string path = CanonicalPath(output);
+    if (!path.empty() && std::find(paths.begin(), paths.end(), path) != paths.end())
+    {
+      Refuse(option, "'" + output + "' is another file of the command line already");
+    }
+    paths.push_back(path);
   }
 }
 }

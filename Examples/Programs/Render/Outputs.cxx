@@ -11,45 +11,17 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
+#include <cpl_vsi.h>
 #include <gdal.h>
 
-#include <cerrno>
 #include <cstddef>
-#include <cstdio>
-#include <cstring>
 #include <limits>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <memory>
 
 namespace
 {
-
-/// Writes bytes to the temporary file, and makes sure that all of them arrived.
-void WriteBytes(const void* bytes, std::size_t size, const PendingFile& file)
-{
-  std::FILE* stream = std::fopen(file.GetTemporaryPath().c_str(), "wb");
-  bool written = stream != nullptr;
-  if (stream)
-  {
-    written = std::fwrite(bytes, 1, size, stream) == size;
-    const int error = errno;
-    if (std::fclose(stream) != 0)
-    {
-      written = false;
-    }
-    else if (!written)
-    {
-      errno = error;
-    }
-  }
-  if (!written)
-  {
-    throw Failure(file.GetPath(), std::strerror(errno));
-  }
-}
 
 /// The rows of the image from the top down, into the band.
 CPLErr WriteRows(GDALRasterBandH band, vtkImageData* depths)
@@ -66,50 +38,39 @@ CPLErr WriteRows(GDALRasterBandH band, vtkImageData* depths)
 }
 
 //------------------------------------------------------------------------------
-PendingFile::PendingFile(std::string path)
-  : Path(std::move(path))
+PendingFile::PendingFile(const std::string& path)
+  : Path(path)
+  , Wanted(!path.empty())
 {
-  if (this->Path.empty())
+  // Made at once: what cannot be written is said before the work, not after it.
+  if (this->Wanted && !this->File->Open(path))
   {
-    return;
-  }
-  struct stat status = {};
-  if (stat(this->Path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
-  {
-    throw Failure(this->Path, S_ISDIR(status.st_mode) ? "is a directory" : "is no regular file");
-  }
-  // Made and removed at once: what cannot be written is said before the work, not after it.
-  this->TemporaryPath = this->Path + ".part" + std::to_string(getpid());
-  const int file = open(this->TemporaryPath.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
-  if (file < 0)
-  {
-    throw Failure(this->Path, std::strerror(errno));
-  }
-  close(file);
-  std::remove(this->TemporaryPath.c_str());
-}
-
-//------------------------------------------------------------------------------
-PendingFile::~PendingFile()
-{
-  if (!this->TemporaryPath.empty())
-  {
-    std::remove(this->TemporaryPath.c_str());
+    throw Failure(this->File->GetErrorMessage());
   }
 }
 
 //------------------------------------------------------------------------------
-void PendingFile::Commit()
+void PendingFile::Write(const void* bytes, std::size_t size) const
 {
-  if (this->TemporaryPath.empty())
+  if (!this->File->Write(bytes, size))
   {
-    return;
+    throw Failure(this->File->GetErrorMessage());
   }
-  if (std::rename(this->TemporaryPath.c_str(), this->Path.c_str()) != 0)
+}
+
+//------------------------------------------------------------------------------
+void PendingFile::Fail(const std::string& reason) const
+{
+  throw Failure(this->Path, reason);
+}
+
+//------------------------------------------------------------------------------
+void PendingFile::Commit() const
+{
+  if (this->Wanted && !this->File->Commit())
   {
-    throw Failure(this->Path, std::strerror(errno));
+    throw Failure(this->File->GetErrorMessage());
   }
-  this->TemporaryPath.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -127,9 +88,9 @@ void WritePicture(vtkRenderWindow* window, const PendingFile& file)
   vtkUnsignedCharArray* bytes = writer->GetResult();
   if (!bytes || bytes->GetNumberOfValues() == 0)
   {
-    throw Failure(file.GetPath(), "the picture could not be encoded");
+    file.Fail("the picture could not be encoded");
   }
-  WriteBytes(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()), file);
+  file.Write(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
 }
 
 //------------------------------------------------------------------------------
@@ -140,11 +101,12 @@ void WriteDepths(vtkImageData* depths, const PendingFile& file)
   CPLPushErrorHandler(CPLQuietErrorHandler);
   CPLErrorReset();
   GDALDriverH driver = GDALGetDriverByName("GTiff");
+  // In memory first: what a file system lacks is told by the one writer of outputs.
+  const std::string name = "/vsimem/vtkTerrain/depths.tif";
   const char* creationOptions[] = { "COMPRESS=DEFLATE", "PREDICTOR=3", nullptr };
-  GDALDatasetH dataset = driver
-    ? GDALCreate(driver, file.GetTemporaryPath().c_str(), dimensions[0], dimensions[1], 1,
-        GDT_Float32, const_cast<char**>(creationOptions))
-    : nullptr;
+  GDALDatasetH dataset = driver ? GDALCreate(driver, name.c_str(), dimensions[0], dimensions[1], 1,
+                                    GDT_Float32, const_cast<char**>(creationOptions))
+                                : nullptr;
   bool written = false;
   if (dataset)
   {
@@ -158,12 +120,16 @@ void WriteDepths(vtkImageData* depths, const PendingFile& file)
   CPLPopErrorHandler();
   if (failed)
   {
-    throw Failure(file.GetPath(), reason.empty() ? "the depths could not be written" : reason);
+    file.Fail(reason.empty() ? "the depths could not be encoded" : reason);
   }
+  vsi_l_offset size = 0;
+  const std::unique_ptr<GByte, void (*)(void*)> bytes(
+    VSIGetMemFileBuffer(name.c_str(), &size, TRUE), CPLFree);
+  file.Write(bytes.get(), size);
 }
 
 //------------------------------------------------------------------------------
 void WriteText(const std::string& text, const PendingFile& file)
 {
-  WriteBytes(text.data(), text.size(), file);
+  file.Write(text.data(), text.size());
 }

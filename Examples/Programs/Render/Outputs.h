@@ -7,46 +7,42 @@
 #ifndef terrain_render_Outputs_h
 #define terrain_render_Outputs_h
 
+#include "vtkNew.h"
+#include "vtkTerrainOutputFile.h"
+
+#include <cstddef>
 #include <string>
 
 class vtkImageData;
 class vtkRenderWindow;
 
 /**
- * A file under a temporary name beside its own, removed unless it is committed. Several are written
- * first and committed then, so that a failure of the last leaves none of them behind.
+ * An output that is removed unless it is committed. Several are written first and committed then,
+ * so that a failure of the last leaves none of them behind.
  */
 class PendingFile
 {
 public:
   /// Throws a Failure if the file cannot be made where `path` says; an empty path stands for no
   /// file at all.
-  explicit PendingFile(std::string path);
-  ~PendingFile();
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
+  explicit PendingFile(const std::string& path);
 
   /// True unless the path is empty.
   bool IsWanted() const
   {
-    return !this->Path.empty();
+    return this->Wanted;
   }
-  const std::string& GetPath() const
-  {
-    return this->Path;
-  }
-  /// Where the content goes until Commit().
-  const std::string& GetTemporaryPath() const
-  {
-    return this->TemporaryPath;
-  }
-
+  /// Appends bytes. Throws a Failure.
+  void Write(const void* bytes, std::size_t size) const;
+  /// Throws a Failure about this file.
+  [[noreturn]] void Fail(const std::string& reason) const;
   /// Gives the file its own name; what was there is replaced. Throws a Failure.
-  void Commit();
+  void Commit() const;
 
 private:
   std::string Path;
-  std::string TemporaryPath;
+  bool Wanted;
+  vtkNew<vtkTerrainOutputFile> File;
 };
 
 /// Writes the colours of the window as PNG. Throws a Failure.

@@ -10,6 +10,7 @@
 #include "vtkPolyData.h"
 #include "vtkTerrainGeoid.h"
 #include "vtkTerrainGeoreference.h"
+#include "vtkTerrainOutputFile.h"
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
@@ -141,6 +142,11 @@ bool IsRepeated(GDALDatasetH file, OGRLayerH layer)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> ReadVectors(const std::string& path, vtkTerrainGeoreference* scene)
 {
+  const std::string whyNot = vtkTerrainOutputFile::WhyNotInput(path);
+  if (!whyNot.empty())
+  {
+    throw Failure(path, whyNot);
+  }
   GDALAllRegister();
   CPLSetThreadLocalConfigOption("GPX_ELE_AS_25D", "YES"); // heights of GPX as coordinates
   CPLErrorReset();

@@ -7,6 +7,7 @@
  */
 #include "Annotations.h"
 #include "Draping.h"
+#include "Ending.h"
 #include "Failure.h"
 #include "Frames.h"
 #include "Messages.h"
@@ -85,7 +86,8 @@ int main(int argc, char* argv[])
     {
       return *status;
     }
-    CatchMessages();
+    EndOnSignals("terrain-render: stopped on request\n");
+    CatchMessages("terrain-render");
     Render(options);
     return EXIT_SUCCESS;
   }

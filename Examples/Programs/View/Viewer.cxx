@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer.h"
 
+#include "Messages.h"
+
 #include "vtkAxesActor.h"
 #include "vtkCamera.h"
 #include "vtkCaptionActor2D.h"
@@ -12,6 +14,7 @@
 #include "vtkPNGWriter.h"
 #include "vtkProperty.h"
 #include "vtkTextProperty.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
@@ -85,7 +88,7 @@ const char* Viewer::GetHelp()
 }
 
 //------------------------------------------------------------------------------
-Viewer::Viewer(vtkImageData* heights, const std::string& title, int width, int height)
+Viewer::Viewer(vtkImageData* heights, const std::string& name, int width, int height)
   : Places(heights)
 {
   this->Terrain->SetInputData(heights);
@@ -96,7 +99,8 @@ Viewer::Viewer(vtkImageData* heights, const std::string& title, int width, int h
   this->Renderer->SetNearClippingPlaneTolerance(1e-5); // the eye may come close to the ground
   this->Window->SetMultiSamples(0);
   this->Window->SetSize(width, height);
-  this->Window->SetWindowName(title.c_str());
+  this->Window->SetWindowName((name + " - terrain-view").c_str());
+  this->Picture->AddInput(name);
   this->Window->AddRenderer(this->Renderer);
   this->Interactor->SetRenderWindow(this->Window);
   this->AddLights();
@@ -315,8 +319,17 @@ void Viewer::SavePicture()
   capture->ReadFrontBufferOff();
   const vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(capture->GetOutputPort());
-  writer->SetFileName(kPictureFile);
+  writer->WriteToMemoryOn();
   writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (!bytes ||
+    !(this->Picture->Open(kPictureFile) &&
+      this->Picture->Write(
+        bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues())) &&
+      this->Picture->Commit()))
+  {
+    Warn("the picture is not saved: " + this->Picture->GetErrorMessage());
+  }
 }
 
 //------------------------------------------------------------------------------

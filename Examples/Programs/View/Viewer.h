@@ -23,6 +23,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTerrainActor.h"
 #include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainOutputFile.h"
 #include "vtkTerrainPicker.h"
 #include "vtkTextActor.h"
 
@@ -33,8 +34,8 @@
 class Viewer
 {
 public:
-  /// Of heights that have a surface; title: of the window.
-  Viewer(vtkImageData* heights, const std::string& title, int width, int height);
+  /// Of heights that have a surface, read from the file `name`, which no picture replaces.
+  Viewer(vtkImageData* heights, const std::string& name, int width, int height);
 
   vtkTerrainActor* GetTerrain()
   {
@@ -88,6 +89,7 @@ private:
   vtkNew<vtkTerrainCoarseMesh> Mesh;
   vtkNew<vtkPolyDataMapper> MeshMapper;
   vtkNew<vtkActor> MeshActor;
+  vtkNew<vtkTerrainOutputFile> Picture;
 };
 
 #endif

@@ -5,6 +5,9 @@
  * terrain-view: a window on a file of heights. What keys do is told by --help, and by the key h.
  * Exit status: 0, 2 for a wrong command line, 1 otherwise, with one line on stderr.
  */
+#include "Ending.h"
+#include "Failure.h"
+#include "Messages.h"
 #include "Viewer.h"
 
 #include "vtkImageAlgorithm.h"
@@ -42,35 +45,28 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const std::string& file)
   return reader;
 }
 
-int Fail(const std::string& what, const std::string& why)
-{
-  std::cerr << "terrain-view: " << what << ": " << why << '\n';
-  return EXIT_FAILURE;
-}
-
-int Show(const Options& options)
+void Show(const Options& options)
 {
   const char* display = std::getenv("DISPLAY");
   if (!display || !*display)
   {
-    return Fail("DISPLAY", "is not set, and a window needs an X server (terrain-render does not)");
+    throw Failure(
+      "DISPLAY", "is not set, and a window needs an X server (terrain-render does not)");
   }
+  // No window that nobody would see.
+  setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkXOpenGLRenderWindow", 1);
   const std::string name = options.Heights.empty() ? "built-in landscape" : options.Heights;
   const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(options.Heights);
   source->Update();
-  auto* reader = vtkTerrainRasterReader::SafeDownCast(source);
-  if (reader && *reader->GetErrorMessage())
-  {
-    return EXIT_FAILURE; // it has said why
-  }
-  Viewer viewer(source->GetOutput(), name + " - terrain-view", options.Width, options.Height);
+  ThrowOnError(name);
+  Viewer viewer(source->GetOutput(), name, options.Width, options.Height);
   if (!viewer.GetTerrain()->HasSurface())
   {
-    return Fail(name, "no four neighbouring samples all have heights");
+    throw Failure(name, "no four neighbouring samples all have heights");
   }
   viewer.GetTerrain()->SetVerticalExaggeration(options.Exaggeration);
   viewer.Run();
-  return EXIT_SUCCESS;
+  ThrowOnError(name);
 }
 
 /// Fills in the options; the exit status if there is nothing to show.
@@ -111,7 +107,14 @@ int main(int argc, char* argv[])
   {
     Options options;
     const std::optional<int> status = ParseCommandLine(argc, argv, options);
-    return status ? *status : Show(options);
+    if (status)
+    {
+      return *status;
+    }
+    EndOnSignals("terrain-view: stopped on request\n");
+    CatchMessages("terrain-view");
+    Show(options);
+    return EXIT_SUCCESS;
   }
   catch (const std::exception& error)
   {

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/strips/HierarchyFile.h"
 
+#include "core/files/OutputFile.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 #include <functional>
 #include <vector>
 
 #include <fcntl.h>
 #include <sys/mman.h>
-#include <unistd.h>
 
 namespace terrain
 {
@@ -146,41 +146,33 @@ std::string WhyNotHeader(const FileHeader& header, std::size_t fileSize)
   return HierarchyLayout::WhyNotSize(header.Width, header.Height);
 }
 
-/// A file under construction. Its destructor removes it unless it was finished.
-class PartialFile
+/// An output whose space is reserved on the disk and mapped.
+class MappedOutput
 {
 public:
-  explicit PartialFile(std::string path)
-    : FinalPath(std::move(path))
-    , Path(this->FinalPath + ".partial")
-  {
-  }
-  PartialFile(const PartialFile&) = delete;
-  PartialFile& operator=(const PartialFile&) = delete;
-  ~PartialFile()
+  MappedOutput() = default;
+  MappedOutput(const MappedOutput&) = delete;
+  MappedOutput& operator=(const MappedOutput&) = delete;
+  ~MappedOutput()
   {
     this->Unmap();
-    if (this->Descriptor >= 0)
-    {
-      close(this->Descriptor);
-      unlink(this->Path.c_str());
-    }
   }
 
   /// Reserves `size` bytes on the disk and maps them.
-  std::string Create(std::size_t size)
+  std::string Create(const std::string& path, std::size_t size)
   {
-    this->Descriptor = open(this->Path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (this->Descriptor < 0)
+    std::string error = this->File.Open(path);
+    if (!error.empty())
     {
-      return std::strerror(errno);
+      return error;
     }
-    const int error = posix_fallocate(this->Descriptor, 0, static_cast<off_t>(size));
-    if (error != 0)
+    const int reserved = posix_fallocate(this->File.GetDescriptor(), 0, static_cast<off_t>(size));
+    if (reserved != 0)
     {
-      return std::strerror(error);
+      return std::strerror(reserved);
     }
-    void* begin = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, this->Descriptor, 0);
+    void* begin =
+      mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, this->File.GetDescriptor(), 0);
     if (begin == MAP_FAILED)
     {
       return std::strerror(errno);
@@ -198,28 +190,12 @@ public:
   /// Flushes the file to the disk and gives it its name.
   std::string Finish()
   {
-    if (msync(this->Begin, this->Size, MS_SYNC) != 0 || fsync(this->Descriptor) != 0)
+    if (msync(this->Begin, this->Size, MS_SYNC) != 0)
     {
       return std::strerror(errno);
     }
     this->Unmap();
-    if (std::rename(this->Path.c_str(), this->FinalPath.c_str()) != 0)
-    {
-      return std::strerror(errno);
-    }
-    close(this->Descriptor);
-    this->Descriptor = -1;
-    const std::size_t slash = this->FinalPath.rfind('/');
-    const std::string folder =
-      slash == std::string::npos ? "." : this->FinalPath.substr(0, std::max<std::size_t>(slash, 1));
-    const int folderDescriptor = open(folder.c_str(), O_RDONLY | O_CLOEXEC);
-    if (folderDescriptor >= 0)
-    {
-      // So that the name survives a power failure; a file system that cannot is no error.
-      fsync(folderDescriptor);
-      close(folderDescriptor);
-    }
-    return {};
+    return this->File.Commit();
   }
 
 private:
@@ -232,9 +208,7 @@ private:
     }
   }
 
-  std::string FinalPath;
-  std::string Path;
-  int Descriptor = -1;
+  OutputFile File;
   unsigned char* Begin = nullptr;
   std::size_t Size = 0;
 };
@@ -245,8 +219,8 @@ std::string WriteFile(const std::string& path, const HierarchyLayout& layout,
   const std::function<std::string(HierarchyTarget&)>& fill)
 {
   const FileParts parts(layout.RecordCount(), crs.size());
-  PartialFile file(path);
-  std::string error = file.Create(parts.End);
+  MappedOutput file;
+  std::string error = file.Create(path, parts.End);
   if (!error.empty())
   {
     return error;

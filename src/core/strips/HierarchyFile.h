@@ -10,8 +10,8 @@
  * state, sizes, geometry, checksums of itself and of the table. Numbers are in the byte order of
  * the machine that wrote the file; others refuse it.
  *
- * A file is written under its name with ".partial" appended, all of its space reserved first, then
- * flushed to the disk and renamed: under its own name it is complete.
+ * A file is written as an OutputFile, all of its space reserved first: under its own name it is
+ * complete.
  */
 #ifndef terrain_HierarchyFile_h
 #define terrain_HierarchyFile_h

@@ -114,7 +114,8 @@ MappedFile::~MappedFile()
 std::string MappedFile::Open(const std::string& path)
 {
   this->Close();
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // Opening a pipe would wait for its writer.
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0)
   {
     return std::strerror(errno);

@@ -4,14 +4,14 @@
  * @file
  * VTK's error messages, caught so that the program can end with the first of them.
  */
-#ifndef terrain_render_Messages_h
-#define terrain_render_Messages_h
+#ifndef terrain_common_Messages_h
+#define terrain_common_Messages_h
 
 #include <string>
 
 /// Takes VTK's messages over for the rest of the program: errors are kept, warnings are printed on
-/// stderr as one line each.
-void CatchMessages();
+/// stderr as one line each. `program` begins them; it must live as long as the program.
+void CatchMessages(const char* program);
 
 /// Prints a warning of the program itself on stderr, as one line.
 void Warn(const std::string& text);

@@ -15,6 +15,8 @@
 
 namespace
 {
+const char* Program = "";
+
 /// The text of a message in one line: without "ERROR: In file, line n", without the object.
 std::string Sentence(const std::string& message)
 {
@@ -83,8 +85,9 @@ vtkStandardNewMacro(MessageCatcher);
 }
 
 //------------------------------------------------------------------------------
-void CatchMessages()
+void CatchMessages(const char* program)
 {
+  Program = program;
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   const vtkNew<MessageCatcher> catcher;
   vtkOutputWindow::SetInstance(catcher);
@@ -93,7 +96,7 @@ void CatchMessages()
 //------------------------------------------------------------------------------
 void Warn(const std::string& text)
 {
-  std::cerr << "terrain-render: warning: " << text << '\n';
+  std::cerr << Program << ": warning: " << text << '\n';
 }
 
 //------------------------------------------------------------------------------

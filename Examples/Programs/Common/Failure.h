@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What ends the program with status 1.
+ * What ends a program with status 1.
  */
-#ifndef terrain_render_Failure_h
-#define terrain_render_Failure_h
+#ifndef terrain_common_Failure_h
+#define terrain_common_Failure_h
 
 #include <stdexcept>
 #include <string>
