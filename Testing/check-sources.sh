@@ -22,6 +22,11 @@ for file in $cxx $glsl $python; do
   lines=$(wc -l <"$file")
   [ "$lines" -le "$maximum_lines" ] || offence "$file: $lines lines, at most $maximum_lines"
 done
+# clang-format leaves comments alone, for it would run the rows of tables together.
+# shellcheck disable=SC2086
+! grep -nE '^.{101,}$' $cxx >&2 || offence "lines longer than 100 columns"
+# shellcheck disable=SC2086
+! grep -nE '^ *(\*|///?) .* \| \| ' $cxx >&2 || offence "rows of a table run together"
 for file in $glsl; do
   ! LC_ALL=C grep -nP '[^\x00-\x7F]' "$file" >&2 || offence "$file: not ASCII"
   ! grep -n '__' "$file" >&2 || offence "$file: two underscores in a row are reserved in GLSL"

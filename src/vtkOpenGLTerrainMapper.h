@@ -7,13 +7,14 @@
  * Draws the exact bilinear surface of a heightfield without a mesh of its samples. Two inputs:
  *
  *   port 0  vtkPolyData. For the searches the closed hull of vtkTerrainCoarseMesh, above which the
- * terrain never rises; for the technique Mesh, the mesh to draw. Without one, by default, the box
- * of the heights: all that the technique Pyramid needs, and a poor hull for the searches. port 1
- * vtkImageData, the heights: W x H x 1 points whose active point scalars have one component of any
- * numeric type; a row south to north, spacing and origin in the unit of the heights. NaN,
- * infinities and points with vtkDataSetAttributes::HIDDENPOINT set have no height; a cell that
- * touches one has no surface. Optional for the technique Mesh, which then has the normals of the
- * mesh.
+ *           terrain never rises; for the technique Mesh, the mesh to draw. Without one, by default,
+ *           the box of the heights: all that the technique Pyramid needs, and a poor hull for the
+ *           searches.
+ *   port 1  vtkImageData, the heights: W x H x 1 points whose active point scalars have one
+ *           component of any numeric type. Rows run south to north; spacing and origin are in the
+ *           unit of the heights. NaN, infinite and hidden samples (HIDDENPOINT of
+ *           vtkDataSetAttributes) have no height; a cell that touches one has no surface. Optional
+ *           for the technique Mesh, which then has the normals of the mesh.
  *
  * The fragment shader finds the hit where VTK sets the depth and hands VTK its position, normal and
  * depth; lights, materials, clipping planes, translucency and render passes then work on the hit.

@@ -34,8 +34,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// "egm84", "egm96" or "egm2008" take the finest grid of that model that is installed; a full
-  /// name
-  /// ("egm96-15", or any NAME of a file NAME.pgm) takes just that. Default "egm96".
+  /// name ("egm96-15", or any NAME of a file NAME.pgm) takes just that. Default "egm96".
   void SetModel(const std::string& model);
   const std::string& GetModel() const
   {

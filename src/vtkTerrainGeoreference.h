@@ -16,10 +16,11 @@
  *
  * | frame | is | the earth in it |
  * | --- | --- | --- |
- * | Plane | east, north at the origin (ellipsoidal orthographic, EPSG method 9840), z = height |
- * flat | | Local | east, north, up at the origin, Cartesian (GeographicLib::LocalCartesian) | round
- * | | Geocentric | X, Y, Z from the earth's centre | round | | Zone | UTM, or UPS near the poles
- * (GeographicLib::UTMUPS), z = height | flat | | Grid | the file's own grid, in metres | flat |
+ * | Plane      | east, north at the origin (orthographic, EPSG method 9840), z = height  | flat  |
+ * | Local      | east, north, up at the origin (GeographicLib::LocalCartesian)           | round |
+ * | Geocentric | X, Y, Z from the earth's centre                                         | round |
+ * | Zone       | UTM, or UPS near the poles (GeographicLib::UTMUPS), z = height          | flat  |
+ * | Grid       | the file's own grid, in metres                                          | flat  |
  *
  * Places of CRSs other than WGS84 come from PROJ through GDAL/OGR's C API. Without grids of datum
  * shifts installed, old datums (NAD27) are as good as PROJ's parameters: some metres.

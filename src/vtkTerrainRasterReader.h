@@ -27,17 +27,17 @@
  * warning says so when there are any.
  *
  * Field data, where known:
- * | array | type | what |
- * | --- | --- | --- |
- * | FileName | string | the file |
- * | CRS | string | coordinate reference system as WKT2:2019 |
- * | GeoTransform | 6 doubles | GDAL's transform from pixel corners of the whole file to the CRS |
- * | RasterSize | 2 doubles | columns and rows of the whole file |
- * | RasterWindow | 4 doubles | x, y, width, height of the part that is read, in pixels of the file
- * | | LayoutOrigin | 2 doubles | place in the CRS that lies at x = 0, y = 0 | | LayoutScale | 2
- * doubles | metres per unit of the CRS: CRS = LayoutOrigin + (x, y) / LayoutScale | | VerticalUnit
- * | string | name of the unit of the file's heights | | VerticalScale | 1 double | metres in that
- * unit, already applied to the scalars; else 1 |
+ * | array         | type      | what                                                           |
+ * | ---           | ---       | ---                                                            |
+ * | FileName      | string    | the file                                                       |
+ * | CRS           | string    | coordinate reference system as WKT2:2019                       |
+ * | GeoTransform  | 6 doubles | GDAL's, from pixel corners of the whole file to the CRS        |
+ * | RasterSize    | 2 doubles | columns and rows of the whole file                             |
+ * | RasterWindow  | 4 doubles | x, y, width, height of the part read, in pixels of the file    |
+ * | LayoutOrigin  | 2 doubles | place in the CRS that lies at x = 0, y = 0                     |
+ * | LayoutScale   | 2 doubles | metres a unit: CRS = LayoutOrigin + (x, y) / LayoutScale       |
+ * | VerticalUnit  | string    | name of the unit of the file's heights                         |
+ * | VerticalScale | 1 double  | metres in that unit, already applied to the scalars; else 1    |
  *
  * A directory is read as one raster of the tiles in it (.tif .tiff .hgt .dem .asc .img .dt0 to .dt2
  * .bil .flt .grd .jp2), which must have one CRS; between them are no data, and within them where

@@ -6,9 +6,9 @@
  * format. A texel is a code plus Bias. Valid codes are >= 0, so that one comparison tells no data.
  *
  *   UInt16   integers whose range fits 16 bits: code = h - Offset, Scale = 1. Where there are no
- * data, Bias = 1 and the texel 0 means none. Float32  everything else: code = h - Offset, rounded
- * to float; Offset is the lowest height, so that small relief on a large height keeps its
- * precision. The texel -1 means none.
+ *            data, Bias = 1 and the texel 0 means none.
+ *   Float32  everything else: code = h - Offset, rounded to float. Offset is the lowest height, so
+ *            that small relief on a large height keeps its precision. The texel -1 means none.
  */
 #ifndef terrain_HeightCodes_h
 #define terrain_HeightCodes_h

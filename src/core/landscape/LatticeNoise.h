@@ -140,9 +140,8 @@ inline float PeriodicCosine(float x)
 /// Waves across a direction of flow that changes from sample to sample: gullies down a slope.
 ///
 /// About the four lattice nodes around a sample, waves of one cell's length run along (acrossX,
-/// acrossY)[k] (unit vectors, lattice axes) with a random phase each; blended, they give values[k]
-/// in
-/// [-1, 1], and rates[k], their change per cell in that direction, over 2 pi.
+/// acrossY)[k] (unit vectors, lattice axes) with a random phase each; blended, they give values[k],
+/// in [-1, 1], and rates[k], their change per cell in that direction, over 2 pi.
 /// Source: the idea of Phacelle noise (R. Johansen 2025, after C. John's erosion noise), here with
 /// the four nearest nodes and a polynomial wave.
 inline void FlowNoiseRow(const LatticeAxis& axis, std::int64_t cellY, float offsetY,

@@ -12,13 +12,14 @@
  * itself, not only that of the vertex which was left out. Half cells cannot be split; on them the
  * distance is |h00 + h11 - h10 - h01| / 4 at most and 0 on their edges along the grid.
  *
- *   Squares of up to 64 cells: E is computed over all samples of T. On whole cells the difference
- * of a bilinear and a linear function has its extremes at the corners; on the cells that an edge of
- * T cuts along their diagonal it is a parabola there, whose peak is taken. Above, across the
- * raster's border, and beside holes: E(T) <= |surface with v - surface without v| + the largest
- * error of v's children, by the triangle inequality. If part of a triangle has no surface, it is
- * not drawn at all, so the drawn surface may end early by the triangle's diameter: that is the
- * error then.
+ *   Squares of up to 64 cells:
+ *     E is computed over all samples of T. On whole cells the difference of a bilinear and a linear
+ *     function has its extremes at the corners. On the cells that an edge of T cuts along their
+ *     diagonal it is a parabola there, whose peak is taken.
+ *   Larger squares, across the raster's border, and beside holes:
+ *     E(T) <= |surface with v - surface without v| + the largest error of v's children, by the
+ *     triangle inequality. A triangle of which part has no surface is not drawn at all, so that the
+ *     drawn surface may end early by the triangle's diameter: that is the error then.
  *
  * The radius of a vertex is that of a sphere around it that holds its diamond, its corners, and the
  * spheres of its children, so it bounds the surface for culling and for the distance to the eye.
