@@ -34,7 +34,7 @@ set(private_sources
   vtkOpenGLTerrainMapperPasses
   vtkOpenGLTerrainMapperShaders
   vtkOpenGLTerrainMapperUniforms
-  data/ImageRayCaster
+  data/ImageSurface
   data/MeshOutput
   data/StripsOutput
   place/GeoreferencePrepare

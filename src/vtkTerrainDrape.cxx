@@ -95,7 +95,7 @@ struct Rule
     {
       height = along.z - this->Geometry.Origin.z + this->Offset;
     }
-    return { along.x, along.y, this->Geometry.Origin.z + this->Geometry.Exaggeration * height };
+    return { along.x, along.y, this->Geometry.ToModel({ 0.0, 0.0 }, height).z };
   }
 };
 
@@ -243,8 +243,7 @@ int vtkTerrainDrape::RequestData(
     return 0;
   }
   Rule rule;
-  rule.Geometry = terrain::ImageHeights::Geometry(image);
-  rule.Geometry.Exaggeration = this->Exaggeration;
+  rule.Geometry = terrain::ImageHeights::Geometry(image, this->Exaggeration);
   rule.Mode = this->Mode;
   rule.Offset = this->Offset;
   rule.Tolerance = this->Tolerance > 0.0

@@ -3,10 +3,11 @@
 #include "vtkTerrainPicker.h"
 
 #include "data/ImageHeights.h"
-#include "data/ImageRayCaster.h"
+#include "data/ImageSurface.h"
 #include "vtkOpenGLTerrainMapper.h"
 
-#include "core/rays/SurfacePath.h"
+#include "core/rays/RayQuery.h"
+#include "core/surface/Cutting.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -28,51 +29,105 @@ vtkStandardNewMacro(vtkTerrainPicker);
 
 namespace
 {
-/// Heights as an actor shows them.
+/// A terrain as an actor shows it.
 struct ShownTerrain
 {
+  /// Null if the actor shows no terrain.
   vtkImageData* Heights = nullptr;
-  double Exaggeration = 1.0;
-  /// In model coordinates: what is drawn of the heights.
-  glm::dvec2 Lowest{ 0.0 };
-  glm::dvec2 Highest{ 0.0 };
+  /// Cells of the surface along a cell of the heights.
+  int CellsPerCell = 1;
+  terrain::Surface Surface;
   vtkNew<vtkMatrix4x4> ModelToWorld;
   vtkNew<vtkMatrix4x4> WorldToModel;
-
-  terrain::GridGeometry Geometry() const
-  {
-    terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(this->Heights);
-    geometry.Exaggeration = this->Exaggeration;
-    return geometry;
-  }
 };
 
-/// Heights and exaggeration of a mapper; Heights stay null if it draws no terrain.
-void readMapper(vtkMapper* mapper, ShownTerrain& shown)
+/// The surfaces of all images of heights that were asked for, as long as the images are there.
+class KnownSurfaces
 {
-  auto* terrainMapper = vtkOpenGLTerrainMapper::SafeDownCast(mapper);
-  vtkImageData* heights = terrainMapper ? terrainMapper->GetHeights() : nullptr;
-  if (terrain::ImageHeights::WhyNotHeights(heights).empty())
+public:
+  /// The surface of an image, scanned if need be; counts scans.
+  terrain::ImageSurface& Of(vtkImageData* image, int& scans)
   {
-    shown.Heights = heights;
-    shown.Exaggeration = terrainMapper->GetVerticalExaggeration();
-    const double* bounds = terrainMapper->GetBounds();
-    shown.Lowest = { bounds[0], bounds[2] };
-    shown.Highest = { bounds[1], bounds[3] };
+    this->Surfaces.remove_if(
+      [](const terrain::ImageSurface& surface) { return surface.GetImage() == nullptr; });
+    auto found = std::find_if(this->Surfaces.begin(), this->Surfaces.end(),
+      [image](const terrain::ImageSurface& surface) { return surface.GetImage() == image; });
+    if (found == this->Surfaces.end())
+    {
+      this->Surfaces.emplace_back();
+      found = std::prev(this->Surfaces.end());
+    }
+    scans += found->SetImage(image) ? 1 : 0;
+    return *found;
+  }
+
+private:
+  std::list<terrain::ImageSurface> Surfaces;
+};
+
+/// What a mapper cuts away of its surface: all but the drawn rectangle and the block below it, and
+/// what clipping planes cut off.
+void readPlanes(vtkOpenGLTerrainMapper* mapper, vtkMatrix4x4* modelToWorld, ShownTerrain& shown)
+{
+  terrain::Surface& surface = shown.Surface;
+  const double* bounds = mapper->GetBounds();
+  terrain::GridGeometry heights = surface.Frame;
+  heights.Spacing *= static_cast<double>(shown.CellsPerCell);
+  terrain::Cutting cutting;
+  cutting.Extracts = true;
+  cutting.First = glm::ivec2(glm::round(glm::dvec2(heights.ToGrid({ bounds[0], bounds[2], 0.0 }))));
+  cutting.Last = glm::ivec2(glm::round(glm::dvec2(heights.ToGrid({ bounds[1], bounds[3], 0.0 }))));
+  cutting.Block = surface.Block;
+  const glm::ivec2 size(surface.Heights->CellCount() + std::int64_t{ 1 });
+  surface.Planes =
+    cutting.PlanesGC(cutting.Drawn(size, shown.CellsPerCell), mapper->GetBlockBase());
+  for (int i = 0; i < mapper->GetNumberOfClippingPlanes(); ++i)
+  {
+    double plane[4];
+    mapper->GetClippingPlaneInDataCoords(modelToWorld, i, plane);
+    surface.Planes.push_back(surface.Frame.PlaneToGrid({ plane[0], plane[1], plane[2], plane[3] }));
   }
 }
 
-/// What an actor shows, up to date; Heights stay null if that is no terrain.
-void readActor(vtkActor* actor, ShownTerrain& shown)
+/// The terrain of a mapper and of its actor's matrix.
+void readMapper(vtkMapper* anyMapper, vtkMatrix4x4* modelToWorld, KnownSurfaces& known, int& scans,
+  ShownTerrain& shown)
 {
-  if (!actor || !actor->GetMapper())
+  auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(anyMapper);
+  vtkImageData* heights = mapper ? mapper->GetHeights() : nullptr;
+  if (!terrain::ImageHeights::WhyNotHeights(heights).empty())
   {
     return;
   }
-  actor->GetMapper()->GetBounds(); // brings the heights up to date
-  readMapper(actor->GetMapper(), shown);
-  shown.ModelToWorld->DeepCopy(actor->GetMatrix());
+  shown.Heights = heights;
+  const bool rays = mapper->GetTechnique() != vtkOpenGLTerrainMapper::Techniques::Mesh;
+  const bool all = mapper->GetTechnique() == vtkOpenGLTerrainMapper::Techniques::Pyramid;
+  vtkImageData* detail = rays ? mapper->GetDetail() : nullptr;
+  terrain::ImageSurface& surface = known.Of(heights, scans);
+  surface.SetDetail(detail);
+  shown.CellsPerCell = detail ? mapper->GetDetailCells() : 1;
+  shown.Surface = surface.GetDetailedSurface(
+    mapper->GetVerticalExaggeration(), shown.CellsPerCell, mapper->GetDetailScale());
+  shown.Surface.Kind = all && mapper->GetSurface() == vtkOpenGLTerrainMapper::Surfaces::Columns
+    ? terrain::SurfaceKind::Columns
+    : terrain::SurfaceKind::Bilinear;
+  shown.Surface.Block = all && mapper->GetBlock();
+  if (shown.Surface.HasCells())
+  {
+    readPlanes(mapper, modelToWorld, shown);
+  }
+  shown.ModelToWorld->DeepCopy(modelToWorld);
   vtkMatrix4x4::Invert(shown.ModelToWorld, shown.WorldToModel);
+}
+
+/// The terrain of an actor, up to date.
+void readActor(vtkActor* actor, KnownSurfaces& known, int& scans, ShownTerrain& shown)
+{
+  if (actor && actor->GetMapper())
+  {
+    actor->GetMapper()->GetBounds(); // brings the heights up to date
+    readMapper(actor->GetMapper(), actor->GetMatrix(), known, scans, shown);
+  }
 }
 
 glm::dvec3 transform(vtkMatrix4x4* matrix, const glm::dvec3& point)
@@ -98,34 +153,13 @@ double mix(double a, double b, double t)
   return t >= 1.0 ? b : (1.0 - t) * a + t * b;
 }
 
-/// Narrows a ray to the columns and rows that are drawn; its end lies before its begin if it passes
-/// beside them.
-void clipToShown(const ShownTerrain& shown, terrain::ReferenceRay& ray)
-{
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double low = shown.Lowest[axis] - ray.Origin[axis];
-    const double high = shown.Highest[axis] - ray.Origin[axis];
-    const double pace = ray.Direction[axis];
-    if (pace != 0.0)
-    {
-      ray.Begin = std::max(ray.Begin, std::min(low / pace, high / pace));
-      ray.End = std::min(ray.End, std::max(low / pace, high / pace));
-    }
-    else if (low > 0.0 || high < 0.0)
-    {
-      ray.End = -1.0;
-    }
-  }
-}
-
 /// Collects a profile.
 class ProfileLines
 {
 public:
   ProfileLines(const ShownTerrain& shown, const glm::dvec3& from, const glm::dvec3& to)
     : Shown(shown)
-    , Geometry(shown.Geometry())
+    , Geometry(shown.Surface.Frame)
     , From(from)
     , To(to)
   {
@@ -142,7 +176,9 @@ public:
       this->EndLine();
       return;
     }
-    if (this->Line.empty())
+    const double begin = piece.HeightAt(piece.Begin);
+    const bool jumps = std::abs(begin - this->EndHeight) > 1e-9 * (1.0 + std::abs(begin));
+    if (this->Line.empty() || jumps)
     {
       this->AddPoint(piece, piece.Begin);
     }
@@ -169,7 +205,8 @@ private:
     const glm::dvec3 along = this->From + t * (this->To - this->From);
     const double height = piece.HeightAt(t);
     const glm::dvec3 point = transform(this->Shown.ModelToWorld,
-      { along.x, along.y, this->Geometry.Origin.z + this->Geometry.Exaggeration * height });
+      { along.x, along.y, this->Geometry.ToModel({ 0.0, 0.0 }, height).z });
+    this->EndHeight = height;
     this->Line.push_back(this->Points->InsertNextPoint(point.x, point.y, point.z));
     this->Distances->InsertNextValue(t * glm::length(glm::dvec2(this->To - this->From)));
     this->Heights->InsertNextValue(height);
@@ -193,6 +230,8 @@ private:
   vtkNew<vtkDoubleArray> Distances;
   vtkNew<vtkDoubleArray> Heights;
   std::vector<vtkIdType> Line;
+  /// Of the last point.
+  double EndHeight = 0.0;
 };
 }
 
@@ -200,30 +239,13 @@ private:
 class vtkTerrainPicker::vtkInternals
 {
 public:
-  /// The caster over an image, scanned if need be; counts scans. Casters of images that are gone
-  /// are dropped.
-  const terrain::ImageRayCaster& CasterOf(vtkImageData* image, int& scans)
-  {
-    this->Casters.remove_if(
-      [](const terrain::ImageRayCaster& caster) { return caster.GetImage() == nullptr; });
-    auto found = std::find_if(this->Casters.begin(), this->Casters.end(),
-      [image](const terrain::ImageRayCaster& caster) { return caster.GetImage() == image; });
-    if (found == this->Casters.end())
-    {
-      this->Casters.emplace_back();
-      found = std::prev(this->Casters.end());
-    }
-    scans += found->SetImage(image) ? 1 : 0;
-    return *found;
-  }
-
-private:
-  std::list<terrain::ImageRayCaster> Casters;
+  KnownSurfaces Surfaces;
 };
 
 //------------------------------------------------------------------------------
 vtkTerrainPicker::vtkTerrainPicker()
   : GridPosition{ vtkMath::Nan(), vtkMath::Nan() }
+  , Height(vtkMath::Nan())
   , Internals(new vtkInternals)
 {
 }
@@ -238,6 +260,7 @@ void vtkTerrainPicker::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TerrainPicked: " << this->TerrainPicked << "\n";
   os << indent << "GridPosition: " << this->GridPosition[0] << ", " << this->GridPosition[1]
      << "\n";
+  os << indent << "Height: " << this->Height << "\n";
   os << indent << "NumberOfScans: " << this->NumberOfScans << "\n";
 }
 
@@ -246,6 +269,7 @@ void vtkTerrainPicker::ResetPickInfo()
 {
   this->Superclass::ResetPickInfo();
   this->TerrainPicked = false;
+  this->Height = vtkMath::Nan();
   this->GridPosition[0] = vtkMath::Nan();
   this->GridPosition[1] = vtkMath::Nan();
 }
@@ -255,19 +279,17 @@ double vtkTerrainPicker::IntersectActorWithLine(const double p1[3], const double
   double t2, double tol, vtkProp3D* prop, vtkMapper* mapper)
 {
   ShownTerrain shown;
-  readMapper(mapper, shown);
+  readMapper(mapper, prop->GetMatrix(), this->Internals->Surfaces, this->NumberOfScans, shown);
   if (!shown.Heights)
   {
     return this->Superclass::IntersectActorWithLine(p1, p2, t1, t2, tol, prop, mapper);
   }
-  terrain::ReferenceRay ray;
+  // All of the line: the surface knows the clipping planes, which show the inside of a block.
+  terrain::QueryRay ray;
   ray.Origin = { p1[0], p1[1], p1[2] };
   ray.Direction = glm::dvec3(p2[0], p2[1], p2[2]) - ray.Origin;
-  ray.Begin = t1;
-  ray.End = t2;
-  clipToShown(shown, ray);
-  const terrain::ReferenceHit hit =
-    this->Internals->CasterOf(shown.Heights, this->NumberOfScans).Cast(ray, shown.Exaggeration);
+  ray.End = 1.0;
+  const terrain::SurfaceHit hit = terrain::RayQuery(shown.Surface).First(ray);
   if (!hit.Found)
   {
     return VTK_DOUBLE_MAX;
@@ -280,14 +302,16 @@ double vtkTerrainPicker::IntersectActorWithLine(const double p1[3], const double
     this->DataSet = shown.Heights;
     this->Texture =
       vtkActor::SafeDownCast(prop) ? vtkActor::SafeDownCast(prop)->GetTexture() : nullptr;
-    const glm::dvec2 position = glm::dvec2(hit.CellX, hit.CellY) + hit.Fraction;
+    const glm::dvec2 positionGC = glm::dvec2(hit.Cell) + hit.Fraction;
+    const glm::dvec2 position = positionGC / static_cast<double>(shown.CellsPerCell);
+    this->Height = hit.Height;
     this->GridPosition[0] = position.x;
     this->GridPosition[1] = position.y;
     const int* extent = shown.Heights->GetExtent();
     const double structured[3] = { extent[0] + position.x, extent[2] + position.y,
       static_cast<double>(extent[4]) };
     this->SetImageDataPickInfo(structured, extent);
-    const glm::dvec3 point = shown.Geometry().ToModel(position, this->GetHeight());
+    const glm::dvec3 point = shown.Surface.Frame.ToModel(positionGC, hit.Height);
     for (int axis = 0; axis < 3; ++axis)
     {
       this->MapperPosition[axis] = point[axis];
@@ -295,13 +319,6 @@ double vtkTerrainPicker::IntersectActorWithLine(const double p1[3], const double
     }
   }
   return hit.Distance;
-}
-
-//------------------------------------------------------------------------------
-double vtkTerrainPicker::GetHeight() const
-{
-  return this->TerrainPicked ? this->Interpolate(this->DataSet->GetPointData()->GetScalars(), 0)
-                             : vtkMath::Nan();
 }
 
 //------------------------------------------------------------------------------
@@ -353,15 +370,15 @@ bool vtkTerrainPicker::HasLineOfSight(
   vtkActor* terrain, const double from[3], const double to[3], double obstacle[3])
 {
   ShownTerrain shown;
-  readActor(terrain, shown);
-  terrain::ReferenceRay ray;
+  readActor(terrain, this->Internals->Surfaces, this->NumberOfScans, shown);
+  terrain::QueryRay ray;
   ray.Origin = transform(shown.WorldToModel, { from[0], from[1], from[2] });
   ray.Direction = transform(shown.WorldToModel, { to[0], to[1], to[2] }) - ray.Origin;
   if (!shown.Heights || !isFinite(ray.Origin) || !isFinite(ray.Direction))
   {
     return false;
   }
-  const glm::dvec2 spacing = shown.Geometry().Spacing;
+  const glm::dvec2 spacing = shown.Surface.Frame.Spacing * static_cast<double>(shown.CellsPerCell);
   const double cells = glm::length(ray.Direction) / std::min(spacing.x, spacing.y);
   if (cells <= 2.0 * SightMargin)
   {
@@ -369,9 +386,7 @@ bool vtkTerrainPicker::HasLineOfSight(
   }
   ray.Begin = SightMargin / cells;
   ray.End = 1.0 - ray.Begin;
-  clipToShown(shown, ray);
-  const terrain::ReferenceHit hit =
-    this->Internals->CasterOf(shown.Heights, this->NumberOfScans).Cast(ray, shown.Exaggeration);
+  const terrain::SurfaceHit hit = terrain::RayQuery(shown.Surface).First(ray);
   if (hit.Found)
   {
     const glm::dvec3 point =
@@ -387,7 +402,7 @@ bool vtkTerrainPicker::GetProfile(
 {
   profile->Initialize();
   ShownTerrain shown;
-  readActor(terrain, shown);
+  readActor(terrain, this->Internals->Surfaces, this->NumberOfScans, shown);
   const glm::dvec3 start = transform(shown.WorldToModel, { from[0], from[1], from[2] });
   const glm::dvec3 end = transform(shown.WorldToModel, { to[0], to[1], to[2] });
   if (!shown.Heights || !isFinite(start) || !isFinite(end))
@@ -395,14 +410,8 @@ bool vtkTerrainPicker::GetProfile(
     return false;
   }
   ProfileLines lines(shown, start, end);
-  const terrain::GridGeometry geometry = shown.Geometry();
-  terrain::ImageHeights::Dispatch(shown.Heights,
-    [&](const auto& view)
-    {
-      terrain::WalkSurface(view, glm::dvec2(geometry.ToGrid(start)),
-        glm::dvec2(geometry.ToGrid(end)),
-        [&lines](const terrain::SurfacePiece& piece) { lines.Add(piece); });
-    });
+  terrain::RayQuery(shown.Surface)
+    .Along(start, end, [&lines](const terrain::SurfacePiece& piece) { lines.Add(piece); });
   lines.Finish(profile);
   return true;
 }

@@ -4,24 +4,30 @@
  * @class   vtkTerrainPicker
  * @brief   picks the exact point of a terrain's surface
  *
- * A vtkCellPicker that meets the surface which vtkOpenGLTerrainMapper draws, not the mesh on the
- * mapper's port 0. All other props are picked as vtkCellPicker does, and the nearest wins. Use it
+ * This vtkCellPicker meets the surface that vtkOpenGLTerrainMapper draws, not the mesh on the
+ * mapper's port 0. It picks all other props as vtkCellPicker does. The nearest wins. Use it
  * wherever VTK takes a picker: vtkRenderWindowInteractor::SetPicker, vtkRenderer::PickProp.
  *
  * On a terrain, with x and y of Pick in pixels (the centre of a pixel is at + 0.5):
  *   - GetPickPosition, GetPickNormal: in world coordinates, GetMapperPosition, GetMapperNormal: in
- *     model coordinates, exaggerated as drawn; normals point upward, also when picked from below;
+ *     model coordinates, exaggerated as drawn. Normals of the surface point upward, also when it is
+ *     picked from below; those of walls point outward;
  *   - GetDataSet: the image of heights; GetCellId, GetCellIJK, GetPCoords: its cell and the
  *     position in it; GetPointId, GetPointIJK: the nearest sample;
  *   - the methods below: position in the grid, height, values of the image's arrays.
  *
- * Whatever the technique, the bilinear surface is picked, from both sides; cells without data and
- * what clipping planes or an extract of the mapper cut away are not. Face culling plays no role.
- * Not picked are the walls of a block, and what a surface of columns or a detail adds.
+ * What is picked is what is drawn:
+ *   - the bilinear surface, from both sides, whatever the technique;
+ *   - with the technique Pyramid also columns, and the walls, the floor and the cut faces of a
+ * block;
+ *   - the surface with its detail, if it has any, with all techniques but Mesh.
+ * Not picked are cells without data and what clipping planes or an extract of the mapper cut away.
+ * Face culling plays no role.
  *
- * Error: that of double arithmetic, about 1e-15 of the coordinates, wherever the eye is. Cost: the
- * heights are scanned once after each change of their image (not of exaggeration, actor or camera);
- * a ray then passes tiles of 32 x 32 cells that it clears as one, some microseconds a ray.
+ * Method: core/rays/RayQuery.h. Error: that of double arithmetic, about 1e-15 of the coordinates,
+ * wherever the eye is. Cost: the heights are scanned once after each change of their image (not of
+ * exaggeration, actor or camera), and their bounds take 4 % of the heights' memory. A ray then
+ * takes some microseconds.
  *
  * VTK's other pickers: vtkCellPicker meets the triangles of the mapper's port 0, the coarse mesh
  * above the surface, or nothing but the box of the heights: this class replaces it. vtkPropPicker
@@ -64,19 +70,20 @@ public:
   /// fractions; NaN without one.
   vtkGetVector2Macro(GridPosition, double);
 
-  /// Height of the surface there, in the unit of the heights, not exaggerated; NaN without one.
-  double GetHeight() const;
+  /// Height of the picked point, in the unit of the heights, not exaggerated; NaN without one.
+  vtkGetMacro(Height, double);
 
   /// Value of an array of the heights' image there: point data interpolated as the heights are,
   /// else the value of the cell. NaN if there is no such array or component, and without a pick.
   double GetValue(const std::string& arrayName, int component = 0) const;
 
   ///@{
-  /// True if no part of a terrain's surface lies between two points in world coordinates, which may
-  /// lie on the surface: what is within SightMargin of them does not count. A line that touches the
-  /// surface, as between two points on a plain, is none: raise one of them. Otherwise, and if
-  /// given, obstacle is the point of the surface nearest to the first. Also false if the actor has
-  /// no terrain or a point is not finite.
+  /// True if no part of a terrain, as it is picked, lies between two points in world coordinates.
+  /// The points may lie on the surface: what is within SightMargin of them does not count. A line
+  /// that touches the surface counts as blocked. Between two points on a plain, raise one end a
+  /// little. If the line is blocked, obstacle is the point of the terrain nearest to the first
+  /// point. Also false if the actor has no terrain or a point is not finite. The line is straight:
+  /// vtkTerrainViewpoint knows lines of sight over the round earth.
   bool HasLineOfSight(vtkActor* terrain, const double from[3], const double to[3]);
   bool HasLineOfSight(
     vtkActor* terrain, const double from[3], const double to[3], double obstacle[3]);
@@ -84,14 +91,15 @@ public:
   /// In cells.
   static constexpr double SightMargin = 1e-4;
 
-  /// The surface below the straight way between two points in world coordinates: lines, cut where
-  /// there is no surface, of points in world coordinates with point data (double)
+  /// The surface below the straight way between two points in world coordinates. The profile has
+  /// lines, cut where there is no surface, of points in world coordinates with point data (double)
   ///   "Distance"  from the first point, along the ground plane of the terrain, in model units;
   ///   "Height"    in the unit of the heights, not exaggerated.
-  /// There is a point wherever the way crosses a line of the grid and where the surface is highest
-  /// or lowest in between: both extremes of the profile are among them. The surface itself is a
-  /// parabola between neighbours. False, with an empty profile, if the actor has no terrain or a
-  /// point is not finite.
+  /// There is a point wherever the way crosses a line of the grid, or the wall of a column, and
+  /// where the surface is highest or lowest in between. Both extremes of the profile are among
+  /// them. The surface itself is a parabola between neighbours. Clipping planes, extracts and
+  /// blocks do not count. False, with an empty profile, if the actor has no terrain or a point is
+  /// not finite.
   bool GetProfile(
     vtkActor* terrain, const double from[3], const double to[3], vtkPolyData* profile);
 
@@ -116,6 +124,7 @@ private:
 
   bool TerrainPicked = false;
   double GridPosition[2];
+  double Height;
   int NumberOfScans = 0;
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -3,11 +3,11 @@
 #include "vtkTerrainViewpoint.h"
 
 #include "core/grid/Constants.h"
-#include "core/grid/HeightSampling.h"
 #include "core/place/Geodesics.h"
 #include "core/place/SunPosition.h"
-#include "core/rays/SurfacePath.h"
+#include "core/rays/RayQuery.h"
 #include "data/ImageHeights.h"
+#include "data/ImageSurface.h"
 #include "data/Setting.h"
 #include "vtkTerrainGeoreference.h"
 
@@ -119,7 +119,29 @@ std::string ReadPlace(const std::string& text, WrittenPlace& place)
 
 vtkStandardNewMacro(vtkTerrainViewpoint);
 
-vtkTerrainViewpoint::vtkTerrainViewpoint() = default;
+class vtkTerrainViewpoint::vtkInternals
+{
+public:
+  /// The surface of an image as drawn, nothing if the image holds no heights.
+  terrain::RayQuery QueryOf(vtkImageData* heights, double exaggeration)
+  {
+    if (!terrain::ImageHeights::WhyNotHeights(heights).empty())
+    {
+      return terrain::RayQuery({});
+    }
+    this->Surface.SetImage(heights);
+    return terrain::RayQuery(this->Surface.GetSurface(exaggeration));
+  }
+
+private:
+  terrain::ImageSurface Surface;
+};
+
+vtkTerrainViewpoint::vtkTerrainViewpoint()
+  : Internals(new vtkInternals)
+{
+}
+
 vtkTerrainViewpoint::~vtkTerrainViewpoint() = default;
 
 void vtkTerrainViewpoint::SetGeoreference(vtkTerrainGeoreference* georeference)
@@ -160,26 +182,21 @@ std::string vtkTerrainViewpoint::WhyNot() const
 
 double vtkTerrainViewpoint::GetGround(double x, double y)
 {
-  double ground = kNaN;
-  if (terrain::ImageHeights::WhyNotHeights(this->Heights).empty())
-  {
-    const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(this->Heights);
-    const glm::dvec3 grid = geometry.ToGrid({ x, y, 0.0 });
-    terrain::ImageHeights::Dispatch(this->Heights,
-      [&](const auto& heights)
-      {
-        ground =
-          geometry.Origin.z + this->Exaggeration * terrain::SampleBilinear(heights, grid.x, grid.y);
-      });
-  }
-  return ground;
+  const terrain::RayQuery query = this->Internals->QueryOf(this->Heights, this->Exaggeration);
+  const terrain::GridGeometry& frame = query.GetSurface().Frame;
+  return frame.ToModel({ 0.0, 0.0 }, query.HeightAt(x, y)).z;
 }
 
 bool vtkTerrainViewpoint::ToPlace(const double scene[3], double place[3])
 {
-  const double plain[3] = { scene[0], scene[1], scene[2] / this->Exaggeration };
-  return this->WhyNot().empty() && this->Georeference->SceneToPlaces(plain, place, 1) &&
-    std::isfinite(place[0]);
+  if (!this->WhyNot().empty())
+  {
+    return false;
+  }
+  const terrain::GridGeometry frame =
+    terrain::ImageHeights::Geometry(this->Heights, this->Exaggeration);
+  const double plain[3] = { scene[0], scene[1], frame.ToTrueZ(scene[2]) };
+  return this->Georeference->SceneToPlaces(plain, place, 1) && std::isfinite(place[0]);
 }
 
 std::string vtkTerrainViewpoint::GetWhyNoPlace(const std::string& text)
@@ -223,7 +240,7 @@ std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene
       this->Georeference->PlacesToScene(place, scene, 1);
     }
   }
-  scene[2] *= this->Exaggeration;
+  scene[2] = terrain::ImageHeights::Geometry(this->Heights, this->Exaggeration).ToDrawnZ(scene[2]);
   return std::isfinite(scene[0]) ? "" : "'" + text + "' has no image in the scene";
 }
 
@@ -356,6 +373,8 @@ std::string vtkTerrainViewpoint::GetProfile(
   {
     return why.empty() ? "a profile needs two points on earth" : why;
   }
+  const terrain::GridGeometry frame =
+    terrain::ImageHeights::Geometry(this->Heights, this->Exaggeration);
   const glm::dvec3 start(a[0], a[1], a[2]);
   const std::vector<glm::dvec3> places = terrain::GeodesicPlaces(
     start, { b[0], b[1], b[2] }, static_cast<std::size_t>(std::max(count, 2)));
@@ -373,7 +392,7 @@ std::string vtkTerrainViewpoint::GetProfile(
     this->Georeference->PlacesToScene(point, point, 1);
     const double ground = this->GetGround(point[0], point[1]);
     double height = kNaN;
-    point[2] = std::isnan(ground) ? point[2] * this->Exaggeration : ground;
+    point[2] = std::isnan(ground) ? frame.ToDrawnZ(point[2]) : ground;
     double there[3];
     if (!std::isnan(ground) && this->ToPlace(point, there))
     {
@@ -393,42 +412,28 @@ std::string vtkTerrainViewpoint::GetProfile(
 
 bool vtkTerrainViewpoint::IsVisible(const double from[3], const double to[3], double obstruction[3])
 {
-  if (!terrain::ImageHeights::WhyNotHeights(this->Heights).empty())
-  {
-    return true;
-  }
-  const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(this->Heights);
-  const glm::dvec3 a = geometry.ToGrid({ from[0], from[1], from[2] / this->Exaggeration });
-  const glm::dvec3 b = geometry.ToGrid({ to[0], to[1], to[2] / this->Exaggeration });
-  // The earth rises by t (1 - t) bulge between the ends.
   const bool round = this->Georeference && this->Georeference->GetFrame() == FrameType::Local;
-  const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
-  const double bulge =
-    length * length / (2.0 * terrain::kEarthRadius) * ((round ? 0.0 : 1.0) - this->Refraction);
-  terrain::Highest highest{ 0.0, -HUGE_VAL };
-  terrain::ImageHeights::Dispatch(this->Heights,
-    [&](const auto& heights)
-    {
-      terrain::WalkSurface(heights, glm::dvec2(a), glm::dvec2(b),
-        [&](const terrain::SurfacePiece& piece)
-        {
-          if (piece.HasSurface)
-          {
-            const terrain::Highest here = terrain::HighestOf(piece.Constant - a.z,
-              piece.Linear - (b.z - a.z) + bulge, piece.Quadratic - bulge, piece.Begin, piece.End);
-            highest = here.Value > highest.Value ? here : highest;
-          }
-        });
-    });
+  terrain::QueryRay line;
+  line.Origin = { from[0], from[1], from[2] };
+  line.Direction = glm::dvec3(to[0], to[1], to[2]) - line.Origin;
+  line.End = 1.0;
+  // Between its ends, the line is t (1 - t) Bend lower over a flat map than on earth.
+  const double length = glm::length(glm::dvec2(line.Direction));
+  line.Bend =
+    terrain::EarthBend(length, this->Refraction) - (round ? terrain::EarthBend(length, 0.0) : 0.0);
+  line.Direction.z -= this->Exaggeration * line.Bend;
+  const terrain::SurfaceSummit summit =
+    this->Internals->QueryOf(this->Heights, this->Exaggeration).Highest(line);
   if (obstruction)
   {
+    const double part = std::isnan(summit.Distance) ? 0.0 : summit.Distance;
     for (int axis = 0; axis < 2; ++axis)
     {
-      obstruction[axis] = from[axis] + highest.Parameter * (to[axis] - from[axis]);
+      obstruction[axis] = from[axis] + part * (to[axis] - from[axis]);
     }
     obstruction[2] = this->GetGround(obstruction[0], obstruction[1]);
   }
-  return !(highest.Value > kTouch);
+  return !(summit.Height > kTouch);
 }
 
 void vtkTerrainViewpoint::PrintSelf(ostream& os, vtkIndent indent)

@@ -23,7 +23,8 @@
 #include "vtkSmartPointer.h"  // For members
 #include "vtkTerrainModule.h" // For export macro
 
-#include <string>
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 class vtkCamera;
 class vtkImageData;
@@ -104,6 +105,8 @@ protected:
   ~vtkTerrainViewpoint() override;
 
 private:
+  class vtkInternals;
+
   std::string WhyNot() const;
   bool ToPlace(const double scene[3], double place[3]);
 
@@ -111,6 +114,7 @@ private:
   vtkSmartPointer<vtkImageData> Heights;
   double Exaggeration = 1.0;
   double Refraction = 0.13;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainDepthPass.h"
+#include "vtkTerrainDetailSource.h"
 #include "vtkTerrainPicker.h"
 
 #include "vtkActor.h"
@@ -33,6 +34,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -242,6 +244,95 @@ TEST_F(TerrainPicker, AgreesWithTheDrawnDepth)
   wrong += this->CountWrong(200);
   EXPECT_LE(wrong, 2);
   EXPECT_GT(this->Hits, 500);
+}
+
+// The walls, the floor and the cut faces of a block; columns; detail. A few picks of each may fall
+// onto a silhouette.
+TEST_F(TerrainPicker, AgreesWithTheDrawnDepthOfBlocksColumnsAndDetail)
+{
+  this->Show(hill);
+  const int first[2] = { 12, 7 };
+  const int last[2] = { 50, 40 };
+  this->Mapper->SetExtract(first, last);
+  this->Mapper->SetBlock(true);
+  this->Mapper->SetBlockBase(40.0);
+  this->Mapper->SetVerticalExaggeration(2.0);
+  this->Actor->RotateZ(25.0);
+  vtkNew<vtkPlane> plane; // cuts a corner off
+  plane->SetOrigin(this->World(20.0, 14.0, 0.0).data());
+  plane->SetNormal(1.0, 0.8, 0.1);
+  this->Mapper->AddClippingPlane(plane);
+  const auto countWrong = [this]()
+  {
+    this->Look({ 5.0, -25.0, 400.0 }, { 31.0, 23.0, 160.0 });
+    int wrong = this->CountWrong(150);
+    this->Look({ 70.0, 80.0, -350.0 }, { 31.0, 23.0, 160.0 }); // from below
+    wrong += this->CountWrong(150);
+    return wrong;
+  };
+  EXPECT_LE(countWrong(), 2);
+  EXPECT_GT(this->Hits, 150);
+  this->Mapper->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Columns);
+  EXPECT_LE(countWrong(), 4);
+  this->Mapper->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Bilinear);
+  vtkNew<vtkTerrainDetailSource> detail;
+  detail->SetSize(64);
+  detail->Update();
+  this->Mapper->SetDetailConnection(detail->GetOutputPort());
+  this->Mapper->SetDetailCells(8);
+  double range[2];
+  detail->GetOutput()->GetScalarRange(range);
+  this->Mapper->SetDetailScale(20.0 / (range[1] - range[0]));
+  EXPECT_LE(countWrong(), 4);
+  EXPECT_GT(this->Hits, 450);
+}
+
+// A pick on a wall: outward normal, the height of the point, the cell behind the wall.
+TEST_F(TerrainPicker, PicksTheWallsOfBlocks)
+{
+  this->Show(hill);
+  this->Mapper->SetBlock(true);
+  this->Mapper->SetVerticalExaggeration(2.0);
+  this->Look({ 31.5, -200.0, 30.0 + 2.0 * 20.0 }, { 31.5, 24.0, 30.0 + 2.0 * 20.0 });
+  this->Scene.Window->Render();
+  ASSERT_TRUE(this->PickAt(31.5, 0.0, 30.0 + 2.0 * 20.0));
+  EXPECT_NEAR(this->Picker->GetHeight(), 20.0, 1e-6);
+  EXPECT_NEAR(this->Picker->GetGridPosition()[0], 31.5, 1e-6);
+  EXPECT_EQ(this->Picker->GetGridPosition()[1], 0.0);
+  EXPECT_NEAR(this->Picker->GetPickNormal()[1], -1.0, 1e-12);
+  EXPECT_NEAR(this->Picker->GetPickPosition()[1], this->World(0.0, 0.0, 0.0)[1], 1e-6);
+  // a line of sight through the block
+  const Point south = this->World(31.5, -20.0, 60.0);
+  const Point north = this->World(31.5, 70.0, 60.0);
+  EXPECT_FALSE(this->Picker->HasLineOfSight(this->Actor, south.data(), north.data()));
+  this->Mapper->SetBlock(false);
+  EXPECT_TRUE(this->Picker->HasLineOfSight(this->Actor, south.data(), north.data()));
+}
+
+// Profiles of columns are steps.
+TEST_F(TerrainPicker, CutsProfilesOfColumns)
+{
+  this->Show(wall);
+  this->Mapper->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Columns);
+  vtkNew<vtkPolyData> profile;
+  ASSERT_TRUE(this->Picker->GetProfile(this->Actor, this->World(31.0, 10.2, 0.0).data(),
+    this->World(33.0, 10.2, 0.0).data(), profile));
+  ASSERT_EQ(profile->GetNumberOfLines(), 1);
+  vtkDataArray* distances = profile->GetPointData()->GetArray("Distance");
+  vtkDataArray* heights = profile->GetPointData()->GetArray("Height");
+  std::vector<std::array<double, 2>> steps;
+  for (vtkIdType k = 0; k < profile->GetNumberOfPoints(); ++k)
+  {
+    steps.push_back({ distances->GetComponent(k, 0), heights->GetComponent(k, 0) });
+  }
+  const std::vector<std::array<double, 2>> expected{ { 0.0, 10.0 }, { 5.0, 10.0 }, { 5.0, 100.0 },
+    { 10.0, 100.0 }, { 15.0, 100.0 }, { 15.0, 10.0 }, { 20.0, 10.0 } };
+  ASSERT_EQ(steps.size(), expected.size());
+  for (std::size_t k = 0; k < steps.size(); ++k)
+  {
+    EXPECT_NEAR(steps[k][0], expected[k][0], 1e-6) << k;
+    EXPECT_NEAR(steps[k][1], expected[k][1], 1e-9) << k;
+  }
 }
 
 TEST_F(TerrainPicker, GivesCellSampleHeightAndValues)

@@ -178,3 +178,35 @@ TEST(TerrainViewpoint, LinesOfSight)
   const double here[3] = { 0.0, 0.0, 1000.0 };
   EXPECT_TRUE(plain.View->IsVisible(here, here));
 }
+
+// Heights are exaggerated from the height 0, which an image may place at any z. All functions know
+// the same place for it: where the surface is drawn.
+TEST(TerrainViewpoint, ExaggeratesFromTheOriginOfHeights)
+{
+  for (const double base : { 100.0, -3000.0 })
+  {
+    Wall plain(1000.0);
+    plain.Heights->SetOrigin(-20000.0, -20000.0, base);
+    plain.View->SetExaggeration(2.0);
+    const double ground = base + 2.0 * 1000.0;
+    EXPECT_DOUBLE_EQ(plain.View->GetGround(0.0, 0.0), ground);
+    const double west[3] = { -1000.0, 0.0, ground + 20.0 };
+    const double east[3] = { 1000.0, 0.0, ground + 20.0 };
+    EXPECT_TRUE(plain.View->IsVisible(west, east)) << "20 above flat ground";
+    const double under[3] = { 1000.0, 0.0, ground - 20.0 };
+    EXPECT_FALSE(plain.View->IsVisible(west, under));
+    double scene[3];
+    EXPECT_EQ(plain.View->FindPlace("86.9,28", scene), "");
+    EXPECT_NEAR(scene[2], ground, 1e-6);
+    EXPECT_EQ(plain.View->FindPlace("86.9,28,500agl", scene), "");
+    EXPECT_NEAR(scene[2], ground + 2.0 * 500.0, 1e-6);
+    vtkNew<vtkPolyData> profile;
+    EXPECT_EQ(plain.View->GetProfile(west, east, 3, profile), "");
+    // true heights in the scene: 1000 above where the image has its height 0
+    EXPECT_NEAR(
+      profile->GetPointData()->GetArray("Height")->GetComponent(1, 0), base + 1000.0, 1e-3);
+    double point[3];
+    profile->GetPoint(1, point);
+    EXPECT_NEAR(point[2], ground, 1e-6);
+  }
+}

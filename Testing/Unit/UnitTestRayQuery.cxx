@@ -7,7 +7,7 @@
 #include "core/grid/HeightSampling.h"
 #include "core/rays/RayQuery.h"
 #include "core/surface/Cutting.h"
-#include "core/surface/DetailedHeights.h"
+#include "core/surface/HeightsWithDetail.h"
 
 #include <gtest/gtest.h>
 
@@ -320,7 +320,7 @@ TEST(RayQuery, FindsTheHighestPointAboveALine)
 }
 
 //------------------------------------------------------------------------------
-// The sum of base and detail is the heightfield that DetailedHeights does not make.
+// The sum of base and detail is the heightfield that HeightsWithDetail does not make.
 TEST(RayQuery, MeetsDetail)
 {
   constexpr int level = 3;
@@ -345,7 +345,7 @@ TEST(RayQuery, MeetsDetail)
         });
       SCOPED_TRACE(base.Name);
       terrain::Surface surface;
-      surface.Heights = std::make_shared<terrain::DetailedHeights>(SurfaceOf(base).Heights,
+      surface.Heights = std::make_shared<terrain::HeightsWithDetail>(SurfaceOf(base).Heights,
         std::make_shared<terrain::DetailPeriod>(detail.View()), level, scale);
       const RayQuery query(surface);
       const RayQuery expected(SurfaceOf(sum));

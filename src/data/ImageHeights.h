@@ -63,8 +63,8 @@ inline std::string WhyNotHeights(vtkImageData* image)
   return {};
 }
 
-/// Where the samples of the image lie in model coordinates, without exaggeration.
-inline GridGeometry Geometry(vtkImageData* image)
+/// Where the samples of the image lie in model coordinates, drawn at an exaggeration > 0.
+inline GridGeometry Geometry(vtkImageData* image, double exaggeration = 1.0)
 {
   const double* origin = image->GetOrigin();
   const double* spacing = image->GetSpacing();
@@ -73,6 +73,7 @@ inline GridGeometry Geometry(vtkImageData* image)
   geometry.Origin = { origin[0] + extent[0] * spacing[0], origin[1] + extent[2] * spacing[1],
     origin[2] + extent[4] * spacing[2] };
   geometry.Spacing = { spacing[0], spacing[1] };
+  geometry.Exaggeration = exaggeration;
   return geometry;
 }
 

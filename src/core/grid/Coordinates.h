@@ -26,7 +26,11 @@
 
 namespace terrain
 {
-/// Where a grid of samples lies in model coordinates.
+/**
+ * Where a grid of samples lies in model coordinates. This is the only place that knows the vertical
+ * exaggeration: a height h is drawn at Origin.z + Exaggeration * h, that is, heights are
+ * exaggerated from the height 0. The true z of a point, without exaggeration, is Origin.z + h.
+ */
 struct GridGeometry
 {
   /// Position of sample (0, 0), in model units; z is added to the exaggerated heights.
@@ -50,6 +54,60 @@ struct GridGeometry
     return { (positionMC.x - this->Origin.x) / this->Spacing.x,
       (positionMC.y - this->Origin.y) / this->Spacing.y,
       (positionMC.z - this->Origin.z) / this->Exaggeration };
+  }
+
+  /// Grid direction of a model direction, see ToGrid().
+  glm::dvec3 DirectionToGrid(const glm::dvec3& directionMC) const
+  {
+    return directionMC / this->Scale();
+  }
+
+  /// The plane dot(plane, (x, y, z, 1)) = 0 of model coordinates in grid coordinates, z in heights.
+  glm::dvec4 PlaneToGrid(const glm::dvec4& planeMC) const
+  {
+    const glm::dvec3 normal(planeMC);
+    return { normal * this->Scale(), planeMC.w + glm::dot(normal, this->Origin) };
+  }
+
+  /// Model normal, of any length, of a surface whose normal in grid coordinates (z in heights) is
+  /// given.
+  glm::dvec3 NormalToModel(const glm::dvec3& normalGC) const
+  {
+    return normalGC / this->Scale();
+  }
+
+  ///@{
+  /// Drawn z of a true z, and true z of a drawn one.
+  double ToDrawnZ(double trueZ) const
+  {
+    return this->Origin.z + this->Exaggeration * (trueZ - this->Origin.z);
+  }
+  double ToTrueZ(double drawnZ) const
+  {
+    return this->Origin.z + (drawnZ - this->Origin.z) / this->Exaggeration;
+  }
+  ///@}
+
+  ///@{
+  /// Matrices on column vectors: grid coordinates, z in heights, to model coordinates; and model
+  /// coordinates with true z to those with drawn z.
+  glm::dmat4 GridToModel() const
+  {
+    const glm::dvec3 scale = this->Scale();
+    return { { scale.x, 0.0, 0.0, 0.0 }, { 0.0, scale.y, 0.0, 0.0 }, { 0.0, 0.0, scale.z, 0.0 },
+      glm::dvec4(this->Origin, 1.0) };
+  }
+  glm::dmat4 TrueToDrawn() const
+  {
+    return { { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0 }, { 0.0, 0.0, this->Exaggeration, 0.0 },
+      { 0.0, 0.0, this->ToDrawnZ(0.0), 1.0 } };
+  }
+  ///@}
+
+private:
+  glm::dvec3 Scale() const
+  {
+    return { this->Spacing.x, this->Spacing.y, this->Exaggeration };
   }
 };
 }

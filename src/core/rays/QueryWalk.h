@@ -32,7 +32,7 @@ struct GridQuery
 
   GridQuery(const GridGeometry& frame, const QueryRay& ray)
     : Origin(frame.ToGrid(ray.Origin))
-    , Direction(ray.Direction / glm::dvec3(frame.Spacing.x, frame.Spacing.y, frame.Exaggeration))
+    , Direction(frame.DirectionToGrid(ray.Direction))
     , Begin(ray.Begin)
     , End(ray.End)
     , Bend(ray.Direction.x == 0.0 && ray.Direction.y == 0.0 ? 0.0 : ray.Bend)

@@ -206,13 +206,12 @@ bool FindWall(const Surface& surface, const GridQuery& ray, const KeptPart& part
   {
     return false;
   }
-  const GridGeometry& frame = surface.Frame;
   hit.Found = true;
   hit.Distance = part.Begin;
   hit.Height = height;
   hit.Wall = part.Wall;
-  hit.Normal = -glm::normalize(glm::dvec3(surface.Planes[static_cast<std::size_t>(part.Wall)]) /
-    glm::dvec3(frame.Spacing.x, frame.Spacing.y, frame.Exaggeration));
+  hit.Normal = -glm::normalize(
+    surface.Frame.NormalToModel(glm::dvec3(surface.Planes[static_cast<std::size_t>(part.Wall)])));
   return true;
 }
 
@@ -225,14 +224,13 @@ SurfaceHit CompleteHit(const Surface& surface, const GridQuery& ray, const CellH
   hit.Cell = found.Cell;
   hit.Fraction = glm::clamp(found.Fraction, glm::dvec2(0.0), glm::dvec2(1.0));
   const glm::dvec4 corners = surface.Heights->CellHeights(found.Cell);
-  const GridGeometry& frame = surface.Frame;
   glm::dvec3 direction = ray.Direction;
   direction.z += 2.0 * ray.Bend * found.Distance;
   if (surface.Kind == SurfaceKind::Bilinear)
   {
     const glm::dvec2 slopes = PatchSlopes(corners, hit.Fraction);
     hit.Height = PatchHeight(corners, hit.Fraction);
-    hit.Normal = glm::normalize(glm::dvec3(-frame.Exaggeration * slopes / frame.Spacing, 1.0));
+    hit.Normal = glm::normalize(surface.Frame.NormalToModel(glm::dvec3(-slopes, 1.0)));
     hit.FromAbove = direction.z <= glm::dot(slopes, glm::dvec2(direction));
     return hit;
   }
@@ -249,6 +247,40 @@ SurfaceHit CompleteHit(const Surface& surface, const GridQuery& ray, const CellH
     hit.Normal[axis] = hit.FromAbove ? -along : along;
   }
   return hit;
+}
+
+/// Calls visit for the stretches of a piece of a way over the columns of one cell.
+void VisitColumns(const SurfaceHeights& heights, const glm::dvec2& from, const glm::dvec2& way,
+  const SurfacePiece& piece, const std::function<void(const SurfacePiece&)>& visit)
+{
+  const glm::dvec2 middle = from + 0.5 * (piece.Begin + piece.End) * way;
+  const glm::i64vec2 cell = glm::clamp(
+    glm::i64vec2(glm::floor(middle)), glm::i64vec2(0), heights.CellCount() - std::int64_t{ 1 });
+  const glm::dvec4 corners = heights.CellHeights(cell);
+  std::array<double, 4> stops{ piece.Begin, piece.End, piece.End, piece.End };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double wall = (static_cast<double>(cell[axis]) + 0.5 - from[axis]) / way[axis];
+    if (wall > piece.Begin && wall < piece.End)
+    {
+      stops[static_cast<std::size_t>(axis) + 1] = wall;
+    }
+  }
+  std::sort(stops.begin(), stops.end());
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if (stops[i] < stops[i + 1] || (i == 0 && stops[0] == stops[3]))
+    {
+      const glm::dvec2 at =
+        from + 0.5 * (stops[i] + stops[i + 1]) * way - glm::dvec2(cell) - glm::dvec2(0.5);
+      SurfacePiece column;
+      column.Begin = stops[i];
+      column.End = stops[i + 1];
+      column.HasSurface = true;
+      column.Constant = corners[(at.x >= 0.0 ? 1 : 0) + (at.y >= 0.0 ? 2 : 0)];
+      visit(column);
+    }
+  }
 }
 
 /// The heights as core/rays/SurfacePath.h and core/grid/HeightSampling.h read them.
@@ -316,8 +348,7 @@ SurfaceSummit RayQuery::Highest(const QueryRay& ray) const
 {
   SurfaceSummit summit;
   const GridQuery query(this->Queried.Frame, ray);
-  const bool vertical = query.Direction.x == 0.0 && query.Direction.y == 0.0;
-  if (this->Queried.HasCells() && query.IsUsable() && !vertical)
+  if (this->Queried.HasCells() && query.IsUsable())
   {
     WalkBothSides<SummitFinder>(this->Queried, query, query.Begin, query.End, summit);
   }
@@ -336,7 +367,19 @@ bool RayQuery::Along(const glm::dvec3& from, const glm::dvec3& to,
   }
   if (this->Queried.HasCells())
   {
-    WalkSurface(SamplesOf(*this->Queried.Heights), begin, end, visit);
+    const SurfaceHeights& heights = *this->Queried.Heights;
+    WalkSurface(SamplesOf(heights), begin, end,
+      [&](const SurfacePiece& piece)
+      {
+        if (piece.HasSurface && this->Queried.Kind == SurfaceKind::Columns)
+        {
+          VisitColumns(heights, begin, end - begin, piece, visit);
+        }
+        else
+        {
+          visit(piece);
+        }
+      });
   }
   else
   {
@@ -349,8 +392,15 @@ bool RayQuery::Along(const glm::dvec3& from, const glm::dvec3& to,
 double RayQuery::HeightAt(double x, double y) const
 {
   const glm::dvec3 position = this->Queried.Frame.ToGrid({ x, y, 0.0 });
-  return this->Queried.HasCells()
-    ? SampleBilinear(SamplesOf(*this->Queried.Heights), position.x, position.y)
-    : kNaN;
+  if (!this->Queried.HasCells())
+  {
+    return kNaN;
+  }
+  const SamplesOf samples(*this->Queried.Heights);
+  const double height = SampleBilinear(samples, position.x, position.y);
+  return std::isnan(height) || this->Queried.Kind == SurfaceKind::Bilinear
+    ? height
+    : samples.At(std::clamp<std::int64_t>(std::llround(position.x), 0, samples.Width - 1),
+        std::clamp<std::int64_t>(std::llround(position.y), 0, samples.Height - 1));
 }
 }

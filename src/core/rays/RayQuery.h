@@ -109,14 +109,13 @@ public:
   bool Any(const QueryRay& ray) const;
 
   /// The point of the surface that is highest above a ray, planes and blocks aside: the line is
-  /// free if that is below 0, and by how much. Cheaper where it is high. The ray must not be
-  /// vertical.
+  /// free if that is below 0, and by how much. The ends of a vertical ray must be finite.
   SurfaceSummit Highest(const QueryRay& ray) const;
 
   /// Calls visit for every stretch of the straight way between two positions in model coordinates,
   /// in order and without gaps: the surface above each is a parabola of the part of the way, 0 to 1
-  /// (core/rays/SurfacePath.h). z and planes do not count. Columns are taken as bilinear patches.
-  /// O(cells crossed). False if a position is not finite.
+  /// (core/rays/SurfacePath.h), level on columns. z and planes do not count. O(cells crossed).
+  /// False if a position is not finite.
   bool Along(const glm::dvec3& from, const glm::dvec3& to,
     const std::function<void(const SurfacePiece&)>& visit) const;
 

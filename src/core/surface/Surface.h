@@ -38,7 +38,7 @@ struct ModelBounds
 
 /**
  * A surface in its frame. Copies share the heights. Where the heights have detail
- * (core/surface/DetailedHeights.h), a cell is a cell of the detail, and the frame is that of the
+ * (core/surface/HeightsWithDetail.h), a cell is a cell of the detail, and the frame is that of the
  * detail's cells (FrameOfDetail()).
  */
 struct Surface

@@ -9,8 +9,8 @@
  *
  * A cell of the sum is a cell of the detail; the sum is bilinear on each of them.
  */
-#ifndef terrain_DetailedHeights_h
-#define terrain_DetailedHeights_h
+#ifndef terrain_HeightsWithDetail_h
+#define terrain_HeightsWithDetail_h
 
 #include "core/surface/SurfaceHeights.h"
 
@@ -81,10 +81,10 @@ private:
 };
 
 /// A base with detail: 2^level detail cells along a cell of the base, level >= 0, scale >= 0.
-class DetailedHeights final : public SurfaceHeights
+class HeightsWithDetail final : public SurfaceHeights
 {
 public:
-  DetailedHeights(std::shared_ptr<const SurfaceHeights> base,
+  HeightsWithDetail(std::shared_ptr<const SurfaceHeights> base,
     std::shared_ptr<const DetailPeriod> detail, int level, double scale)
     : Base(std::move(base))
     , Detail(std::move(detail))
