@@ -5,6 +5,7 @@ import sys
 
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+
 from vtkterrain import vtkTerrainActor, vtkTerrainRasterReader
 
 heights = vtkTerrainRasterReader()  # or vtkTerrainSource, or vtkterrain.heights_from_array(array)

@@ -16,8 +16,9 @@ import time
 def draw(side):
     """Draws once and prints the milliseconds."""
     import numpy as np
-    import vtkterrain
     from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+
+    import vtkterrain
 
     waves = (10.0 * np.sin(0.01 * np.arange(side))).astype(np.float32)
     field = waves[:, None] + waves

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Terrain in PyVista's plotters; skipped without PyVista."""
+import importlib.util
 import pathlib
 import subprocess
 import sys
@@ -141,6 +142,18 @@ class TestPyVista(unittest.TestCase):
             picture = vtkTerrainTesting.read_picture(folder / f"{name}.png")
             self.assertEqual(picture.shape, (540, 960, 3))
             self.assertGreater(len(np.unique(picture.reshape(-1, 3), axis=0)), 500, name)
+
+    @unittest.skipUnless(importlib.util.find_spec("trame_vtk"), "trame-vtk is not installed")
+    def test_a_browser_that_renders_by_itself_gets_the_coarse_mesh_and_a_warning(self):
+        from trame_vtk.modules.vtk import serializers
+
+        _, terrain, plotter = draw(hill(), exaggeration=2.0)
+        serializers.initialize_serializers()
+        context = serializers.SynchronizationContext()
+        with self.assertWarnsRegex(RuntimeWarning, 'use the mode "server"'):
+            sent = serializers.serialize(plotter.renderer, terrain, "terrain", context, 0)
+        self.assertIn("setMapper", [call[0] for call in sent["calls"]])
+        self.assertAlmostEqual(terrain.stand_in.GetBounds()[5], 24.0, delta=1.0)
 
     def test_refusals(self):
         plotter = pyvista.Plotter(off_screen=True)

@@ -38,9 +38,10 @@ class TestRender(unittest.TestCase):
         np.testing.assert_array_equal(picture, vtkTerrainTesting.read_picture(from_cxx))
 
     def test_window_without_a_display(self):
-        import vtkterrain  # noqa: F401, registers the windows
         from vtkmodules.vtkCommonCore import vtkVersion
         from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+        import vtkterrain  # noqa: F401, registers the windows
 
         window = vtkRenderWindow()
         self.assertIn("EGL", window.GetClassName(), vtkVersion.GetVTKVersionFull())

@@ -20,9 +20,9 @@ from .heights import array_from_heights, heights_from_array  # noqa: E402
 from .vtkTerrain import *  # noqa: E402, F403
 
 # Without it a star import would bind the name of the inner module, and hide what is called the same.
-__all__ = ["__version__", "array_from_heights", "heights_from_array",
-           *(name for name, member in vars(_wrapped).items()
-             if isinstance(member, type) and name.startswith("vtk"))]
+__all__ = ["__version__", "array_from_heights", "heights_from_array"]
+__all__ += [name for name, member in vars(_wrapped).items()
+            if isinstance(member, type) and name.startswith("vtk")]
 
 _supply.offer_gdal(vtkTerrainRasterReader)  # noqa: F405
 _supply.warn_without_opengl()

@@ -11,11 +11,14 @@
 Where PyVista has components of plotters (0.48 and later), importing this module also makes
 ``plotter.terrain.add(heights, ...)`` and ``plotter.terrain.enable_picking(callback)``.
 """
+import importlib.util
 import os
+import warnings
 
 import numpy as np
 import pyvista
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from .heights import heights_from_array
 from .vtkTerrain import vtkTerrainActor, vtkTerrainPicker, vtkTerrainRasterReader
@@ -178,5 +181,33 @@ class TerrainComponent:
         enable_terrain_picking(self._plotter, callback, **options)
 
 
+def _serialize_stand_in(parent, terrain, terrain_id, context, depth):
+    """What a browser that renders by itself (PyVista's mode "client") gets in place of a terrain."""
+    from trame_vtk.modules.vtk.serializers.registry import SERIALIZERS
+
+    if not getattr(terrain, "stand_in", None):
+        warnings.warn("a browser that renders by itself (mode \"client\") cannot show terrain, only its coarse mesh: "
+                      "use the mode \"server\"", RuntimeWarning, stacklevel=2)
+        mesh = terrain.GetCoarseMesh()
+        mesh.Update()
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(mesh.GetOutput())
+        mapper.ScalarVisibilityOff()
+        terrain.stand_in = vtkActor()
+        terrain.stand_in.SetMapper(mapper)
+        terrain.stand_in.SetScale(1.0, 1.0, terrain.GetVerticalExaggeration())
+        terrain.stand_in.GetProperty().SetColor(0.55, 0.60, 0.45)
+    return SERIALIZERS["vtkOpenGLActor"](parent, terrain.stand_in, terrain_id, context, depth)
+
+
+def _prepare_for_browsers():
+    """Lets trame's serializer, if there is one, say what a browser cannot do, instead of showing nothing."""
+    if importlib.util.find_spec("trame_vtk"):
+        from trame_vtk.modules.vtk.serializers import registry
+
+        registry.register_instance_serializer("vtkTerrainActor", _serialize_stand_in)
+
+
+_prepare_for_browsers()
 if hasattr(pyvista, "register_plotter_component"):
     pyvista.register_plotter_component("terrain")(TerrainComponent)

@@ -1,7 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Heights from xarray's DataArrays, as rioxarray and CF conventions describe them."""
+"""xarray's DataArrays as terrain, as rioxarray, odc-geo and CF conventions describe them.
+
+Importing this module gives every DataArray ``.terrain``:
+
+>>> import vtkterrain.xarrays
+>>> rioxarray.open_rasterio("dem.tif", masked=True).terrain.plot(exaggeration=1.5)
+"""
 import numpy as np
+import xarray
 
 from .heights import heights_from_array
 from .vtkTerrain import vtkTerrainGeoreference, vtkTerrainReproject
@@ -102,3 +109,58 @@ def heights_from_dataarray(data):
     if reproject.GetErrorMessage():
         raise ValueError(reproject.GetErrorMessage())
     return reproject.GetOutput()
+
+
+@xarray.register_dataarray_accessor("terrain")
+class TerrainAccessor:
+    """A DataArray of heights as terrain: ``data.terrain``."""
+
+    def __init__(self, data):
+        self._data = data
+        self._heights = None
+
+    @property
+    def heights(self):
+        """The ``vtkImageData`` that ``heights_from_dataarray`` makes of it, made once."""
+        if self._heights is None:
+            self._heights = heights_from_dataarray(self._data)
+        return self._heights
+
+    def add_to(self, plotter, *, tracks=None, points=None, **options):
+        """Adds it to a ``pyvista.Plotter`` with the options of ``vtkterrain.plotting.add_terrain``.
+
+        ``tracks`` and ``points`` are GeoPandas frames that are laid onto it. Returns the
+        ``vtkTerrainActor``.
+        """
+        from .plotting import add_terrain
+
+        terrain = add_terrain(plotter, self.heights, **options)
+        if tracks is not None or points is not None:
+            from .features import add_points, add_tracks
+
+            if tracks is not None:
+                add_tracks(plotter, terrain, tracks)
+            if points is not None:
+                add_points(plotter, terrain, points)
+        return terrain
+
+    def plot(self, *, screenshot=None, window_size=None, jupyter_backend=None, **options):
+        """Shows it in a window, in a notebook, or writes a picture; options as those of ``add_to``.
+
+        screenshot : str or path, optional
+            File of a picture to write in place of showing a window.
+        window_size : (int, int), optional
+            Width and height in pixels.
+        jupyter_backend : str, optional
+            How a notebook shows it, see ``pyvista.Plotter.show``.
+        """
+        import pyvista
+
+        plotter = pyvista.Plotter(off_screen=True if screenshot else None, window_size=window_size)
+        self.add_to(plotter, **options)
+        plotter.view_vector((0.0, -0.82, 0.57), viewup=(0.0, 0.0, 1.0))
+        if screenshot:
+            plotter.screenshot(screenshot)
+            plotter.close()
+            return None
+        return plotter.show(jupyter_backend=jupyter_backend)

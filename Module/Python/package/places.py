@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where heights lie: between the image that is drawn, its coordinate system, and longitude, latitude."""
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .vtkTerrain import vtkTerrainGeoreference
+
+
+class Placement:
+    """The place of a ``vtkImageData`` of heights.
+
+    Its field data, as ``vtkTerrainRasterReader`` and ``heights_from_array`` write them, say in which
+    coordinate system it lies, and how its x and y come from those of the system:
+    ``x = (coordinate - LayoutOrigin) * LayoutScale``, without these arrays ``x = coordinate``.
+    """
+
+    def __init__(self, heights):
+        self._georeference = vtkTerrainGeoreference()
+        self._georeference.SetFromHeights(heights)
+        self._origin = self._pair(heights, "LayoutOrigin", 0.0)
+        self._scale = self._pair(heights, "LayoutScale", 1.0)
+
+    @staticmethod
+    def _pair(heights, name, default):
+        array = heights.GetFieldData().GetArray(name)
+        return np.full(2, default) if array is None else vtk_to_numpy(array).reshape(2).astype(float)
+
+    @property
+    def is_on_earth(self):
+        """Whether longitudes and latitudes can be told."""
+        return not self._georeference.GetWhyNot() and self._georeference.IsOnEarth()
+
+    def from_places(self, places):
+        """x and y in the image, N x 2, of longitudes and latitudes in degrees on WGS84, N x 2.
+
+        NaN where a place has no image. Raises ValueError if the heights have no coordinate system.
+        """
+        places = np.asarray(places, dtype=float)
+        points = np.zeros((len(places), 3))
+        points[:, :2] = places
+        flat = points.ravel()
+        if not self.is_on_earth or not self._georeference.PlacesToFile(flat, flat, len(points)):
+            raise ValueError(self._georeference.GetWhyNot() or "the heights have no coordinate system")
+        return self.from_coordinates(flat.reshape(-1, 3)[:, :2])
+
+    def from_coordinates(self, coordinates):
+        """x and y in the image of coordinates in the heights' own system, both N x 2."""
+        return (np.asarray(coordinates, dtype=float) - self._origin) * self._scale
+
+    def describe(self, x, y, height):
+        """A point of the image in words: longitude, latitude, height, UTM and MGRS, or x, y, height."""
+        coordinates = np.array([x, y]) / self._scale + self._origin
+        point = np.array([*coordinates, height], dtype=float)
+        if self.is_on_earth and self._georeference.FileToScene(point, point, 1):
+            return self._georeference.GetReadout(point)
+        return f"x {coordinates[0]:.9g}  y {coordinates[1]:.9g}  height {height:.2f}"

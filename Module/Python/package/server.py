@@ -1,0 +1,255 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A page that shows a terrain in a browser; the pictures are drawn here.
+
+Only who has the token of the address gets an answer, and no page of another origin. Nothing of a
+request names a file: what is served is the page, trame's own scripts, and pictures of the terrain.
+"""
+import hmac
+import secrets
+import socket
+
+from aiohttp import web
+from trame.app import get_server
+from trame.ui.vuetify3 import VAppLayout
+from trame.widgets import client, html, rca
+from trame.widgets import vuetify3 as vuetify
+from trame_rca.utils import RcaRenderScheduler, RcaViewAdapter
+
+from .viewer import COLORS, TECHNIQUES, Viewer
+
+_HELP = "Drag turns, right or Shift drag moves, wheel zooms, click tells the place. Keys: arrows + - r c t"
+_KEYS = {"ArrowLeft": (-5.0, 0.0), "ArrowRight": (5.0, 0.0), "ArrowUp": (0.0, 5.0), "ArrowDown": (0.0, -5.0)}
+_LARGEST_CLICK = 3  # pixels that the pointer may move between press and release
+
+
+class RemoteWindow:
+    """What trame-rca asks of a window: pictures, and what pointer, fingers and keys do."""
+
+    def __init__(self, viewer, on_pick, on_key):
+        self._viewer = viewer
+        self._on_pick = on_pick
+        self._on_key = on_key
+        self._button = None
+        self._pressed_at = self._last = (0, 0)
+        self._gesture = {}
+        self.is_hasty = False
+
+    @property
+    def img_cols_rows(self):
+        """A picture, its width and height."""
+        picture = self._viewer.draw(self.is_hasty)
+        return picture, picture.shape[1], picture.shape[0]
+
+    def process_resize_event(self, width, height):
+        """The page has another size."""
+        self._viewer.resize(width, height)
+
+    def process_interaction_event(self, event):
+        """A pointer, a wheel, a gesture of fingers, or a key."""
+        kind = event.get("type", "")
+        if kind.endswith(("ButtonPress", "ButtonRelease")):
+            self._press_or_release(kind, event)
+        elif kind == "MouseMove" and self._button:
+            self._drag(event)
+        elif kind == "MouseWheel":
+            self._viewer.zoom(1.1 ** -max(-3.0, min(3.0, float(event.get("spinY", 0.0)))))
+        elif kind in ("Pinch", "StartPinch", "EndPinch"):
+            self._pinch(kind, event)
+        elif kind in ("Pan", "StartPan", "EndPan"):
+            self._pan(kind, event)
+        elif kind == "Tap":
+            self._tell(event.get("position", {}))
+        elif kind.lower() == "keydown":
+            self._key(str(event.get("key", "")))
+
+    def _press_or_release(self, kind, event):
+        here = (event["x"], event["y"])
+        if kind.endswith("Press"):
+            self._button = "pan" if not kind.startswith("Left") or event.get("shiftKey") else "turn"
+            self._pressed_at = self._last = here
+        else:
+            way = max(abs(a - b) for a, b in zip(here, self._pressed_at))
+            if self._button == "turn" and way <= _LARGEST_CLICK:
+                self._tell(event)
+            self._button = None
+
+    def _drag(self, event):
+        x, y = event["x"] - self._last[0], event["y"] - self._last[1]
+        self._last = (event["x"], event["y"])
+        height = self._viewer.size[1]
+        if self._button == "turn":
+            self._viewer.turn(180.0 * x / height, 180.0 * y / height)
+        else:
+            self._viewer.pan(x / height, y / height)
+
+    def _pinch(self, kind, event):
+        now = max(1e-3, float(event.get("factor") or 1.0))
+        before = now if kind.startswith("Start") else self._gesture.get("pinch", now)
+        self._gesture["pinch"] = now
+        self._viewer.zoom(now / before)
+
+    def _pan(self, kind, event):
+        now = [float(part) for part in event.get("translation") or (0.0, 0.0)][:2]
+        before = now if kind.startswith("Start") else self._gesture.get("pan", now)
+        self._gesture["pan"] = now
+        height = self._viewer.size[1]
+        self._viewer.pan((now[0] - before[0]) / height, (now[1] - before[1]) / height)
+
+    def _tell(self, place):
+        if "x" in place and "y" in place:
+            self._on_pick(self._viewer.describe(place["x"], place["y"]) or "sky")
+
+    def _key(self, key):
+        if key in _KEYS:
+            self._viewer.turn(*_KEYS[key])
+        elif key in ("+", "=", "-"):
+            self._viewer.zoom(1 / 1.15 if key == "-" else 1.15)
+        else:
+            self._on_key(key)
+
+
+class _Scheduler(RcaRenderScheduler):
+    """Pictures while something moves are hasty, the one after it is not."""
+
+    def _render_frame(self, quality):
+        self.rca.is_hasty = quality == self._interactive_quality
+        super()._render_frame(quality)
+
+
+def _is_same_origin(request):
+    origin = request.headers.get("Origin")
+    return origin is None or origin.partition("://")[2] == request.headers.get("Host")
+
+
+def guard(token, cookie):
+    """What lets in only who has the token, in the address at first, in a cookie from then on."""
+
+    def is_token(text):
+        return hmac.compare_digest(text.encode(), token.encode())
+
+    @web.middleware
+    async def only_with_token(request, handler):
+        if not _is_same_origin(request):
+            return web.Response(status=403, text="Pages of another origin are not let in.\n")
+        if is_token(request.query.get("token", "")):
+            answer = web.HTTPFound("/index.html")
+            answer.set_cookie(cookie, token, httponly=True, samesite="Strict")
+            raise answer
+        if not is_token(request.cookies.get(cookie, "")):
+            return web.Response(status=403, text="The token is missing: open the address that was printed.\n")
+        return await handler(request)
+
+    return only_with_token
+
+
+def free_port(host, port):
+    """The port, or any free one for 0. Raises OSError with a sentence if it is in use."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    with socket.socket(family, socket.SOCK_STREAM) as tried:
+        tried.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            tried.bind((host, port))
+        except OSError as error:
+            raise OSError(f"port {port} of {host} cannot be used ({error.strerror}): "
+                          "take another, or --port 0 for any that is free") from error
+        return tried.getsockname()[1]
+
+
+class Page:
+    """The page of one terrain."""
+
+    def __init__(self, heights, title="vtkTerrain"):
+        self.viewer = Viewer(heights)
+        self.server = get_server(f"vtkterrain-{secrets.token_hex(4)}", client_type="vue3")
+        self.token = secrets.token_urlsafe(24)
+        self._area = None
+        self._handler = None
+        state = self.server.state
+        state.trame__title = title
+        state.update({"exaggeration": 1.0, "technique": TECHNIQUES[0], "colors": COLORS[0], "contours": False,
+                      "azimuth": 315, "altitude": 45, "picked": _HELP})
+        window = RemoteWindow(self.viewer, self._picked, self._key)
+        self._build(title, window)
+        for names, setter in ((("exaggeration",), self.viewer.set_exaggeration),
+                              (("technique",), self.viewer.set_technique),
+                              (("colors",), self.viewer.set_colors),
+                              (("contours",), self.viewer.set_contours),
+                              (("azimuth", "altitude"), self.viewer.set_sun)):
+            state.change(*names)(self._applying(names, setter))
+
+    def _applying(self, names, setter):
+        def apply(**_):
+            setter(*(self.server.state[name] for name in names))
+            self._handler.schedule_render()
+
+        return apply
+
+    def _picked(self, text):
+        with self.server.state as state:
+            state.picked = text
+
+    def _key(self, key):
+        with self.server.state as state:
+            if key == "r":
+                self.viewer.reset_view()
+            elif key == "c":
+                state.contours = not state.contours
+            elif key == "t":
+                state.technique = TECHNIQUES[(TECHNIQUES.index(state.technique) + 1) % len(TECHNIQUES)]
+
+    def _reset(self):
+        self.viewer.reset_view()
+        self._handler.schedule_render()
+
+    def _build(self, title, window):
+        with VAppLayout(self.server) as layout, layout.root:
+            client.Style("html, body { overflow: hidden; margin: 0 } .v-field__input { padding-top: 14px }")
+            with vuetify.VContainer(fluid=True, classes="pa-0 fill-height", style="height: 100vh; position: relative"):
+                self._area = rca.RemoteControlledArea(
+                    name="terrain", display="image", send_mouse_move=False, event_throttle_ms=20,
+                    image_style=("{ width: '100%', height: '100%' }",),
+                    style="width: 100%; height: 100%; position: absolute; touch-action: none")
+                self._controls(title)
+        scheduler = _Scheduler(window, target_fps=30.0, interactive_quality=65, still_quality=92, rca_encoder="jpeg")
+        self._handler = RcaViewAdapter(window, "terrain", scheduler=scheduler)
+        self._area.add_view_handler(self._handler)
+
+    def _controls(self, title):
+        with vuetify.VCard(classes="pa-3", width=250, variant="elevated", title=title,
+                           style="position: absolute; top: 8px; right: 8px; opacity: 0.92"):
+            vuetify.VSlider(v_model=("exaggeration",), min=0.5, max=5, step=0.1, label="Heights x",
+                            thumb_label=True, hide_details=True, density="compact")
+            vuetify.VSlider(v_model=("azimuth",), min=0, max=360, step=5, label="Sun from", thumb_label=True,
+                            hide_details=True, density="compact")
+            vuetify.VSlider(v_model=("altitude",), min=5, max=90, step=5, label="Sun above", thumb_label=True,
+                            hide_details=True, density="compact")
+            vuetify.VSelect(v_model=("technique",), items=("techniques", list(TECHNIQUES)), label="Technique",
+                            hide_details=True, density="compact", classes="mt-2")
+            vuetify.VSelect(v_model=("colors",), items=("palettes", list(COLORS)), label="Colours",
+                            hide_details=True, density="compact", classes="mt-2")
+            vuetify.VSwitch(v_model=("contours",), label="Contours", hide_details=True, density="compact",
+                            color="primary")
+            vuetify.VBtn("Whole terrain", click=self._reset, block=True, size="small", id="reset")
+        with vuetify.VSheet(classes="px-3 py-1 text-body-2", id="picked",
+                            style="position: absolute; left: 8px; bottom: 8px; opacity: 0.9; max-width: 70%"):
+            html.Div("{{ picked }}", style="white-space: pre-line")
+
+    def start(self, host="127.0.0.1", port=0, open_browser=True, on_ready=print):
+        """Serves until it is interrupted; ``on_ready`` gets the address once there is an answer."""
+        port = free_port(host, port)
+        address = f"http://{f'[{host}]' if ':' in host else host}:{port}/?token={self.token}"
+
+        def bind(server):
+            server.app.middlewares.append(guard(self.token, f"vtkterrain-{port}"))
+
+        def ready(**_):
+            on_ready(address)
+            if open_browser:
+                import webbrowser
+
+                webbrowser.open(address)
+
+        self.server.controller.on_server_bind.add(bind)
+        self.server.controller.on_server_ready.add(ready)
+        self.server.start(port=port, host=host, open_browser=False, show_connection_info=False, timeout=0)

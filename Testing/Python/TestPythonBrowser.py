@@ -1,0 +1,213 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The viewer in a browser: python -m vtkterrain FILE; skipped without trame.
+
+What a browser would show is looked at in headless Chromium, where playwright and Chromium are there.
+"""
+import contextlib
+import http.client
+import importlib.util
+import pathlib
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+import unittest
+import urllib.parse
+
+import numpy as np
+import vtkTerrainTesting
+
+HAS_TRAME = all(importlib.util.find_spec(name) for name in ("trame", "trame_rca", "trame_vuetify", "PIL"))
+CHROMIUM = shutil.which("chromium")
+HEIGHTS = pathlib.Path(__file__).parents[2] / "Examples" / "Places" / "heights.tif"
+
+
+def command(*arguments):
+    return [sys.executable, "-m", "vtkterrain", "--no-browser", *map(str, arguments)]
+
+
+@contextlib.contextmanager
+def viewer(*arguments):
+    """A viewer, from when it answers on; gives its process and the address it printed."""
+    process = subprocess.Popen(command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    try:
+        yield process, process.stdout.readline().strip()
+    finally:
+        process.send_signal(signal.SIGINT)
+        try:
+            process.wait(20)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        process.stdout.close()
+
+
+def ask(address, path, **headers):
+    """Status, headers and text of a path, which goes to the server as it is."""
+    server = urllib.parse.urlsplit(address)
+    connection = http.client.HTTPConnection(server.hostname, server.port, timeout=30)
+    try:
+        connection.putrequest("GET", path, skip_accept_encoding=True)
+        for name, value in headers.items():
+            connection.putheader(name, value)
+        connection.endheaders()
+        answer = connection.getresponse()
+        return answer.status, answer.headers, answer.read().decode(errors="replace")
+    finally:
+        connection.close()
+
+
+@unittest.skipUnless(HAS_TRAME, "trame, trame-rca, trame-vuetify and pillow are not installed")
+class TestServer(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.running = contextlib.ExitStack()
+        _, cls.address = cls.running.enter_context(viewer(HEIGHTS))
+        cls.token = urllib.parse.urlsplit(cls.address).query
+        _, headers, _ = ask(cls.address, f"/?{cls.token}")
+        cls.cookie = headers["Set-Cookie"].split(";")[0]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.running.close()
+
+    def test_it_listens_to_this_machine_alone_and_tells_a_token(self):
+        self.assertRegex(self.address, r"^http://127\.0\.0\.1:\d+/\?token=[\w-]{32}$")
+
+    def test_nothing_is_answered_without_the_token(self):
+        for path in ("/", "/index.html", "/ws", "/?token=", "/?token=guess", "/no/such/path"):
+            self.assertEqual(ask(self.address, path)[0], 403, path)
+        status, headers, _ = ask(self.address, f"/?{self.token}")
+        self.assertEqual((status, headers["Location"]), (302, "/index.html"))
+        self.assertIn("HttpOnly", headers["Set-Cookie"])
+        self.assertIn("SameSite=Strict", headers["Set-Cookie"])
+        self.assertEqual(ask(self.address, "/index.html", Cookie=self.cookie)[0], 200)
+
+    def test_a_page_of_another_origin_is_not_let_in(self):
+        websocket = {"Cookie": self.cookie, "Connection": "Upgrade", "Upgrade": "websocket",
+                     "Sec-WebSocket-Version": "13", "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ=="}
+        for origin in ("http://elsewhere.example", "null", "http://127.0.0.1:1"):
+            self.assertEqual(ask(self.address, "/ws", Origin=origin, **websocket)[0], 403, origin)
+
+    def test_no_file_is_served(self):
+        secret = pathlib.Path(vtkTerrainTesting.output_path("secret.txt"))
+        secret.write_text("not for the browser")
+        dots = "/".join([".."] * 12)
+        for path in (f"/{dots}{secret}", f"/%2e%2e/{dots}{secret}", f"//{secret}", f"/index.html?file={secret}",
+                     f"/?file={secret}", f"/assets/{dots}{secret}", f"/{HEIGHTS.name}", "/heights.tif?raw=1"):
+            _, _, text = ask(self.address, path, Cookie=self.cookie)
+            self.assertNotIn("not for the browser", text, path)
+            self.assertNotIn("II*", text, path)
+
+    def test_a_browser_that_closes_while_loading_is_no_harm(self):
+        server = urllib.parse.urlsplit(self.address)
+        for _ in range(5):
+            with socket.create_connection((server.hostname, server.port)) as connection:
+                connection.sendall(f"GET /index.html HTTP/1.1\r\nHost: {server.netloc}\r\nCookie: {self.cookie}\r\n\r\n"
+                                   .encode())
+        self.assertEqual(ask(self.address, "/index.html", Cookie=self.cookie)[0], 200)
+
+
+@unittest.skipUnless(HAS_TRAME, "trame, trame-rca, trame-vuetify and pillow are not installed")
+class TestRefusals(unittest.TestCase):
+    def refusal(self, *arguments):
+        result = subprocess.run(command(*arguments), capture_output=True, text=True, check=False, timeout=120)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertNotIn("Traceback", result.stderr)
+        return result.stderr.strip().splitlines()[-1]
+
+    def test_a_file_that_is_none(self):
+        self.assertIn("'/nowhere.tif'", self.refusal("/nowhere.tif"))
+        self.assertIn("heights.tif?token=1", self.refusal(f"{HEIGHTS}?token=1"))
+
+    def test_a_port_in_use(self):
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            port = taken.getsockname()[1]
+            self.assertRegex(self.refusal(HEIGHTS, "--port", port), rf"port {port} .*--port 0")
+
+    def test_heights_without_a_surface(self):
+        path = vtkTerrainTesting.output_path("line.asc")
+        vtkTerrainTesting.write_ascii_grid(path, np.zeros((1, 5)))
+        self.assertIn("no surface", self.refusal(path))
+
+
+@unittest.skipUnless(HAS_TRAME and CHROMIUM and importlib.util.find_spec("playwright"),
+                     "trame, playwright or Chromium is not installed")
+class TestChromium(unittest.TestCase):
+    def setUp(self):
+        from playwright.sync_api import sync_playwright
+
+        self.running = contextlib.ExitStack()
+        self.addCleanup(self.running.close)
+        self.process, self.address = self.running.enter_context(viewer(HEIGHTS))
+        browser = self.running.enter_context(sync_playwright()).chromium.launch(
+            executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        self.running.callback(browser.close)
+        self.page = browser.new_page(viewport={"width": 1000, "height": 700})
+        self.page.goto(self.address)
+        self.page.wait_for_selector("img", timeout=60_000)
+
+    def picture(self, name):
+        """A screenshot that no longer changes, without the controls, as an array."""
+        before = None
+        for _ in range(40):
+            time.sleep(0.5)
+            path = vtkTerrainTesting.output_path(f"browser-{name}.png")
+            self.page.screenshot(path=path, clip={"x": 0, "y": 0, "width": 700, "height": 640})
+            now = vtkTerrainTesting.read_picture(path)[..., :3]
+            if before is not None and np.array_equal(before, now):
+                return now.astype(int)
+            before = now
+        raise AssertionError(f"the picture goes on changing: {path}")
+
+    def drag(self, dx, dy, button="left"):
+        self.page.mouse.move(400, 350)
+        self.page.mouse.down(button=button)
+        for step in range(1, 11):
+            self.page.mouse.move(400 + dx * step / 10, 350 + dy * step / 10)
+        self.page.mouse.up(button=button)
+
+    def wait_for_text(self, pattern):
+        self.page.wait_for_function("pattern => new RegExp(pattern).test(document.querySelector('#picked').innerText)",
+                                    arg=pattern, timeout=30_000)
+
+    def test_pointer_keys_settings_and_size(self):
+        first = self.picture("first")
+        self.assertGreater(len(np.unique(first.reshape(-1, 3), axis=0)), 1000)
+        seen = {"first": first}
+        for name, act in (("turn", lambda: self.drag(150, 40)), ("pan", lambda: self.drag(60, 60, "right")),
+                          ("zoom", lambda: self.page.mouse.wheel(0, -300)),
+                          ("key", lambda: self.page.keyboard.press("ArrowLeft")),
+                          ("contours", lambda: self.page.get_by_label("Contours").click()),
+                          ("sun", lambda: self.page.get_by_role("slider").nth(1).press("Home")),
+                          ("heights", lambda: self.page.get_by_role("slider").nth(0).press("End"))):
+            act()
+            now = self.picture(name)
+            last = list(seen.values())[-1]
+            self.assertGreater((np.abs(now - last).max(axis=2) > 10).mean(), 0.002, name)
+            seen[name] = now
+        self.page.set_viewport_size({"width": 760, "height": 680})
+        self.assertGreater((np.abs(self.picture("resized") - seen["heights"]).max(axis=2) > 10).mean(), 0.02)
+
+    def test_a_click_tells_the_place(self):
+        self.page.mouse.click(480, 450)
+        self.wait_for_text(r"\d+\.\d+.*\d")
+        self.page.mouse.click(20, 20)
+        self.wait_for_text("sky")
+
+    def test_a_lost_connection_is_told_and_a_reload_goes_on(self):
+        self.page.reload()
+        self.page.wait_for_selector("img", timeout=60_000)
+        self.picture("reloaded")
+        self.process.kill()
+        self.process.wait()
+        self.page.wait_for_function("document.body.innerText.toLowerCase().includes('connection')", timeout=30_000)
+
+
+if __name__ == "__main__":
+    vtkTerrainTesting.run()
