@@ -110,6 +110,9 @@ set(core
   place/SceneFrame
   place/SunPosition
   rays/HeightSearch
+  rays/Horizon
+  rays/LaneKernels
+  rays/LaneKernelsPlain
   rays/PixelRays
   rays/QueryWalk
   rays/RayQuery
@@ -138,6 +141,10 @@ set(core_without_contraction
   landscape/ProceduralTerrain
   landscape/StreamErosion
 )
+# Loops that are compiled for kinds of processors and chosen at run time (core/rays/LaneKernels.h).
+set(core_lanes_options -O3 -ffp-contract=off -fno-math-errno)
+set(core_lanes_avx2_options -mavx2)
+set(core_lanes_avx512_options -mavx512f -mprefer-vector-width=512)
 # Its procedures recurse with triangles of a few numbers, which are slower gathered in vectors.
 set(core_without_vectors
   strips/Refinement
@@ -157,6 +164,12 @@ foreach (shader IN LISTS shaders)
   list(APPEND private_headers "${header}")
 endforeach ()
 
+set(has_lanes_x86 OFF)
+if (CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(has_lanes_x86 ON)
+  list(APPEND core rays/LaneKernelsAvx2 rays/LaneKernelsAvx512)
+endif ()
+
 if (core)
   list(TRANSFORM core PREPEND "${root}/src/core/")
   list(TRANSFORM core APPEND ".cxx")
@@ -172,6 +185,16 @@ if (core)
     list(TRANSFORM core_without_contraction APPEND ".cxx")
     set_source_files_properties(${core_without_contraction}
       PROPERTIES COMPILE_OPTIONS "-ffp-contract=off")
+    set_source_files_properties("${root}/src/core/rays/LaneKernelsPlain.cxx"
+      PROPERTIES COMPILE_OPTIONS "${core_lanes_options}")
+    if (has_lanes_x86)
+      set_source_files_properties("${root}/src/core/rays/LaneKernelsAvx2.cxx"
+        PROPERTIES COMPILE_OPTIONS "${core_lanes_options};${core_lanes_avx2_options}")
+      set_source_files_properties("${root}/src/core/rays/LaneKernelsAvx512.cxx"
+        PROPERTIES COMPILE_OPTIONS "${core_lanes_options};${core_lanes_avx512_options}")
+      set_source_files_properties("${root}/src/core/rays/LaneKernels.cxx"
+        PROPERTIES COMPILE_DEFINITIONS TERRAIN_LANES_X86 SKIP_UNITY_BUILD_INCLUSION ON)
+    endif ()
     list(TRANSFORM core_without_vectors PREPEND "${root}/src/core/")
     list(TRANSFORM core_without_vectors APPEND ".cxx")
     set_source_files_properties(${core_without_vectors}

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/rays/Horizon.h"
+
+#include "core/grid/PaddedGrid.h"
+#include "core/rays/HorizonWay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+namespace terrain
+{
+namespace
+{
+/// An error of slopes that is left to float: 0.001 degrees.
+constexpr double kLeastSlope = 2e-5;
+}
+
+template <typename Real>
+struct HorizonGrid::Prepared
+{
+  PaddedGrid<Real> Grid;
+  MinMaxPyramid<Real> Pyramid;
+  std::vector<typename LaneGrid<Real>::Level> Levels;
+  LaneGrid<Real> View;
+
+  Prepared(
+    std::int64_t width, std::int64_t height, const RowReader& read, const ParallelFor& parallelFor)
+    : Grid(width, height, read, parallelFor)
+  {
+    this->Pyramid.Build(this->Grid.WithMargin(), parallelFor);
+    for (int level = 1; level <= this->Pyramid.LevelCount(); ++level)
+    {
+      const glm::ivec2 size = this->Pyramid.LevelSize(level);
+      this->Levels.push_back({ this->Pyramid.LevelNodes(level), size.x, size.y });
+    }
+    this->View = { width, height, this->Grid.Stride, this->Grid.At(0, 0),
+      static_cast<int>(this->Grid.Margin), this->Pyramid.CellCount().x, this->Pyramid.CellCount().y,
+      this->Pyramid.LevelCount(), this->Levels.data() };
+  }
+};
+
+HorizonGrid::HorizonGrid(
+  std::int64_t width, std::int64_t height, const RowReader& read, const ParallelFor& parallelFor)
+  : Width(width)
+  , Height(height)
+{
+  // How far heights are off as floats.
+  double rounding = 0.0;
+  std::mutex mutex;
+  parallelFor(height,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      std::vector<double> heights(static_cast<std::size_t>(width));
+      double most = 0.0;
+      for (std::int64_t row = begin; row < end; ++row)
+      {
+        read(row, heights.data());
+        for (const double h : heights)
+        {
+          const double off = std::abs(h - static_cast<double>(static_cast<float>(h)));
+          most = off > most ? off : most; // NaN is not
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      rounding = std::max(rounding, most);
+    });
+  this->Rounding = rounding;
+  this->Single = std::make_unique<Prepared<float>>(width, height, read, parallelFor);
+  if (rounding > 0.0)
+  {
+    this->Double = std::make_unique<Prepared<double>>(width, height, read, parallelFor);
+  }
+}
+
+HorizonGrid::~HorizonGrid() = default;
+
+template <typename Real>
+void HorizonGrid::CastRows(const Prepared<Real>& prepared, HorizonKernel<Real> kernel, int lanes,
+  double azimuth, const HorizonOptions& options, const RowRange& rows, float* degrees,
+  const ParallelFor& parallelFor) const
+{
+  const glm::i64vec2 size(this->Width, this->Height);
+  const HorizonPath path(azimuth, options.Spacing, size);
+  const HorizonWay<Real> way(path, options.Drop, prepared.View.Stride, lanes, size);
+  parallelFor(rows.End - rows.First,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t row = begin; row < end; ++row)
+      {
+        kernel(prepared.View, way.View, static_cast<Real>(options.EyeHeight), rows.First + row,
+          degrees + row * this->Width);
+      }
+    });
+}
+
+void HorizonGrid::Cast(double azimuth, const HorizonOptions& options, const RowRange& rows,
+  float* degrees, const ParallelFor& parallelFor, const LaneKernels& kernels) const
+{
+  // Two heights may be off, over the distance of one cell.
+  const double slope = 2.0 * this->Rounding / std::min(options.Spacing.x, options.Spacing.y);
+  if (this->Double && slope > kLeastSlope)
+  {
+    this->CastRows(*this->Double, kernels.HorizonInDouble,
+      kernels.Bytes / static_cast<int>(sizeof(double)), azimuth, options, rows, degrees,
+      parallelFor);
+  }
+  else
+  {
+    this->CastRows(*this->Single, kernels.Horizon, kernels.Bytes / static_cast<int>(sizeof(float)),
+      azimuth, options, rows, degrees, parallelFor);
+  }
+}
+}
