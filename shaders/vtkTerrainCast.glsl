@@ -110,7 +110,11 @@ TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front, out vec4 co
       codes = terrainCellCodes(next.cell);
       front = terrainSeesFront(ray, next, codes);
     }
+#if defined(TERRAIN_LINEAR) || defined(TERRAIN_EXPONENTIAL)
+    again = false; // steps depend on where they begin
+#else
     again = first && hit.found && (hit.s - begin) * pace > terrainLongRay;
+#endif
     begin = hit.s - 4.0 / max(pace, 1e-30);
     first = false;
   } while (again);

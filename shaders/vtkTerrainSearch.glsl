@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Searches for the first point of the surface on a ray, by steps. Twin: src/core/rays/HeightSearch.h, which
-// documents the method and its parameters. Needs vtkTerrainHeights.glsl and vtkTerrainRay.glsl.
+// Searches for the first point of the surface on a ray, by steps where the min-max pyramid lets it be.
+// Twin: src/core/rays/HeightSearch.h, which documents the method and its parameters. Needs
+// vtkTerrainPyramid.glsl and its uniforms.
+// Defines: TERRAIN_LINEAR, TERRAIN_EXPONENTIAL or, else, the equidistant search.
 
 uniform int terrainSteps;          // steps: all of a linear or exponential search, short ones of an equidistant
 uniform int terrainLongSteps;      // further steps of double length of an equidistant search
 uniform int terrainSecantSteps;    // steps of root polishing
 uniform float terrainStepLength;   // of an equidistant search, in cells
 uniform float terrainStepRelief;   // height codes that count as long as one cell
-uniform float terrainLargestGap;   // highest that the coarse mesh lies above the surface, codes
-
-#define TERRAIN_EDGE_STEPS 8 // halvings of a step in which the surface begins or ends
+uniform int terrainStepLevel;      // level of the nodes in which steps are taken
 
 // Height of a ray above the surface at a distance.
 struct TerrainSample
@@ -25,68 +25,36 @@ struct TerrainSample
 // A search under way.
 struct TerrainMarch
 {
-  bool running;
   TerrainSample last;
-  TerrainHit hit;
+  TerrainSample next; // on the other side of the surface, if found
+  bool found;
+  bool ended;
+  float begin;        // distance of the first step
+  float dip;          // where to look between last and the step after it; < 0: nowhere
+  int steps;          // taken
+  int crossings;      // nodes visited and samples taken
 };
 
-// The part of the distances range.x to range.y where low <= origin + s * direction <= high; empty, range.x
-// > range.y, if there is none.
-vec2 terrainClipToSlab(vec2 range, float origin, float direction, float low, float high)
-{
-  if (abs(direction) < 1e-30)
-  {
-    return origin >= low && origin <= high ? range : vec2(1.0, 0.0);
-  }
-  float atLow = (low - origin) / direction;
-  float atHigh = (high - origin) / direction;
-  return vec2(max(range.x, min(atLow, atHigh)), min(range.y, max(atLow, atHigh)));
-}
-
-// The distances to search: above the grid's rectangle, and down to code 0 or up to the largest code.
-vec2 terrainSegment(TerrainRay ray)
-{
-  if (any(lessThan(terrainSize, ivec2(2))))
-  {
-    return vec2(1.0, 0.0);
-  }
-  vec2 low = vec2(-ray.anchorCell);
-  vec2 high = vec2(terrainSize - 1 - ray.anchorCell);
-  float margin = 1e-4 * max(terrainMaximumCode, terrainStepRelief);
-  vec2 range = vec2(ray.sBegin, ray.sEnd);
-  range = terrainClipToSlab(range, ray.originGC.x, ray.directionGC.x, low.x, high.x);
-  range = terrainClipToSlab(range, ray.originGC.y, ray.directionGC.y, low.y, high.y);
-  return terrainClipToSlab(
-    range, ray.originGC.z, ray.directionGC.z, -margin, terrainMaximumCode + margin);
-}
-
 // Distance of one step of terrainStepLength cells.
-float terrainStepDistance(TerrainRay ray)
+float terrainStepDistance(TerrainPath path)
 {
   return terrainStepLength /
-    max(length(vec3(ray.directionGC.xy, ray.directionGC.z / terrainStepRelief)), 1e-30);
+    max(length(vec3(path.direction.xy, path.direction.z / terrainStepRelief)), 1e-30);
 }
 
-// The cell at a distance; positions beyond the border count as on it.
-ivec2 terrainCellAt(TerrainRay ray, vec3 positionGC)
+// The sample at a distance, of the cells from firstCell to lastCell.
+TerrainSample terrainSamplePath(TerrainPath path, ivec2 firstCell, ivec2 lastCell, float s)
 {
-  return clamp(ray.anchorCell + ivec2(floor(positionGC.xy)), ivec2(0), terrainSize - 2);
-}
-
-// Position within a cell, 0..1.
-vec2 terrainFractionAt(TerrainRay ray, vec3 positionGC, ivec2 cell)
-{
-  return clamp(positionGC.xy - vec2(cell - ray.anchorCell), vec2(0.0), vec2(1.0));
-}
-
-TerrainSample terrainSampleRay(TerrainRay ray, float s)
-{
-  vec3 positionGC = ray.originGC + s * ray.directionGC;
-  ivec2 cell = terrainCellAt(ray, positionGC);
-  vec4 codes = terrainCellCodes(cell);
-  vec2 fraction = terrainFractionAt(ray, positionGC, cell);
-  return TerrainSample(terrainCellValid(codes), s, positionGC.z - terrainPatchCode(codes, fraction),
-    ray.directionGC.z - dot(terrainPatchGradient(codes, fraction), ray.directionGC.xy));
+  vec2 position = path.origin.xy + path.direction.xy * s;
+  ivec2 cell = clamp(ivec2(floor(position)) + path.anchor, firstCell, lastCell);
+  vec4 codes = terrainCellCodes(cell ^ path.mirror);
+  bool valid = terrainCellValid(codes);
+  codes -= path.anchorCode;
+  vec2 fraction = terrainCellFraction(path, cell, s, 0, 0.0);
+  vec2 move = mix(path.direction.xy, -path.direction.xy, notEqual(path.mirror, ivec2(0)));
+  return TerrainSample(valid, s,
+    path.origin.z + path.direction.z * s - terrainPatchCode(codes, fraction),
+    path.direction.z - dot(terrainPatchGradient(codes, fraction), move));
 }
 
 // Where the line through two samples meets the surface's height, between them.
@@ -95,67 +63,132 @@ float terrainSecant(TerrainSample a, TerrainSample b, float weightA, float weigh
   float above = a.above * weightA;
   float difference = above - b.above * weightB;
   float t = difference != 0.0 ? above / difference : 0.0;
-  return mix(a.s, b.s, clamp(t, 0.0, 1.0));
+  return a.s + clamp(t, 0.0, 1.0) * (b.s - a.s);
 }
 
-// Of two samples one of which is valid, the valid one after moving them together to where the surface
-// begins or ends.
-TerrainSample terrainValidEdge(TerrainRay ray, TerrainSample a, TerrainSample b, inout TerrainMarch march)
-{
-  for (int i = 0; i < TERRAIN_EDGE_STEPS; ++i)
-  {
-    TerrainSample c = terrainSampleRay(ray, 0.5 * (a.s + b.s));
-    ++march.hit.crossings;
-    if (c.valid == a.valid)
-    {
-      a = c;
-    }
-    else
-    {
-      b = c;
-    }
-  }
-  if (a.valid)
-  {
-    return a;
-  }
-  return b;
-}
-
-// Of two samples on one side of the surface, the place between them where the ray may be on the other:
-// where the tangents meet, if that is on the other side. Else b.
-TerrainSample terrainDip(TerrainRay ray, TerrainSample a, TerrainSample b, inout TerrainMarch march)
+// Of two samples on one side of the surface, the distance between them where the ray is on the other,
+// or may be; -1 if nowhere.
+float terrainDip(TerrainSample a, TerrainSample b)
 {
   float side = a.above < 0.0 ? -1.0 : 1.0;
-  float closing = side * a.slope;
-  float opening = side * b.slope;
-  if (closing >= 0.0 || opening <= 0.0)
-  {
-    return b;
-  }
   float interval = b.s - a.s;
-  float t = (side * (a.above - b.above) + opening * interval) / (opening - closing);
-  if (!(t > 0.0 && t < interval) || side * a.above + closing * t >= 0.0)
-  {
-    return b;
-  }
-  ++march.hit.crossings;
-  return terrainSampleRay(ray, a.s + t);
+  bool parabola = terrainStepLevel == 0;
+  float opening = side * b.slope;
+  float fall = side * (a.above - b.above);
+  float closing = parabola ? -2.0 * fall / interval - opening : side * a.slope;
+  float t = (parabola ? -closing * interval : fall + opening * interval) / (opening - closing);
+  float lowest = side * a.above + (parabola ? 0.5 : 1.0) * closing * t;
+  return closing < 0.0 && opening > 0.0 && t > 0.0 && t < interval && lowest < 0.0 ? a.s + t : -1.0;
 }
 
-// Root polishing between two samples on different sides; march.hit.found is false if there are no data.
-void terrainPolish(TerrainRay ray, TerrainSample a, TerrainSample b, inout TerrainMarch march)
+// The part of the path at whose end a step from a place on ends at the latest: a cell, or all the rest.
+TerrainSpan terrainStepSpan(TerrainPath path, TerrainStep at)
 {
+  TerrainSpan span = TerrainSpan(path.lastCell, false, true, path.sEnd, 0.0);
+#if !defined(TERRAIN_LINEAR) && !defined(TERRAIN_EXPONENTIAL)
+  if (terrainStepLevel == 0)
+  {
+    span = terrainNodeSpan(path, at);
+  }
+#endif
+  return span;
+}
+
+// Where the next step ends.
+float terrainNextSample(TerrainPath path, TerrainMarch march)
+{
+#if defined(TERRAIN_LINEAR)
+  return march.begin +
+    float(march.steps + 1) / float(terrainSteps) * (path.sEnd - march.begin);
+#elif defined(TERRAIN_EXPONENTIAL)
+  return march.begin + exp2(float(march.steps + 1 - terrainSteps)) * (path.sEnd - march.begin);
+#else
+  return march.last.s + (march.steps < terrainSteps ? 1.0 : 2.0) * terrainStepDistance(path);
+#endif
+}
+
+// True if all steps have been taken.
+bool terrainHasStepped(TerrainMarch march)
+{
+#if defined(TERRAIN_LINEAR) || defined(TERRAIN_EXPONENTIAL)
+  return march.steps >= terrainSteps;
+#else
+  return march.steps >= terrainSteps + terrainLongSteps;
+#endif
+}
+
+// Samples where steps begin, unless the last step has ended there. What rounding puts just below the
+// surface counts as on it.
+void terrainBeginSteps(TerrainPath path, TerrainStep at, inout TerrainMarch march)
+{
+  if (at.s != march.last.s || !march.last.valid)
+  {
+    TerrainSpan span = terrainStepSpan(path, at);
+    march.last = terrainSamplePath(path, at.cell, span.lastCell, at.s);
+    march.last.above =
+      abs(march.last.above) < 2.0 * path.slack ? max(march.last.above, 0.0) : march.last.above;
+    march.begin = march.steps == 0 ? at.s : march.begin;
+    ++march.crossings;
+  }
+}
+
+// Where a step has got to: in its cell or the next, or, with longer steps, to be visited again.
+TerrainStep terrainStepTo(TerrainPath path, TerrainStep at, TerrainSpan span, float s)
+{
+  vec2 position = path.origin.xy + path.direction.xy * s;
+  ivec2 cell = clamp(ivec2(floor(position)) + path.anchor, at.cell, span.lastCell);
+  float z = path.origin.z + path.direction.z * s;
+#if defined(TERRAIN_LINEAR) || defined(TERRAIN_EXPONENTIAL)
+  return TerrainStep(cell, at.level, s, z, 0);
+#else
+  TerrainStep next = terrainNextStep(path, at, span, false, span.s);
+  bool leaves = terrainStepLevel == 0 && s >= span.s;
+  int level = terrainStepLevel == 0 ? 0 : min(terrainStepLevel + 1, terrainPyramidTop);
+  return TerrainStep(leaves ? next.cell : cell, leaves ? next.level : level, s, z,
+    leaves ? next.line : 0);
+#endif
+}
+
+// One step, or a look at a dip between two.
+TerrainStep terrainTakeStep(TerrainPath path, TerrainStep at, inout TerrainMarch march)
+{
+  TerrainSpan span = terrainStepSpan(path, at);
+  bool looks = march.dip >= 0.0;
+  float s = looks ? march.dip : min(terrainNextSample(path, march), span.s);
+  march.next = terrainSamplePath(path, at.cell, span.lastCell, s);
+  ++march.crossings;
+  bool both = march.last.valid && march.next.valid;
+  march.found = both && (march.last.above < 0.0) != (march.next.above < 0.0);
+#if defined(TERRAIN_LINEAR) || defined(TERRAIN_EXPONENTIAL)
+  march.dip = -1.0;
+#else
+  march.dip = both && !march.found && !looks ? terrainDip(march.last, march.next) : -1.0;
+#endif
+  if (march.found || march.dip >= 0.0)
+  {
+    march.ended = march.found;
+    return at;
+  }
+  march.last = march.next;
+  march.steps += looks ? 0 : 1;
+  march.ended = (s >= span.s && span.ends) || terrainHasStepped(march);
+  return terrainStepTo(path, at, span, s);
+}
+
+// Root polishing between the last samples; nothing is found where there are no data.
+TerrainHit terrainPolish(TerrainPath path, TerrainStep at, TerrainMarch march)
+{
+  TerrainSample a = march.last;
+  TerrainSample b = march.next;
+  ivec2 lastCell = terrainStepSpan(path, at).lastCell;
   float weightA = 1.0;
   float weightB = 1.0;
+  bool valid = true;
   for (int i = 0; i < terrainSecantSteps; ++i)
   {
-    TerrainSample c = terrainSampleRay(ray, terrainSecant(a, b, weightA, weightB));
-    ++march.hit.crossings;
-    if (!c.valid)
-    {
-      return;
-    }
+    TerrainSample c =
+      terrainSamplePath(path, at.cell, lastCell, terrainSecant(a, b, weightA, weightB));
+    valid = valid && c.valid;
     bool sideOfA = (c.above < 0.0) == (a.above < 0.0);
     weightA = sideOfA ? 1.0 : 0.5 * weightA;
     weightB = sideOfA ? 0.5 * weightB : 1.0;
@@ -168,107 +201,57 @@ void terrainPolish(TerrainRay ray, TerrainSample a, TerrainSample b, inout Terra
       b = c;
     }
   }
-  march.hit.s = terrainSecant(a, b, 1.0, 1.0);
-  vec3 positionGC = ray.originGC + march.hit.s * ray.directionGC;
-  march.hit.cell = terrainCellAt(ray, positionGC);
-  march.hit.fraction = terrainFractionAt(ray, positionGC, march.hit.cell);
-  march.hit.found = terrainCellValid(terrainCellCodes(march.hit.cell));
+  TerrainHit hit;
+  hit.s = terrainSecant(a, b, 1.0, 1.0);
+  vec2 position = path.origin.xy + path.direction.xy * hit.s;
+  ivec2 cell = clamp(ivec2(floor(position)) + path.anchor, at.cell, lastCell);
+  hit.cell = cell ^ path.mirror;
+  hit.fraction = terrainCellFraction(path, cell, hit.s, 0, 0.0);
+  hit.found = valid && terrainCellValid(terrainCellCodes(hit.cell));
+  hit.crossings = march.crossings + terrainSecantSteps;
+  return hit;
 }
 
-// The first sample of a search. What rounding puts just below the surface counts as on it.
-TerrainMarch terrainMarchFrom(TerrainRay ray, vec2 segment)
+// The first point of the surface on a ray, as the steps find it.
+TerrainHit terrainSearch(TerrainRay ray)
 {
-  TerrainMarch march;
-  march.hit = terrainNoHit();
-  march.running = segment.x <= segment.y;
-  march.last = TerrainSample(false, segment.x, 0.0, 0.0);
-  if (march.running)
+  TerrainPath path = terrainClipPath(terrainMirrorRay(ray));
+  TerrainStep at = terrainFirstStep(path);
+  TerrainSample none = TerrainSample(false, 0.0, 0.0, 0.0);
+  TerrainMarch march = TerrainMarch(none, none, false, false, 0.0, -1.0, 0, 0);
+  march.ended = !(path.sBegin <= path.sEnd) || terrainHasStepped(march);
+  bool small;
+  // Loops in turn, which test at their ends: see terrainTracePyramidWithin().
+  do
   {
-    march.last = terrainSampleRay(ray, segment.x);
-    ++march.hit.crossings;
-    float rounding = 2e-6 * (terrainMaximumCode + terrainStepRelief);
-    march.last.above =
-      abs(march.last.above) < rounding ? max(march.last.above, 0.0) : march.last.above;
-  }
-  return march;
-}
-
-// One step of a search, to distance s. Stops at a hit, at the end of the segment, and where the ray has
-// risen above the coarse mesh.
-void terrainMarchTo(TerrainRay ray, float s, float end, inout TerrainMarch march)
-{
-  TerrainSample next = terrainSampleRay(ray, min(s, end));
-  ++march.hit.crossings;
-  if (march.last.valid || next.valid)
+    do
+    {
+      if (!march.ended && at.level > terrainStepLevel)
+      {
+        ++march.crossings;
+        TerrainSpan span = terrainNodeSpan(path, at);
+        bool down;
+        at = terrainVisitNode(path, at, span, vec4(0.0), down, small);
+        march.ended = span.ends && !down;
+      }
+    } while (!march.ended && at.level > terrainStepLevel);
+    if (!march.ended)
+    {
+      terrainBeginSteps(path, at, march);
+    }
+    do
+    {
+      if (!march.ended && at.level <= terrainStepLevel)
+      {
+        at = terrainTakeStep(path, at, march);
+      }
+    } while (!march.ended && march.next.valid && at.level <= terrainStepLevel);
+  } while (!march.ended);
+  TerrainHit hit = terrainNoHit();
+  hit.crossings = march.crossings;
+  if (march.found)
   {
-    bool both = march.last.valid == next.valid;
-    TerrainSample edge = next;
-    if (!both)
-    {
-      edge = terrainValidEdge(ray, march.last, next, march);
-    }
-    TerrainSample a = edge;
-    if (march.last.valid)
-    {
-      a = march.last;
-    }
-    TerrainSample b = edge;
-    if (next.valid)
-    {
-      b = next;
-    }
-    TerrainSample c = b;
-    if ((a.above < 0.0) == (b.above < 0.0))
-    {
-      c = terrainDip(ray, a, b, march);
-    }
-    if (c.valid && (a.above < 0.0) != (c.above < 0.0))
-    {
-      terrainPolish(ray, a, c, march);
-    }
-    march.running = b.above <= terrainLargestGap || b.above <= a.above;
+    hit = terrainPolish(path, at, march);
   }
-  march.running = march.running && !march.hit.found && s < end;
-  march.last = next;
-}
-
-// Equal steps from the beginning to the end of the segment.
-TerrainHit terrainSearchLinear(TerrainRay ray)
-{
-  vec2 segment = terrainSegment(ray);
-  TerrainMarch march = terrainMarchFrom(ray, segment);
-  for (int i = 0; i < terrainSteps && march.running; ++i)
-  {
-    float t = float(i + 1) / float(terrainSteps);
-    terrainMarchTo(ray, mix(segment.x, segment.y, t), segment.y, march);
-  }
-  return march.hit;
-}
-
-// Steps that double: at H = 1 - 1 / 2^(N - 1 - i), where H is 1 at the beginning and 0 at the end (eq. 3).
-TerrainHit terrainSearchExponential(TerrainRay ray)
-{
-  vec2 segment = terrainSegment(ray);
-  TerrainMarch march = terrainMarchFrom(ray, segment);
-  for (int i = 0; i < terrainSteps && march.running; ++i)
-  {
-    float h = 1.0 - exp2(float(i + 1 - terrainSteps));
-    terrainMarchTo(ray, mix(segment.y, segment.x, h), segment.y, march);
-  }
-  return march.hit;
-}
-
-// Steps of one length whatever the ray's slope, then of double length (eq. 4-5); then no hit.
-TerrainHit terrainSearchEquidistant(TerrainRay ray)
-{
-  vec2 segment = terrainSegment(ray);
-  TerrainMarch march = terrainMarchFrom(ray, segment);
-  float stepDistance = terrainStepDistance(ray);
-  float s = segment.x;
-  for (int i = 0; i < terrainSteps + terrainLongSteps && march.running; ++i)
-  {
-    s += i < terrainSteps ? stepDistance : 2.0 * stepDistance;
-    terrainMarchTo(ray, s, segment.y, march);
-  }
-  return march.hit;
+  return hit;
 }

@@ -4,8 +4,8 @@
 // The point of the surface that a fragment shows: what VTK's lights and colours work on.
 // Needs vtkTerrainHeights.glsl, vtkTerrainView.glsl, vtkTerrainGradient.glsl and, for rays,
 // vtkTerrainCast.glsl; for columns, vtkTerrainColumns.glsl.
-// Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_MESH if rays begin at the
-// coarse mesh; TERRAIN_DEPTH_OFFSET if depths are shifted thereafter; TERRAIN_COLUMNS for columns;
+// Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_BOX if rays begin at the
+// box; TERRAIN_DEPTH_OFFSET if depths are shifted thereafter; TERRAIN_COLUMNS for columns;
 // TERRAIN_BLOCK if the surface covers a block that clipping planes cut; TERRAIN_CLIP_PLANES if there are
 // such; TERRAIN_READ_SIGHTINGS if a compute shader has cast the rays (vtkTerrainSighting.glsl).
 
@@ -73,15 +73,15 @@ vec4 terrainIdColor(int id)
 }
 
 #ifdef TERRAIN_CAST
-#if defined(TERRAIN_BELOW_MESH) && defined(GL_ARB_conservative_depth) && !defined(TERRAIN_DEPTH_OFFSET)
+#if defined(TERRAIN_BELOW_BOX) && defined(GL_ARB_conservative_depth) && !defined(TERRAIN_DEPTH_OFFSET)
 layout(depth_greater) out float gl_FragDepth; // the hit lies behind the proxy
 #endif
 
-// Distance at which the ray of a fragment of the proxy begins. At the coarse mesh that is a little
-// before the fragment, by what interpolation rounds.
+// Distance at which the ray of a fragment of the proxy begins. On the box that is a little before the
+// fragment, by what interpolation rounds.
 float terrainEntry(vec4 proxyVC)
 {
-#ifdef TERRAIN_BELOW_MESH
+#ifdef TERRAIN_BELOW_BOX
   return -proxyVC.z - 1e-5 * abs(proxyVC.z);
 #else
   return terrainNear;
@@ -92,7 +92,7 @@ float terrainEntry(vec4 proxyVC)
 // included.
 float terrainFragmentDepth(vec4 positionVC, float fragmentDepth)
 {
-#ifdef TERRAIN_BELOW_MESH
+#ifdef TERRAIN_BELOW_BOX
   return max(terrainDepth(positionVC), fragmentDepth);
 #else
   return terrainDepth(positionVC);

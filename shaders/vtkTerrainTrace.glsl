@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The technique in use. Needs vtkTerrainSearch.glsl or vtkTerrainPyramid.glsl.
+// The technique in use. Needs vtkTerrainPyramid.glsl and, for the searches, vtkTerrainSearch.glsl.
 // Defines: TERRAIN_LINEAR, TERRAIN_EXPONENTIAL, TERRAIN_EQUIDISTANT or TERRAIN_PYRAMID; with the
 // last, TERRAIN_WITHIN for a tolerance.
 
@@ -12,12 +12,8 @@ uniform vec4 terrainTolerance; // cells, codes; and their change per unit of dis
 // The first hit of a ray that begins at a distance along the viewing direction.
 TerrainHit terrainTrace(TerrainRay ray, float startDistance)
 {
-#if defined(TERRAIN_LINEAR)
-  return terrainSearchLinear(ray);
-#elif defined(TERRAIN_EXPONENTIAL)
-  return terrainSearchExponential(ray);
-#elif defined(TERRAIN_EQUIDISTANT)
-  return terrainSearchEquidistant(ray);
+#ifndef TERRAIN_PYRAMID
+  return terrainSearch(ray);
 #elif defined(TERRAIN_WITHIN)
   return terrainTracePyramidWithin(ray,
     vec4(terrainTolerance.xy + startDistance * terrainTolerance.zw, terrainTolerance.zw));

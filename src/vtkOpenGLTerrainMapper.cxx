@@ -443,8 +443,7 @@ void vtkOpenGLTerrainMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
   if (this->UsesSurface(act))
   {
     auto* window = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow());
-    internals.Why = internals.Heights.Upload(
-      window, this->CastsRays(act) && this->Technique == Techniques::Pyramid);
+    internals.Why = internals.Heights.Upload(window, this->CastsRays(act));
     if (!internals.Why.empty())
     {
       vtkErrorMacro("Cannot draw the terrain: " << internals.Why);

@@ -143,7 +143,7 @@ bool vtkOpenGLTerrainMapper::IsTextured(vtkActor* act)
 void vtkOpenGLTerrainMapper::UpdateProxy(vtkActor* act)
 {
   vtkInternals& internals = *this->Internals;
-  if (this->CastsRays(act) && (internals.EyeInBox || this->Technique == Techniques::Pyramid))
+  if (this->CastsRays(act))
   {
     this->CurrentInput = internals.Box;
   }

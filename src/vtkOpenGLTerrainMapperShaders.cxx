@@ -220,7 +220,7 @@ std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act)
   if (this->CastsRays(act))
   {
     defines = "#define TERRAIN_CAST\n" + this->CastDefines() + this->BeamDefines();
-    defines += this->Internals->EyeInBox ? "" : "#define TERRAIN_BELOW_MESH\n";
+    defines += this->Internals->EyeInBox ? "" : "#define TERRAIN_BELOW_BOX\n";
     defines += this->Internals->Sightings.IsFilled() ? "#define TERRAIN_READ_SIGHTINGS\n" : "";
   }
   else
@@ -235,9 +235,9 @@ std::string vtkOpenGLTerrainMapper::ShaderDefines(vtkActor* act)
 //------------------------------------------------------------------------------
 std::string vtkOpenGLTerrainMapper::CastFunctions() const
 {
-  return std::string(
-           this->Technique == Techniques::Pyramid ? vtkTerrainPyramid : vtkTerrainSearch) +
-    vtkTerrainTrace + vtkTerrainCast;
+  return std::string(vtkTerrainPyramid) +
+    (this->Technique == Techniques::Pyramid ? "" : vtkTerrainSearch) + vtkTerrainTrace +
+    vtkTerrainCast;
 }
 
 //------------------------------------------------------------------------------
@@ -273,7 +273,7 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
     this->FollowDepth(shaders, act);
     this->FollowValues(shaders);
   }
-  if (this->CastsRays(act) && this->Technique == Techniques::Pyramid && terrain::IsSoftware())
+  if (this->CastsRays(act) && terrain::IsSoftware())
   {
     // its proxy is a box, whose few vertices cost nothing
     UniformPasser passer(shaders[vtkShader::Vertex]->GetSource(), defines);

@@ -38,7 +38,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace
@@ -59,13 +58,6 @@ terrain::SearchKind searchKind(vtkOpenGLTerrainMapper::Techniques technique)
   }
 }
 
-/// What the coarse mesh tells of itself; the fallback for other meshes.
-double fieldValue(vtkPolyData* mesh, const char* name, double fallback)
-{
-  vtkDataArray* array = mesh->GetFieldData()->GetArray(name);
-  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : fallback;
-}
-
 /// Sets a pixel vector, whose columns take (1, x, y) to its value, as floats; and what float cuts
 /// off.
 void setVector(terrain::Uniforms& uniforms, const char* name, const terrain::PixelVector& vector,
@@ -83,8 +75,8 @@ void setVector(terrain::Uniforms& uniforms, const char* name, const terrain::Pix
 //------------------------------------------------------------------------------
 bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
 {
-  if (!this->CastsRays(act) || this->Technique != Techniques::Pyramid ||
-    this->ComputeMode == ComputeModes::Off || !terrain::ComputeProgram::IsSupported() ||
+  if (!this->CastsRays(act) || this->ComputeMode == ComputeModes::Off ||
+    !terrain::ComputeProgram::IsSupported() ||
     this->Internals->SampleShading) // sightings are one a pixel
   {
     return false;
@@ -95,8 +87,8 @@ bool vtkOpenGLTerrainMapper::UsesCompute(vtkActor* act) const
 //------------------------------------------------------------------------------
 bool vtkOpenGLTerrainMapper::UsesBeams(vtkActor* act) const
 {
-  return this->UseBeams && this->CastsRays(act) && this->Technique == Techniques::Pyramid &&
-    this->Surface == Surfaces::Bilinear && terrain::ComputeProgram::IsSupported() &&
+  return this->UseBeams && this->CastsRays(act) && this->Surface == Surfaces::Bilinear &&
+    terrain::ComputeProgram::IsSupported() &&
     !this->Internals->Cutting.Block; // walls may lie before the start
 }
 
@@ -276,32 +268,22 @@ void vtkOpenGLTerrainMapper::SetSearchUniforms(terrain::Uniforms& uniforms)
   terrain::SearchScene scene;
   scene.Width = heights.GetSize().x;
   scene.Height = heights.GetSize().y;
-  scene.CellsPerQuad = std::max<std::int64_t>(
-    1, static_cast<std::int64_t>(fieldValue(this->GetInput(), "SamplesPerQuad", 1.0)));
-  scene.CellsPerQuad *= heights.HasDetail() ? this->DetailCells : 1;
-  const glm::dvec2 detail = heights.GetDetailRange();
-  scene.LargestGap = (fieldValue(this->GetInput(), "LargestGap", codes.MaximumCode * codes.Scale) +
-                       detail.y - detail.x) /
-    codes.Scale;
   scene.MaximumCode = codes.MaximumCode;
   scene.CodesPerCell =
     std::sqrt(spacing.x * spacing.y) / (this->VerticalExaggeration * codes.Scale);
 
-  terrain::SearchParameters search =
-    terrain::ChooseSearchParameters(scene, searchKind(this->Technique));
+  const terrain::SearchKind kind = searchKind(this->Technique);
+  terrain::SearchParameters search = terrain::ChooseSearchParameters(scene, kind);
   search.Steps = this->Steps > 0 ? this->Steps : search.Steps;
   search.LongSteps = this->LongSteps > 0 ? this->LongSteps : search.LongSteps;
   search.SecantSteps = this->SecantSteps > 0 ? this->SecantSteps : search.SecantSteps;
   search.StepLength =
     this->StepLength > 0.0 ? static_cast<float>(this->StepLength) : search.StepLength;
-  if (this->Internals->EyeInBox)
-  {
-    search.LargestGap = std::numeric_limits<float>::max(); // rays do not start at the mesh
-  }
+  search = terrain::BoundSearchParameters(search, kind);
   uniforms.Set("terrainSteps", search.Steps);
   uniforms.Set("terrainLongSteps", search.LongSteps);
   uniforms.Set("terrainSecantSteps", search.SecantSteps);
   uniforms.Set("terrainStepLength", search.StepLength);
   uniforms.Set("terrainStepRelief", search.StepRelief);
-  uniforms.Set("terrainLargestGap", search.LargestGap);
+  uniforms.Set("terrainStepLevel", search.StepLevel());
 }

@@ -297,9 +297,8 @@ vtkTerrainCoarseMesh* vtkTerrainActor::GetUsedMesh()
   {
     return this->UseStrips ? nullptr : this->FullMesh.Get();
   }
-  const bool isSurface = this->GetProperty()->GetRepresentation() == VTK_SURFACE;
-  const bool castsFromBox = isSurface && this->GetTechnique() == Techniques::Pyramid;
-  return castsFromBox ? nullptr : this->CoarseMesh.Get();
+  const bool castsRays = this->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  return castsRays ? nullptr : this->CoarseMesh.Get();
 }
 
 //------------------------------------------------------------------------------

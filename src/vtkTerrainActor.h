@@ -17,8 +17,8 @@
  * It draws matt (diffuse 1, no specular) and in the colours of a relief map over the range of the
  * heights, unless told otherwise; both follow the heights when these change.
  *
- * The coarse mesh is made when it is first needed: never for the technique Pyramid drawn as a
- * surface; for the searches a coarse one, for Mesh the full one; wireframe and points show it. With
+ * A mesh is made when it is first needed: the full one for the technique Mesh, a coarse one where
+ * the other techniques are drawn as wireframe or points, and none for their surface. With
  * UseStrips the technique Mesh draws vtkTerrainStrips instead, refined for the camera at each
  * frame: triangles within a tolerance, lit and coloured by the heights themselves as all else. An
  * actor whose scales in x and y differ makes their tolerance as much larger.
@@ -73,7 +73,7 @@ public:
   /// heights, camera, viewport, culling and exaggeration.
   vtkTerrainStrips* GetStrips();
 
-  /// The mesh that the technique and the representation need: the coarse mesh, the full one, or
+  /// The mesh that the technique and the representation need: the full one, the coarse mesh, or
   /// null where that is none or strips.
   vtkTerrainCoarseMesh* GetUsedMesh();
 

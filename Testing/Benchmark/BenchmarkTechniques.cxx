@@ -8,10 +8,11 @@
 //
 //   BenchmarkTechniques SAMPLES WIDTH HEIGHT [FRAMES [SAMPLES_PER_QUAD [TECHNIQUE...]]]
 //
-// Techniques: coarse, equidistant, pyramid (in the fragment shader), pyramid-alone (the same
-// without beams), pyramid-within (with a tolerance of a pixel), pyramid-detail (with 64 cells of
-// detail along a cell), compute and compute-detail (the same in a compute shader), full (every cell
-// two triangles).
+// Techniques: coarse, linear, exponential, equidistant, pyramid (in the fragment shader),
+// compute-linear, compute-exponential, compute-equidistant (in a compute shader), pyramid-alone
+// (pyramid without beams), pyramid-within (with a tolerance of a pixel), pyramid-detail (with 64
+// cells of detail along a cell), compute and compute-detail (the same in a compute shader), full
+// (every cell two triangles).
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainDetailSource.h"
@@ -103,9 +104,20 @@ struct Entry
   Times Taken;
 };
 
-Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMesh* hull)
+vtkOpenGLTerrainMapper::Techniques techniqueOf(const std::string& name)
 {
   using Techniques = vtkOpenGLTerrainMapper::Techniques;
+  const auto has = [&name](const char* word) { return name.find(word) != std::string::npos; };
+  return has("linear")   ? Techniques::Linear
+    : has("exponential") ? Techniques::Exponential
+    : has("equidistant") ? Techniques::Equidistant
+    : name == "coarse"   ? Techniques::Mesh
+    : name == "full"     ? Techniques::Mesh
+                         : Techniques::Pyramid;
+}
+
+Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMesh* hull)
+{
   using Modes = vtkOpenGLTerrainMapper::ComputeModes;
   vtkNew<vtkOpenGLTerrainMapper> mapper;
   mapper->SetInputConnection(hull->GetOutputPort());
@@ -119,10 +131,7 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
   }
   mapper->SetHeightsData(image);
   const bool compute = name.rfind("compute", 0) == 0;
-  const bool pyramid = name.rfind("pyramid", 0) == 0 || compute;
-  mapper->SetTechnique(pyramid ? Techniques::Pyramid
-      : name == "equidistant"  ? Techniques::Equidistant
-                               : Techniques::Mesh);
+  mapper->SetTechnique(techniqueOf(name));
   mapper->SetComputeMode(compute ? Modes::On : Modes::Off);
   mapper->SetUseBeams(name != "pyramid-alone");
   mapper->SetPixelTolerance(name == "pyramid-within" ? 1.0 : 0.0);

@@ -152,8 +152,12 @@ TEST_F(TerrainActor, MakesMeshesOnlyWhereTheyAreNeeded)
   this->Terrain->GetCoarseMesh()->SetSamplesPerQuad(16);
   this->Terrain->SetTechnique(Techniques::Equidistant);
   this->Draw();
+  EXPECT_EQ(coarse->GetNumberOfPoints(), 0);
+  this->Terrain->GetProperty()->SetRepresentationToWireframe();
+  this->Draw();
   EXPECT_GT(coarse->GetNumberOfPoints(), 0);
   EXPECT_EQ(this->Terrain->GetTerrainMapper()->GetInput(), coarse);
+  this->Terrain->GetProperty()->SetRepresentationToSurface();
   this->Terrain->SetTechnique(Techniques::Mesh);
   vtkPolyData* full = this->Terrain->GetUsedMesh()->GetOutput();
   this->Draw();

@@ -3,18 +3,14 @@
 //
 // shaders/vtkTerrainPyramid.glsl and vtkTerrainBeam.glsl against their twins in src/core/: the same
 // rays through the same fields, node for node.
+#include "vtkTerrainTestTextures.h"
 #include "vtkTerrainTesting.h"
 
-#include "../Unit/UnitTestDetail.h"
 #include "../Unit/UnitTestRays.h"
 #include "core/rays/PyramidBeam.h"
-#include "render/Driver.h"
 
-#include "vtkNew.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +24,9 @@ constexpr int NumberOfRays = 1000;
 using terrain::TerrainBeam;
 using terrain::TerrainHit;
 using terrain::TerrainRay;
+using vtkTerrainTesting::FieldTextures;
 using vtkTerrainTesting::ReadShader;
+using vtkTerrainTesting::SumTextures;
 
 std::string declarations(bool integer, const std::string& defines)
 {
@@ -41,210 +39,6 @@ std::string declarations(bool integer, const std::string& defines)
     "TerrainRay inputRay(vec4 a, vec4 b, vec4 c)\n"
     "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w, b.w); }\n";
 }
-
-void prepare(
-  vtkRenderWindow* window, vtkTextureObject* texture, unsigned int internal, unsigned int format)
-{
-  texture->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  texture->SetInternalFormat(internal);
-  texture->SetFormat(format);
-}
-
-/// Uploads the texels of a field and activates the texture.
-template <typename Texel>
-void uploadTexels(
-  vtkRenderWindow* window, vtkTextureObject* texture, glm::uvec2 size, const Texel* texels)
-{
-  constexpr bool integer = std::is_integral_v<Texel>;
-  prepare(window, texture, integer ? GL_R16UI : GL_R32F, integer ? GL_RED_INTEGER : GL_RED);
-  texture->Create2DFromRaw(size.x, size.y, 1, integer ? VTK_UNSIGNED_SHORT : VTK_FLOAT,
-    const_cast<Texel*>(texels)); // which VTK does not change
-  texture->Activate();
-}
-
-/// Uploads a pyramid and activates the texture.
-template <typename Texel>
-void uploadPyramid(
-  vtkRenderWindow* window, vtkTextureObject* texture, const terrain::MinMaxPyramid<Texel>& pyramid)
-{
-  constexpr bool integer = std::is_integral_v<Texel>;
-  prepare(window, texture, integer ? GL_RG16UI : GL_RG32F, integer ? GL_RG_INTEGER : GL_RG);
-  texture->SetMinificationFilter(vtkTextureObject::NearestMipmapNearest);
-  texture->SetMaxLevel(pyramid.LevelCount() - 1);
-  for (int level = 1; level <= pyramid.LevelCount(); ++level)
-  {
-    const glm::uvec2 nodes(pyramid.LevelSize(level));
-    auto* data = const_cast<terrain::PyramidNode<Texel>*>(pyramid.LevelNodes(level));
-    if (level == 1)
-    {
-      texture->Create2DFromRaw(nodes.x, nodes.y, 2, integer ? VTK_UNSIGNED_SHORT : VTK_FLOAT, data);
-      texture->Activate();
-      glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    }
-    else
-    {
-      glTexImage2D(GL_TEXTURE_2D, level - 1, integer ? GL_RG16UI : GL_RG32F,
-        static_cast<int>(nodes.x), static_cast<int>(nodes.y), 0, integer ? GL_RG_INTEGER : GL_RG,
-        integer ? GL_UNSIGNED_SHORT : GL_FLOAT, data);
-    }
-  }
-}
-
-/// The same as a buffer.
-template <typename Texel>
-void uploadPyramidBuffer(vtkRenderWindow* window, vtkTextureObject* texture,
-  vtkOpenGLBufferObject* buffer, const terrain::MinMaxPyramid<Texel>& pyramid)
-{
-  constexpr bool integer = std::is_integral_v<Texel>;
-  prepare(window, texture, integer ? GL_RG16UI : GL_RG32F, integer ? GL_RG_INTEGER : GL_RG);
-  buffer->Upload(pyramid.AllNodes(), pyramid.NumberOfNodes(), vtkOpenGLBufferObject::TextureBuffer);
-  texture->CreateTextureBuffer(static_cast<unsigned int>(pyramid.NumberOfNodes()), 2,
-    integer ? VTK_UNSIGNED_SHORT : VTK_FLOAT, buffer);
-  texture->Activate();
-}
-
-/// Sets the uniforms that a heightfield and a sum have in common.
-template <typename Coded>
-void setUniforms(vtkShaderProgram* program, const Coded& coded)
-{
-  program->SetUniform2i("terrainSize", &coded.heights.size[0]);
-  program->SetUniformf("terrainMaximumCode", coded.heights.maximumCode);
-  program->SetUniformi("terrainPyramidTop", coded.pyramid->LevelCount());
-  program->SetUniformi("terrainPyramidStart", coded.start);
-}
-
-/// Sets where the levels of a pyramid begin in a buffer.
-template <typename Texel>
-void setLayout(vtkShaderProgram* program, const char* parts, const char* levels,
-  const terrain::MinMaxPyramid<Texel>& pyramid)
-{
-  const terrain::PyramidLayout& layout = pyramid.GetLayout();
-  const glm::ivec2 nodes(layout.Quarters, layout.Halves);
-  program->SetUniform2i(parts, &nodes[0]);
-  program->SetUniformi(levels, layout.Top);
-}
-
-/// A field on the GPU.
-template <typename Texel>
-class FieldTextures
-{
-public:
-  static constexpr bool Integer = std::is_integral_v<Texel>;
-
-  /// The pyramid as a buffer, or as a texture with mip levels.
-  FieldTextures(vtkRenderWindow* window, const terrain::CodedField<Texel>& field, bool inBuffer)
-    : Coded(field.Coded)
-    , Field(field)
-    , InBuffer(inBuffer)
-  {
-    uploadTexels(window, this->Heights, glm::uvec2(field.Coded.heights.size), field.Texels.data());
-    if (inBuffer)
-    {
-      uploadPyramidBuffer(window, this->Pyramid, this->Buffer, field.Pyramid);
-    }
-    else
-    {
-      uploadPyramid(window, this->Pyramid, field.Pyramid);
-    }
-  }
-  FieldTextures(const FieldTextures&) = delete;
-  FieldTextures& operator=(const FieldTextures&) = delete;
-  ~FieldTextures()
-  {
-    this->Heights->Deactivate();
-    this->Pyramid->Deactivate();
-  }
-
-  std::string Defines() const
-  {
-    return std::string(this->Coded.columns ? "#define TERRAIN_COLUMNS\n" : "") +
-      (this->InBuffer ? "#define TERRAIN_PYRAMID_BUFFER\n" : "");
-  }
-
-  void SetUniforms(vtkShaderProgram* program)
-  {
-    const glm::ivec2 nodes = this->Field.Pyramid.LevelSize(1);
-    program->SetUniformi("terrainHeights", this->Heights->GetTextureUnit());
-    program->SetUniformi("terrainPyramid", this->Pyramid->GetTextureUnit());
-    program->SetUniformf("terrainBias", static_cast<float>(this->Coded.heights.bias));
-    program->SetUniform2i("terrainPyramidSize", &nodes[0]);
-    setLayout(program, "terrainPyramidLayout", "terrainPyramidLevels", this->Field.Pyramid);
-    setUniforms(program, this->Coded);
-  }
-
-  const terrain::CodedPyramid<Texel>& Coded;
-
-private:
-  const terrain::CodedField<Texel>& Field;
-  bool InBuffer;
-  vtkNew<vtkOpenGLBufferObject> Buffer;
-  vtkNew<vtkTextureObject> Heights;
-  vtkNew<vtkTextureObject> Pyramid;
-};
-
-/// A field with detail on the GPU.
-template <typename Texel>
-class SumTextures
-{
-public:
-  static constexpr bool Integer = std::is_integral_v<Texel>;
-
-  SumTextures(vtkRenderWindow* window, const terrain::CodedSum<Texel>& sum)
-    : Coded(sum.Coded)
-    , Sum(sum)
-    , Base(window, sum.Base, Integer)
-  {
-    uploadTexels(
-      window, this->Detail, glm::uvec2(sum.Coded.heights.period), sum.Detail.Texels.data());
-    if (Integer)
-    {
-      uploadPyramidBuffer(window, this->DetailPyramid, this->DetailBuffer, sum.Nodes.Pyramid);
-    }
-    else
-    {
-      uploadPyramid(window, this->DetailPyramid, sum.Nodes.Pyramid);
-    }
-  }
-  SumTextures(const SumTextures&) = delete;
-  SumTextures& operator=(const SumTextures&) = delete;
-  ~SumTextures()
-  {
-    this->Detail->Deactivate();
-    this->DetailPyramid->Deactivate();
-  }
-
-  std::string Defines() const
-  {
-    return this->Base.Defines() + "#define TERRAIN_DETAIL\n";
-  }
-
-  void SetUniforms(vtkShaderProgram* program)
-  {
-    const auto& heights = this->Coded.heights;
-    this->Base.SetUniforms(program);
-    program->SetUniformi("terrainDetail", this->Detail->GetTextureUnit());
-    program->SetUniformi("terrainDetailPyramid", this->DetailPyramid->GetTextureUnit());
-    program->SetUniform2i("terrainDetailPeriod", &heights.period[0]);
-    program->SetUniformi("terrainDetailLevel", heights.level);
-    program->SetUniformf("terrainDetailScale", heights.scale);
-    program->SetUniformi("terrainDetailTop", terrain::WholeLevels(heights.period));
-    program->SetUniformf("terrainDetailMaximum", heights.scale * this->Sum.Nodes.Maximum);
-    program->SetUniformf("terrainDetailUnit", heights.scale * this->Sum.Nodes.Unit);
-    setLayout(program, "terrainDetailLayout", "terrainDetailLevels", this->Sum.Nodes.Pyramid);
-    setUniforms(program, this->Coded);
-  }
-
-  const terrain::CodedPyramid<terrain::WithDetail<Texel>>& Coded;
-
-private:
-  const terrain::CodedSum<Texel>& Sum;
-  FieldTextures<Texel> Base;
-  vtkNew<vtkTextureObject> Detail;
-  vtkNew<vtkOpenGLBufferObject> DetailBuffer;
-  vtkNew<vtkTextureObject> DetailPyramid;
-};
 
 /// Random beams as the inputs of a shader.
 struct Beams

@@ -188,7 +188,8 @@ TEST_F(TerrainShaderTwinsView, AreClippedAlike)
     EXPECT_GT(count, 20); // nowhere, and at each of the planes
   }
   const std::string needed = ReadShader("vtkTerrainHeights") + readView() +
-    ReadShader("vtkTerrainPyramid") + ReadShader("vtkTerrainTrace") + ReadShader("vtkTerrainCast");
+    "#define TERRAIN_PYRAMID\n" + ReadShader("vtkTerrainPyramid") + ReadShader("vtkTerrainTrace") +
+    ReadShader("vtkTerrainCast");
   const int different = items.CountDifferent(Scene->Window,
     "#define TERRAIN_CLIP_PLANES 3\n" + needed,
     "int begin; result.xy = terrainClipRange(input0.xy, input0.zw, begin); result.z = begin;",

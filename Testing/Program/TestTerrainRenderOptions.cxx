@@ -46,6 +46,18 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--pixel-tolerance", "1", "--technique", "linear" }, "pyramid" },
   { { "--tolerance", "0", "--technique", "strips" }, "strips" },
   { { "--tolerance", "nan", "--technique", "strips" }, "tolerance" },
+  { { "--steps", "5" }, "linear, exponential and equidistant" },
+  { { "--steps", "0", "--technique", "linear" }, "--steps" },
+  { { "--steps", "-3", "--technique", "equidistant" }, "--steps" },
+  { { "--steps", "1e9", "--technique", "equidistant" }, "--steps" },
+  { { "--steps", "257", "--technique", "exponential" }, "256" },
+  { { "--steps", "nan", "--technique", "linear" }, "nan" },
+  { { "--secant-steps", "1e9", "--technique", "linear" }, "--secant-steps" },
+  { { "--secant-steps", "2", "--technique", "mesh" }, "--secant-steps" },
+  { { "--long-steps", "4", "--technique", "linear" }, "equidistant" },
+  { { "--step-length", "2", "--technique", "exponential" }, "equidistant" },
+  { { "--step-length", "0", "--technique", "equidistant" }, "--step-length" },
+  { { "--step-length", "inf", "--technique", "equidistant" }, "--step-length" },
   { { "--wireframe" }, "strips" }, { { "--levels", "--technique", "mesh" }, "strips" },
   { { "--crossings", "--technique", "strips" }, "strips casts no rays" },
   { { "--fast" }, "--fast" }, { { "--crs", "EPSG:99999999" }, "--crs" },
@@ -93,12 +105,12 @@ TEST_F(TerrainRenderOptions, HelpAndVersionAreNoErrors)
 {
   const RunResult help = this->Run({ "--help" });
   EXPECT_EQ(help.Status, 0);
-  for (const char* option :
-    { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells", "--camera", "--view-angle",
-      "--exaggeration", "--depth", "--window", "--frames", "--stats", "--crs", "--frame",
-      "--curvature", "--origin", "--utm-zone", "--cell", "--cubic", "--vertical", "--geoid",
-      "--drape", "--track", "--track-mode", "--look-from", "--look-at", "--sun", "--graticule",
-      "--scale-bar", "--north-arrow", "--pixel-tolerance", "--crossings" })
+  for (const char* option : { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells",
+         "--camera", "--view-angle", "--exaggeration", "--depth", "--window", "--frames", "--stats",
+         "--crs", "--frame", "--curvature", "--origin", "--utm-zone", "--cell", "--cubic",
+         "--vertical", "--geoid", "--drape", "--track", "--track-mode", "--look-from", "--look-at",
+         "--sun", "--graticule", "--scale-bar", "--north-arrow", "--pixel-tolerance", "--crossings",
+         "--steps", "--long-steps", "--step-length", "--secant-steps" })
   {
     EXPECT_NE(help.Output.find(option), std::string::npos) << option;
   }

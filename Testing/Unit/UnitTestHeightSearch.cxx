@@ -4,7 +4,8 @@
 // reference.
 #include "core/rays/HeightSearch.h"
 
-#include "UnitTestHullEntries.h"
+#include "UnitTestRays.h"
+#include "UnitTestTown.h"
 #include "core/rays/ReferenceRayCaster.h"
 
 #include <gtest/gtest.h>
@@ -16,19 +17,10 @@
 
 namespace
 {
-/// A flat field at code 0 that remembers the cells it was asked for.
-struct RecordingHeights
-{
-  glm::ivec2 size{ 1025, 1025 };
-  float maximumCode = 64.0f;
-  std::vector<glm::ivec2>* cells = nullptr;
+using terrain::SearchKind;
+using terrain::SearchParameters;
 
-  glm::vec4 CellCodes(glm::ivec2 cell) const
-  {
-    this->cells->push_back(cell);
-    return glm::vec4(0.0f);
-  }
-};
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 terrain::TerrainRay MakeRay(const glm::vec3& origin, const glm::vec3& direction)
 {
@@ -39,63 +31,50 @@ terrain::TerrainRay MakeRay(const glm::vec3& origin, const glm::vec3& direction)
   return ray;
 }
 
-/// Coded heights of a function of the sample.
-struct SearchedField
+terrain::HeightSearch<float> MakeSearch(
+  const terrain::CodedField<float>& field, SearchKind kind, const SearchParameters& parameters)
 {
-  template <typename Function>
-  SearchedField(int width, int height, Function&& heightAt)
-    : Width(width)
-    , Height(height)
-  {
-    for (int j = 0; j < height; ++j)
-    {
-      for (int i = 0; i < width; ++i)
-      {
-        this->Samples.push_back(static_cast<float>(heightAt(i, j)));
-        const float code =
-          std::isnan(this->Samples.back()) ? terrain::NoDataCode : this->Samples.back();
-        this->Maximum = std::max(this->Maximum, code);
-        this->Texels.push_back(code);
-      }
-    }
-  }
+  terrain::HeightSearch<float> search{ field.Coded, parameters, kind };
+  search.Coded.start = field.Pyramid.LevelCount();
+  return search;
+}
 
-  terrain::HeightfieldView<float> View() const
-  {
-    return { this->Samples.data(), this->Width, this->Height, nullptr, 0xff, false, 0.0f };
-  }
+SearchParameters FineParameters()
+{
+  SearchParameters parameters;
+  parameters.Steps = 4000;
+  parameters.StepLength = 0.25f;
+  parameters.SecantSteps = 6;
+  return parameters;
+}
 
-  terrain::CodedHeights<float> Codes() const
-  {
-    return { this->Texels.data(), { this->Width, this->Height }, 0, this->Maximum };
-  }
+/// Code 0, beside a wall two rows away that lets no node of the pyramid be passed by: rays in
+/// cells (i, 3) take steps from their beginning to their end.
+const terrain::CodedField<float>& Lane()
+{
+  static const terrain::CodedField<float> field(
+    terrain::TestField("lane", 1025, 9, [](int, int j) { return j == 2 || j == 5 ? 64.0 : 0.0; }));
+  return field;
+}
 
-  terrain::HeightSearch<terrain::CodedHeights<float>> Search() const
-  {
-    terrain::HeightSearch<terrain::CodedHeights<float>> search;
-    search.heights = this->Codes();
-    search.parameters.Steps = 1000;
-    search.parameters.StepLength = 0.25f;
-    search.parameters.SecantSteps = 6;
-    return search;
-  }
-
-  int Width;
-  int Height;
-  float Maximum = 0.0f;
-  std::vector<float> Samples;
-  std::vector<float> Texels;
-};
+/// The cells that a search samples.
+std::vector<glm::ivec2> SampledCells(
+  SearchKind kind, const SearchParameters& parameters, const terrain::TerrainRay& ray)
+{
+  std::vector<glm::ivec2> cells;
+  MakeSearch(Lane(), kind, parameters)
+    .Search(ray, [&cells](const glm::ivec2& cell) { cells.push_back(cell); });
+  return cells;
+}
 }
 
 //------------------------------------------------------------------------------
 TEST(HeightSearch, ExponentialStepsAreThoseOfTheTable)
 {
-  std::vector<glm::ivec2> cells;
-  terrain::HeightSearch<RecordingHeights> search;
-  search.heights.cells = &cells;
-  search.parameters.Steps = 10;
-  search.SearchExponential(MakeRay({ 0.0f, 3.5f, 9.0f }, { 1.0f, 0.0f, 0.0f }));
+  SearchParameters parameters;
+  parameters.Steps = 10;
+  const auto cells = SampledCells(
+    SearchKind::Exponential, parameters, MakeRay({ 0.0f, 3.5f, 9.0f }, { 1.0f, 0.0f, 0.0f }));
   // 1024 (1 - H) for H = 0.998046875 ... 0.5, 0; the last sample is on the border.
   ASSERT_EQ(cells.size(), 11U);
   EXPECT_EQ(cells[0].x, 0);
@@ -109,11 +88,10 @@ TEST(HeightSearch, ExponentialStepsAreThoseOfTheTable)
 //------------------------------------------------------------------------------
 TEST(HeightSearch, LinearStepsAreEqualPartsOfTheSegment)
 {
-  std::vector<glm::ivec2> cells;
-  terrain::HeightSearch<RecordingHeights> search;
-  search.heights.cells = &cells;
-  search.parameters.Steps = 4;
-  search.SearchLinear(MakeRay({ 0.5f, 3.5f, 9.0f }, { 3.0f, 0.0f, 0.0f }));
+  SearchParameters parameters;
+  parameters.Steps = 4;
+  const auto cells = SampledCells(
+    SearchKind::Linear, parameters, MakeRay({ 0.5f, 3.5f, 9.0f }, { 3.0f, 0.0f, 0.0f }));
   ASSERT_EQ(cells.size(), 5U);
   for (int i = 0; i < 4; ++i)
   {
@@ -128,14 +106,12 @@ TEST(HeightSearch, EquidistantStepsHaveOneLengthWhateverTheSlope)
   {
     for (const float scale : { 0.1f, 20.0f })
     {
-      std::vector<glm::ivec2> cells;
-      terrain::HeightSearch<RecordingHeights> search;
-      search.heights.cells = &cells;
-      search.parameters.Steps = 5;
-      search.parameters.LongSteps = 3;
-      search.parameters.StepLength = 10.0f;
-      search.parameters.StepRelief = 2.0f;
-      search.SearchEquidistant(
+      SearchParameters parameters;
+      parameters.Steps = 5;
+      parameters.LongSteps = 3;
+      parameters.StepLength = 10.0f;
+      parameters.StepRelief = 2.0f;
+      const auto cells = SampledCells(SearchKind::Equidistant, parameters,
         MakeRay({ 0.01f, 3.5f, 9.0f }, scale * glm::vec3(1.0f, 0.0f, slope * 2.0f)));
       ASSERT_EQ(cells.size(), 9U);
       const double step = 10.0 / std::hypot(1.0, static_cast<double>(slope));
@@ -149,44 +125,72 @@ TEST(HeightSearch, EquidistantStepsHaveOneLengthWhateverTheSlope)
 }
 
 //------------------------------------------------------------------------------
-TEST(HeightSearch, SegmentsEndAtTheCodesAndTheBorder)
+TEST(HeightSearch, StepsAreTakenOnlyWhereTheSurfaceCanBe)
 {
-  const SearchedField field(11, 21, [](int i, int) { return i; });
-  const auto search = field.Search();
-  // Down to code 0, up to the largest, with a margin of 1e-4 of the codes.
-  const auto down = search.Segment(MakeRay({ 5.0f, 5.0f, 30.0f }, { 0.0f, 0.0f, -2.0f }));
-  EXPECT_NEAR(down.x, 10.0f, 1e-3f);
-  EXPECT_NEAR(down.y, 15.0f, 1e-3f);
-  const auto up = search.Segment(MakeRay({ 5.0f, 5.0f, 5.0f }, { 0.1f, 0.0f, 1.0f }));
-  EXPECT_NEAR(up.x, 0.0f, 1e-3f);
-  EXPECT_NEAR(up.y, 5.0f, 2e-3f);
-  auto ray = MakeRay({ 1.0f, 2.0f, 5.0f }, { -1.0f, 0.0f, 0.0f });
-  ray.anchorCell = { 3, 4 };
-  EXPECT_EQ(search.Segment(ray).y, 4.0f);
-  ray.sEnd = 2.5f;
-  EXPECT_EQ(search.Segment(ray).y, 2.5f);
-  const auto past = search.Segment(MakeRay({ -1.0f, 5.0f, 5.0f }, { 0.0f, 1.0f, 0.0f }));
-  EXPECT_GT(past.x, past.y);
+  // A hill of 16 cells in a plain of 1024: the ray is level and passes over the plain.
+  const terrain::CodedField<float> field(terrain::TestField(
+    "hill", 1025, 9, [](int i, int) { return i > 504 && i <= 520 ? 50.0 : 0.0; }));
+  SearchParameters parameters;
+  parameters.Steps = 4;
+  parameters.StepLength = 4.0f;
+  parameters.SecantSteps = 8;
+  std::vector<glm::ivec2> cells;
+  const auto hit = MakeSearch(field, SearchKind::Equidistant, parameters)
+                     .Search(MakeRay({ 0.3f, 3.5f, 30.0f }, { 1.0f, 0.0f, 0.0f }),
+                       [&cells](const glm::ivec2& cell) { cells.push_back(cell); });
+  ASSERT_TRUE(hit.found);
+  EXPECT_NEAR(hit.s, 504.3f, 1e-3f);
+  ASSERT_FALSE(cells.empty());
+  EXPECT_GE(cells.front().x, 500);
+  EXPECT_LT(hit.crossings, 40);
+}
+
+//------------------------------------------------------------------------------
+TEST(HeightSearch, ShortStepsPassByNothingInACell)
+{
+  // A saddle, over which a ray from corner to corner dips into the middle of the cell only.
+  const terrain::CodedField<float> field(
+    terrain::TestField("saddle", 2, 2, [](int i, int j) { return i == j ? 0.0 : 40.0; }));
+  SearchParameters parameters = FineParameters();
+  parameters.StepLength = 1.9f;
+  parameters.StepRelief = 40.0f;
+  const auto search = MakeSearch(field, SearchKind::Equidistant, parameters);
+  // On the diagonal the surface is 80 t (1 - t): at most 20.
+  EXPECT_FALSE(search.Search(MakeRay({ 0.0f, 0.0f, 20.001f }, { 1.0f, 1.0f, 0.0f })).found);
+  const auto hit = search.Search(MakeRay({ 0.0f, 0.0f, 19.99f }, { 1.0f, 1.0f, 0.0f }));
+  ASSERT_TRUE(hit.found);
+  EXPECT_NEAR(hit.s, 0.5f - 0.5f * std::sqrt(1.0f - 19.99f / 20.0f), 1e-3f);
+}
+
+//------------------------------------------------------------------------------
+TEST(HeightSearch, TinyGridsHaveNoSurface)
+{
   for (const auto& size : { glm::ivec2(1, 1), glm::ivec2(1, 9), glm::ivec2(9, 1) })
   {
-    const SearchedField line(size.x, size.y, [](int, int) { return 1; });
-    EXPECT_FALSE(
-      line.Search().SearchLinear(MakeRay({ 0.0f, 0.0f, 3.0f }, { 0.0f, 0.0f, -1.0f })).found);
+    const terrain::CodedField<float> line(
+      terrain::TestField("line", size.x, size.y, [](int, int) { return 1.0; }));
+    for (const auto kind : { SearchKind::Linear, SearchKind::Exponential, SearchKind::Equidistant })
+    {
+      EXPECT_FALSE(MakeSearch(line, kind, FineParameters())
+                     .Search(MakeRay({ 0.0f, 0.0f, 3.0f }, { 0.0f, 0.0f, -1.0f }))
+                     .found);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
 TEST(HeightSearch, FindsASlopeFromBothSides)
 {
-  const SearchedField field(40, 40, [](int i, int) { return 2 * i; });
-  const auto search = field.Search();
+  const terrain::CodedField<float> field(
+    terrain::TestField("slope", 40, 40, [](int i, int) { return 2.0 * i; }));
   for (const float side : { 1.0f, -1.0f })
   {
     // Meets z = 2 x at x = 20.25, y = 10.5.
     const glm::vec3 direction(side * 0.5f, 0.25f, -side);
     const auto ray = MakeRay(glm::vec3(20.25f, 10.5f, 40.5f) - 12.0f * direction, direction);
-    for (const auto& hit : { search.SearchLinear(ray), search.SearchEquidistant(ray) })
+    for (const auto kind : { SearchKind::Linear, SearchKind::Equidistant })
     {
+      const auto hit = MakeSearch(field, kind, FineParameters()).Search(ray);
       ASSERT_TRUE(hit.found);
       EXPECT_NEAR(hit.s, 12.0f, 1e-4f);
       EXPECT_EQ(hit.cell, glm::ivec2(20, 10));
@@ -199,12 +203,12 @@ TEST(HeightSearch, FindsASlopeFromBothSides)
 //------------------------------------------------------------------------------
 TEST(HeightSearch, StartOnAFlatSurfaceIsAHit)
 {
-  const SearchedField field(40, 40, [](int, int) { return 5; });
-  const auto search = field.Search();
+  const terrain::CodedField<float> field(
+    terrain::TestField("floor", 40, 40, [](int i, int j) { return i == 0 && j == 0 ? 0.0 : 5.0; }));
+  const auto search = MakeSearch(field, SearchKind::Equidistant, FineParameters());
   for (const float above : { 0.0f, 1e-6f, -4e-6f })
   {
-    const auto hit =
-      search.SearchEquidistant(MakeRay({ 7.0f, 7.0f, 5.0f + above }, { 0.3f, 0.4f, -0.1f }));
+    const auto hit = search.Search(MakeRay({ 7.0f, 7.0f, 5.0f + above }, { 0.3f, 0.4f, -0.1f }));
     EXPECT_TRUE(hit.found);
     EXPECT_NEAR(hit.s, 0.0f, 1e-3f);
   }
@@ -213,56 +217,63 @@ TEST(HeightSearch, StartOnAFlatSurfaceIsAHit)
 //------------------------------------------------------------------------------
 TEST(HeightSearch, HolesAreNotHitTheirRimIs)
 {
-  const float none = std::numeric_limits<float>::quiet_NaN();
   // No surface for 10 <= x <= 20; the ray comes down there and goes on below the rest.
-  const SearchedField field(40, 40, [none](int i, int) { return i > 10 && i < 20 ? none : 5.0f; });
-  const auto search = field.Search();
-  EXPECT_FALSE(
-    search.SearchEquidistant(MakeRay({ 0.5f, 7.0f, 6.0f }, { 1.0f, 0.0f, -0.1f })).found);
+  const terrain::CodedField<float> field(terrain::TestField("hole", 40, 40,
+    [](int i, int j) { return i > 10 && i < 20 ? kNone : (i == 39 && j == 39 ? 0.0 : 5.0); }));
+  const auto search = MakeSearch(field, SearchKind::Equidistant, FineParameters());
+  EXPECT_FALSE(search.Search(MakeRay({ 0.5f, 7.0f, 6.0f }, { 1.0f, 0.0f, -0.1f })).found);
   // Down through the surface a twentieth of a cell before the hole.
-  const auto rim = search.SearchEquidistant(MakeRay({ -0.05f, 7.0f, 6.0f }, { 1.0f, 0.0f, -0.1f }));
+  const auto rim = search.Search(MakeRay({ -0.05f, 7.0f, 6.0f }, { 1.0f, 0.0f, -0.1f }));
   EXPECT_TRUE(rim.found);
   EXPECT_EQ(rim.cell.x, 9);
 }
 
 //------------------------------------------------------------------------------
-TEST(HeightSearch, LeavesTheMeshAndStops)
+TEST(HeightSearch, DefaultsAreThePapersOrReachAcrossTheGrid)
 {
-  const SearchedField field(400, 40, [](int i, int) { return i == 399 ? 100 : 0; });
-  auto search = field.Search();
-  search.parameters.LargestGap = 3.0f;
-  search.parameters.Steps = 4000;
-  const auto ray = MakeRay({ 0.5f, 7.0f, 1.0f }, { 1.0f, 0.0f, 0.2f });
-  EXPECT_LT(search.SearchEquidistant(ray).crossings, 60);
-  search.parameters.LargestGap = 3e38f;
-  EXPECT_TRUE(search.SearchEquidistant(ray).found);
-}
-
-//------------------------------------------------------------------------------
-TEST(HeightSearch, DefaultParametersReachAcrossTheGrid)
-{
-  terrain::SearchScene scene;
-  scene.Width = 8192;
-  scene.Height = 5120;
-  scene.CellsPerQuad = 64;
-  scene.LargestGap = 3000.0;
-  scene.MaximumCode = 9000.0;
-  scene.CodesPerCell = 5000.0;
-  const auto chosen = ChooseSearchParameters(scene, terrain::SearchKind::Equidistant);
-  EXPECT_GE(chosen.StepLength * static_cast<float>(chosen.Steps + 2 * chosen.LongSteps),
-    std::hypot(8192.0f, 5120.0f));
-  EXPECT_GT(chosen.LargestGap, 3000.0f);
+  const terrain::SearchScene scene{ 8192, 5120, 9000.0, 5000.0 };
+  const auto chosen = ChooseSearchParameters(scene, SearchKind::Equidistant);
+  EXPECT_GE(chosen.StepLength * static_cast<float>(chosen.Steps), std::hypot(8192.0f, 5120.0f));
   EXPECT_EQ(chosen.StepRelief, 5000.0f);
-  const auto paper = PaperSearchParameters(scene, terrain::SearchKind::Equidistant);
+  EXPECT_EQ(chosen.StepLevel(), 0);
+  EXPECT_EQ(ChooseSearchParameters(scene, SearchKind::Linear).Steps, 5);
+  EXPECT_EQ(ChooseSearchParameters(scene, SearchKind::Exponential).Steps, 10);
+  const auto paper = PaperSearchParameters(scene, SearchKind::Equidistant, 128);
   EXPECT_EQ(paper.Steps, 5);
   EXPECT_EQ(paper.LongSteps, 10);
   EXPECT_EQ(paper.SecantSteps, 2);
   EXPECT_NEAR(paper.StepLength, 0.025 * 8191.0 * 32.0 / 128.0, 1.0);
-  EXPECT_EQ(PaperSearchParameters(scene, terrain::SearchKind::Exponential).Steps, 10);
+  EXPECT_EQ(paper.StepLevel(), 5);
   // A flat, empty grid gives something that runs.
-  const auto none = ChooseSearchParameters(terrain::SearchScene{}, terrain::SearchKind::Linear);
+  const auto none = ChooseSearchParameters(terrain::SearchScene{}, SearchKind::Linear);
   EXPECT_GT(none.Steps, 0);
   EXPECT_GT(none.StepRelief, 0.0f);
+}
+
+//------------------------------------------------------------------------------
+TEST(HeightSearch, BoundsHoldForAnyParameters)
+{
+  const auto field = terrain::CodedField<float>(
+    terrain::TestField("hills", 200, 200, [](int i, int j) { return (i * 7 + j * 13) % 97; }));
+  const float huge = std::numeric_limits<float>::infinity();
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  for (const int steps : { std::numeric_limits<int>::min(), -1, 0, 1, 1000000000 })
+  {
+    for (const float length : { -huge, -1.0f, 0.0f, none, 1e-30f, 1e9f, huge })
+    {
+      for (const auto kind :
+        { SearchKind::Linear, SearchKind::Exponential, SearchKind::Equidistant })
+      {
+        const SearchParameters parameters =
+          BoundSearchParameters({ steps, steps, steps, length, 1.0f }, kind);
+        const auto hit = MakeSearch(field, kind, parameters)
+                           .Search(MakeRay({ -1.0f, 3.3f, 99.0f }, { 1.0f, 0.9f, -0.4f }));
+        // Twice a cell's diagonal in the shortest steps, and a node or two for each.
+        EXPECT_LT(hit.crossings, 400 * 24);
+        EXPECT_EQ(hit.found && steps <= 0, false);
+      }
+    }
+  }
 }
 
 namespace
@@ -276,69 +287,79 @@ struct Agreement
   int SameDistance = 0;
 };
 
-Agreement Compare(const SearchedField& field, const terrain::ReferenceCamera& camera)
+/// The whole of a ray in grid coordinates, relative to its origin's cell.
+terrain::TerrainRay LocalRay(const terrain::ReferenceRay& ray)
 {
-  const auto view = field.View();
-  const terrain::ReferenceRayCaster<float> reference(view, {}, terrain::SerialFor);
-  const auto mesh = terrain::BuildCoarseMesh(view, {}, terrain::SerialFor);
-  terrain::SearchScene scene{ field.Width, field.Height, mesh.CellsPerQuad, mesh.LargestGap,
-    static_cast<double>(field.Maximum), 1.0 };
-  terrain::HeightSearch<terrain::CodedHeights<float>> search;
-  search.heights = field.Codes();
+  terrain::TerrainRay local = terrain::RayBetween(ray.Origin, ray.Origin + ray.Direction);
+  local.sEnd = 1e30f;
+  return local;
+}
+
+Agreement Compare(const terrain::TestField& test, const terrain::ReferenceCamera& camera)
+{
+  const terrain::CodedField<float> field(test);
+  const auto view = test.View();
+  const terrain::ReferenceRayCaster<double> reference(view, {}, terrain::SerialFor);
+  const terrain::SearchScene scene{ test.Width, test.Height, field.Codes.MaximumCode, 1.0 };
+  const auto search = MakeSearch(
+    field, SearchKind::Equidistant, ChooseSearchParameters(scene, SearchKind::Equidistant));
   Agreement agreement;
   for (std::int64_t pixel = 0; pixel < camera.Width * camera.Height; ++pixel)
   {
-    const auto ray = camera.PixelRay(pixel % camera.Width, pixel / camera.Width);
-    const HullEntries entries(mesh, mesh.MinimumHeight - 1.0, ray.Origin, ray.Direction);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const double entry : entries.Get())
-    {
-      search.parameters = ChooseSearchParameters(scene, terrain::SearchKind::Equidistant);
-      const double begin = entry * (1.0 - 1e-5);
-      const glm::dvec3 start = ray.Origin + begin * ray.Direction;
-      terrain::TerrainRay local;
-      local.anchorCell = glm::ivec2(glm::floor(glm::dvec2(start)));
-      local.originGC = glm::vec3(start - glm::dvec3(local.anchorCell, 0.0));
-      local.directionGC = glm::vec3(ray.Direction);
-      local.sEnd = 1e30f;
-      const auto hit = search.SearchEquidistant(local);
-      nearest = hit.found ? std::min(nearest, begin + static_cast<double>(hit.s)) : nearest;
-    }
+    auto ray = camera.PixelRay(pixel % camera.Width, pixel / camera.Width);
     const auto truth = reference.Cast(ray);
+    ray.Origin.z = field.Codes.ToCode(ray.Origin.z);
+    ray.Direction.z /= field.Codes.Scale;
+    const auto hit = search.Search(LocalRay(ray));
     ++agreement.Pixels;
-    agreement.SameHit += std::isfinite(nearest) == truth.Found ? 1 : 0;
-    if (truth.Found && std::isfinite(nearest))
+    agreement.SameHit += hit.found == truth.Found ? 1 : 0;
+    if (truth.Found && hit.found)
     {
       ++agreement.Hits;
-      agreement.SameDistance += std::abs(nearest - truth.Distance) <= 1e-3 * truth.Distance ? 1 : 0;
+      const double error = std::abs(static_cast<double>(hit.s) - truth.Distance);
+      agreement.SameDistance += error <= 1e-3 * truth.Distance ? 1 : 0;
     }
   }
   return agreement;
 }
+
+void ExpectAgreement(
+  const terrain::TestField& field, const std::vector<glm::dvec3>& eyes, const glm::dvec3& focus)
+{
+  for (const glm::dvec3& eye : eyes)
+  {
+    const Agreement agreement =
+      Compare(field, terrain::MakeReferenceCamera(eye, focus, { 0.0, 0.01, 1.0 }, 40.0, 200, 150));
+    EXPECT_GT(agreement.Hits, 3000);
+    EXPECT_GE(agreement.SameHit, 0.9995 * agreement.Pixels);
+    EXPECT_GE(agreement.SameDistance, 0.995 * agreement.Hits);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
-TEST(HeightSearch, DefaultEquidistantAgreesWithTheReference)
+TEST(HeightSearch, DefaultEquidistantAgreesWithTheReferenceOnHills)
 {
-  const SearchedField field(300, 240,
+  const terrain::TestField field("hills", 300, 240,
     [](int i, int j)
     {
       const double x = 0.02 * i;
       const double y = 0.02 * j;
       const double hills = 20.0 + 12.0 * std::sin(3.0 * x) * std::cos(2.0 * y) +
         4.0 * std::sin(11.0 * x + 5.0 * y) + 0.8 * std::sin(31.0 * x - 27.0 * y);
-      return (i - 150) * (i - 150) + (j - 90) * (j - 90) < 300
-        ? std::numeric_limits<double>::quiet_NaN()
-        : hills;
+      return (i - 150) * (i - 150) + (j - 90) * (j - 90) < 300 ? kNone : hills;
     });
-  const glm::dvec3 middle(150.0, 120.0, 20.0);
-  for (const glm::dvec3& eye : { glm::dvec3(60.0, -250.0, 170.0), glm::dvec3(151.0, 122.0, 500.0),
-         glm::dvec3(-60.0, -50.0, 42.0), glm::dvec3(170.0, -90.0, -220.0) })
-  {
-    const Agreement agreement =
-      Compare(field, terrain::MakeReferenceCamera(eye, middle, { 0.0, 0.01, 1.0 }, 40.0, 120, 80));
-    EXPECT_GT(agreement.Hits, 1000);
-    EXPECT_GE(agreement.SameHit, 0.999 * agreement.Pixels);
-    EXPECT_GE(agreement.SameDistance, 0.99 * agreement.Hits);
-  }
+  ExpectAgreement(field,
+    { glm::dvec3(60.0, -250.0, 170.0), glm::dvec3(151.0, 122.0, 500.0),
+      glm::dvec3(-60.0, -50.0, 42.0), glm::dvec3(170.0, -90.0, -220.0) },
+    { 150.0, 120.0, 20.0 });
+}
+
+//------------------------------------------------------------------------------
+TEST(HeightSearch, DefaultEquidistantAgreesWithTheReferenceInATown)
+{
+  ExpectAgreement(terrain::MakeTown(1000),
+    { glm::dvec3(500.0, -300.0, 500.0), glm::dvec3(430.0, 420.0, 160.0),
+      glm::dvec3(503.0, 310.0, 108.0), glm::dvec3(500.0, 499.0, 1000.0) },
+    { 520.0, 500.0, 105.0 });
 }

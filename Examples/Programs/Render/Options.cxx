@@ -102,6 +102,10 @@ struct Texts
   std::string Frames;
   PlaceArguments Place;
   std::string PixelTolerance;
+  std::string Steps;
+  std::string LongSteps;
+  std::string SecantSteps;
+  std::string StepLength;
   DetailArguments Detail;
 };
 
@@ -118,7 +122,13 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
     "strips, mesh")
     ->transform(CLI::CheckedTransformer(kTechniques).description(""));
   add("--mesh-cells", texts.MeshCells, "N",
-    "samples along the side of a coarse quad; default: chosen from the size of the raster");
+    "cells along the side of a quad of the technique mesh; default 1");
+  add("--steps", texts.Steps, "N",
+    "of the techniques linear (default 5), exponential (10), equidistant (all it needs)");
+  add("--long-steps", texts.LongSteps, "N", "further steps of double length of equidistant");
+  add("--step-length", texts.StepLength, "CELLS", "of a step of equidistant; default 1.5");
+  add("--secant-steps", texts.SecantSteps, "N",
+    "that narrow down what a search has found; default 2, equidistant 4");
   add("--camera", texts.Camera, "EX,EY,EZ,FX,FY,FZ[,UX,UY,UZ]",
     "eye, focal point and up in world coordinates, z exaggerated; default: all of the terrain in "
     "view, from the south");
@@ -140,6 +150,45 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   texts.Place.Declare(app, options.Place);
   texts.Detail.Declare(app, options.Detail);
   app.set_version_flag("--version", TERRAIN_RENDER_VERSION);
+}
+
+/// Steps that a search may take: in these, no ray takes longer than a few hundred samples.
+constexpr int kMostSteps = 256;
+constexpr int kMostEquidistantSteps = 1000000;
+constexpr int kMostSecantSteps = 32;
+
+void InterpretSteps(const Texts& texts, Technique technique, SearchOptions& search)
+{
+  const bool equidistant = technique == Technique::Equidistant;
+  if (!texts.Steps.empty())
+  {
+    search.Steps =
+      ParseInteger("--steps", texts.Steps, 1, equidistant ? kMostEquidistantSteps : kMostSteps);
+  }
+  if (!texts.LongSteps.empty())
+  {
+    search.LongSteps = ParseInteger("--long-steps", texts.LongSteps, 1, kMostEquidistantSteps);
+  }
+  if (!texts.SecantSteps.empty())
+  {
+    search.SecantSteps = ParseInteger("--secant-steps", texts.SecantSteps, 1, kMostSecantSteps);
+  }
+  if (!texts.StepLength.empty())
+  {
+    search.StepLength = ParseNumber("--step-length", texts.StepLength, 0.125, 1e6);
+  }
+  if ((search.LongSteps != 0 || search.StepLength != 0.0) && !equidistant)
+  {
+    Refuse(search.LongSteps != 0 ? "--long-steps" : "--step-length",
+      "is for the technique equidistant only");
+  }
+  const bool steps =
+    equidistant || technique == Technique::Linear || technique == Technique::Exponential;
+  if (!search.AreDefault() && !steps)
+  {
+    Refuse(search.Steps != 0 ? "--steps" : "--secant-steps",
+      "is for the techniques linear, exponential and equidistant only");
+  }
 }
 
 void Interpret(const Texts& texts, Options& options)
@@ -168,6 +217,7 @@ void Interpret(const Texts& texts, Options& options)
   {
     options.Frames = ParseInteger("--frames", texts.Frames, 1, 1000000);
   }
+  InterpretSteps(texts, options.Search, options.Steps);
   texts.Place.Interpret(options.Place);
   texts.Detail.Interpret(options.Detail);
   if (options.View && !options.Place.LookFrom.empty())

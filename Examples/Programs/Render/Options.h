@@ -42,6 +42,23 @@ struct Camera
   std::array<double, 3> Up{ 0.0, 0.0, 1.0 };
 };
 
+/// The parameters of a search (vtkOpenGLTerrainMapper::SetSteps()); 0: chosen by the mapper.
+struct SearchOptions
+{
+  int Steps = 0;
+  int LongSteps = 0;
+  int SecantSteps = 0;
+  /// In cells.
+  double StepLength = 0.0;
+
+  /// True if none is given.
+  bool AreDefault() const
+  {
+    return this->Steps == 0 && this->LongSteps == 0 && this->SecantSteps == 0 &&
+      this->StepLength == 0.0;
+  }
+};
+
 /// What the command line asks for, with the defaults of the options that were left out.
 struct Options
 {
@@ -51,8 +68,9 @@ struct Options
   /// Width and height of the picture, in pixels, 1 to kMaximumSize.
   std::array<int, 2> Size{ 1280, 720 };
   Technique Search = Technique::Pyramid;
-  /// Samples along the side of a coarse quad, >= 1; 0: chosen by the program.
+  /// Cells along the side of a quad of the technique mesh, >= 1; 0: 1.
   int MeshCells = 0;
+  SearchOptions Steps;
   std::optional<Camera> View;
   /// Vertical field of view, in degrees.
   double ViewAngle = 30.0;

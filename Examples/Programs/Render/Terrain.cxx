@@ -106,13 +106,17 @@ Terrain PrepareRays(
   actor->SetVerticalExaggeration(options.Exaggeration);
   actor->GetTerrainMapper()->SetPixelTolerance(options.PixelTolerance.value_or(0.0));
   actor->GetTerrainMapper()->SetShowCrossings(options.Crossings);
-  actor->GetCoarseMesh()->SetSamplesPerQuad(options.MeshCells);
+  actor->GetTerrainMapper()->SetSteps(options.Steps.Steps);
+  actor->GetTerrainMapper()->SetLongSteps(options.Steps.LongSteps);
+  actor->GetTerrainMapper()->SetSecantSteps(options.Steps.SecantSteps);
+  actor->GetTerrainMapper()->SetStepLength(options.Steps.StepLength);
   ColorByPlaceHeight(actor, heights);
   PrepareDetail(heights, options.Detail, statistics).AddTo(actor->GetTerrainMapper());
   Terrain terrain;
   terrain.Actor = actor;
   if (vtkTerrainCoarseMesh* mesh = actor->GetUsedMesh())
   {
+    mesh->SetSamplesPerQuad(std::max(options.MeshCells, 1));
     progress.Watch(mesh, kMeshShare, "preparing");
     mesh->Update();
     statistics.SetCount("samples_per_quad", mesh->GetEffectiveSamplesPerQuad());
@@ -281,7 +285,7 @@ void DescribeTerrain(const Terrain& terrain, Statistics& statistics)
 void CountCrossings(const Terrain& terrain, vtkRenderWindow* window, Statistics& statistics)
 {
   auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(terrain.Actor->GetMapper());
-  if (!mapper || mapper->GetTechnique() != Techniques::Pyramid)
+  if (!mapper || mapper->GetTechnique() == Techniques::Mesh)
   {
     return;
   }

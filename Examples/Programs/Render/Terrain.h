@@ -49,9 +49,9 @@ void RefineTerrain(
 /// Adds what the terrain takes on the graphics card, after it was drawn.
 void DescribeTerrain(const Terrain& terrain, Statistics& statistics);
 
-/// Adds the histogram of the node crossings of all pixels' rays: draws once more, with a compute
-/// shader that casts each ray from the near plane and the box of the terrain on. Adds nothing for
-/// techniques other than pyramid, and where the graphics driver has no compute shaders.
+/// Adds the histogram of the work of all pixels' rays, nodes visited and samples taken: draws once
+/// more, with a compute shader. Adds nothing for techniques without rays, and where the graphics
+/// driver has no compute shaders.
 void CountCrossings(const Terrain& terrain, vtkRenderWindow* window, Statistics& statistics);
 
 #endif

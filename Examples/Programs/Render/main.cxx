@@ -11,6 +11,7 @@
 #include "Failure.h"
 #include "Frames.h"
 #include "Messages.h"
+#include "Misses.h"
 #include "Options.h"
 #include "Outputs.h"
 #include "Placing.h"
@@ -59,6 +60,7 @@ void Render(const Options& options)
   statistics.AddTime("total", watch.GetMilliseconds());
 
   WritePicture(window, picture);
+  CountMisses(terrain, options, window, renderer, statistics);
   if (depth.IsWanted())
   {
     WriteDepths(DrawDepths(window, renderer, terrain.Actor), depth);

@@ -9,73 +9,81 @@ namespace terrain
 {
 namespace
 {
-/// Codes that count as a cell: as drawn, but so many that a vertical ray is through the gap between
-/// mesh and surface within eight cells.
+/// Codes that count as a cell: as drawn, but so many that a vertical ray is through all codes
+/// within 32 cells, however exaggerated.
 double StepRelief(const SearchScene& scene)
 {
-  return std::max({ scene.CodesPerCell, scene.LargestGap / 8.0, 1e-30 });
+  return std::max({ scene.CodesPerCell, scene.MaximumCode / 32.0, 1e-30 });
 }
 
-/// Longest way of a ray over the grid, in cells.
-double LongestWay(const SearchScene& scene)
+/// Most steps of a length that a ray over the grid takes: those over the longest way, and one more
+/// for each cell where a step ends.
+int LongestSteps(const SearchScene& scene, float length)
 {
-  return std::hypot(static_cast<double>(scene.Width), static_cast<double>(scene.Height)) +
-    scene.MaximumCode / StepRelief(scene);
+  const auto width = static_cast<double>(scene.Width);
+  const auto height = static_cast<double>(scene.Height);
+  const double way = std::hypot(width, height) + scene.MaximumCode / StepRelief(scene);
+  const double steps = way / static_cast<double>(length) + width + height + 1.0;
+  return static_cast<int>(std::min(steps, static_cast<double>(kMostEquidistantSteps)));
+}
 }
 
-float GapWithMargin(const SearchScene& scene)
+//------------------------------------------------------------------------------
+int SearchParameters::StepLevel() const
 {
-  return static_cast<float>(1.001 * scene.LargestGap + 1e-5 * scene.MaximumCode);
-}
-
-int ToSteps(double count)
-{
-  return static_cast<int>(std::clamp(std::ceil(count), 1.0, 1e6));
-}
+  return std::max(std::ilogb(this->StepLength), 0);
 }
 
 //------------------------------------------------------------------------------
 SearchParameters ChooseSearchParameters(const SearchScene& scene, SearchKind kind)
 {
   SearchParameters parameters;
-  parameters.SecantSteps = kDefaultSecantSteps;
   parameters.StepLength = kDefaultStepLength;
   parameters.StepRelief = static_cast<float>(StepRelief(scene));
-  parameters.LargestGap = GapWithMargin(scene);
   parameters.LongSteps = 0;
-  const double steps = LongestWay(scene) / static_cast<double>(kDefaultStepLength);
+  parameters.SecantSteps = kPaperSecantSteps;
   switch (kind)
   {
     case SearchKind::Linear:
-      parameters.Steps = std::min(ToSteps(steps), kDefaultLinearSteps);
+      parameters.Steps = kDefaultLinearSteps;
       break;
     case SearchKind::Exponential:
       parameters.Steps = kDefaultExponentialSteps;
       break;
     case SearchKind::Equidistant:
-      // Short steps through several quads, where nearly all hits are; long ones for the rest.
-      parameters.Steps = ToSteps(std::min(steps,
-        16.0 * static_cast<double>(scene.CellsPerQuad) / static_cast<double>(kDefaultStepLength)));
-      parameters.LongSteps = ToSteps(0.5 * (steps - parameters.Steps)) + 1;
+      parameters.Steps = LongestSteps(scene, kDefaultStepLength);
+      parameters.SecantSteps = kDefaultSecantSteps;
       break;
   }
   return parameters;
 }
 
 //------------------------------------------------------------------------------
-SearchParameters PaperSearchParameters(const SearchScene& scene, SearchKind kind)
+SearchParameters PaperSearchParameters(const SearchScene& scene, SearchKind kind, int quads)
 {
   SearchParameters parameters;
-  const double extent = static_cast<double>(std::max(scene.Width, scene.Height) - 1);
-  const double quads = extent / static_cast<double>(std::max<std::int64_t>(scene.CellsPerQuad, 1));
-  parameters.Steps = kind == SearchKind::Exponential ? 10 : 5;
+  const auto extent = static_cast<double>(std::max(scene.Width, scene.Height) - 1);
+  parameters.Steps = kind == SearchKind::Exponential ? kDefaultExponentialSteps : 5;
   parameters.LongSteps = kind == SearchKind::Equidistant ? 10 : 0;
-  parameters.SecantSteps = 2;
+  parameters.SecantSteps = kPaperSecantSteps;
   parameters.StepLength =
-    static_cast<float>(std::max(0.025 * extent * 32.0 / std::max(quads, 1.0), 1e-3));
+    static_cast<float>(std::max(0.025 * extent * 32.0 / std::max(quads, 1), 1e-3));
   parameters.StepRelief =
     static_cast<float>(std::max(scene.MaximumCode / std::max(extent, 1.0), 1e-30));
-  parameters.LargestGap = GapWithMargin(scene);
   return parameters;
+}
+
+//------------------------------------------------------------------------------
+SearchParameters BoundSearchParameters(const SearchParameters& parameters, SearchKind kind)
+{
+  SearchParameters bounded = parameters;
+  const int most = kind == SearchKind::Equidistant ? kMostEquidistantSteps : kMostSteps;
+  bounded.Steps = std::clamp(parameters.Steps, 0, most);
+  bounded.LongSteps = std::clamp(parameters.LongSteps, 0, kMostEquidistantSteps);
+  bounded.SecantSteps = std::clamp(parameters.SecantSteps, 0, kMostSecantSteps);
+  const float length = parameters.StepLength;
+  bounded.StepLength =
+    length > kLeastStepLength ? std::min(length, kLargestStepLength) : kLeastStepLength;
+  return bounded;
 }
 }

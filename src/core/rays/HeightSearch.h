@@ -2,33 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Searches for the first point of the surface on a ray that starts at the coarse mesh. Twin of
+ * Searches for the first point of the surface on a ray, by steps. Twin of
  * shaders/vtkTerrainSearch.glsl: the same functions (there with the prefix terrain).
  *
  * Source: Zsolt Feher, "Terrain Rendering with the Combination of Mesh Simplification and
- * Displacement Mapping", section 4. Samples are taken along the part of the ray that lies over the
- * grid and between the lowest and the highest code (downward rays end at H = 0, upward rays at
- * H = 1). Two samples on different sides of the surface bracket a hit, which secant steps narrow.
- *   SearchLinear       N equal steps over the segment; the paper takes 4 or 5
- *   SearchExponential  step i at H = 1 - 1 / 2^(N - 1 - i) (eq. 3, table 1); the paper takes 10
- *   SearchEquidistant  steps of one length whatever the slope of the ray (eq. 4-5), then steps of
- *                      double length, then none; the paper takes 5 steps of 0.025 of the grid's
- *                      extent for a mesh of 32 x 32 quads, 10 long ones, 2 secant steps
+ * Displacement Mapping", section 4. Two samples on different sides of the surface bracket a hit,
+ * which secant steps narrow. Segments end at the border of the grid, and at H = 0 for downward, at
+ * H = 1 for upward rays (section 4.1).
+ *   Linear       N equal steps over the rest of the segment; the paper takes 4 or 5
+ *   Exponential  step i at H = 1 - 1 / 2^(N - 1 - i) of it (eq. 3, table 1); the paper takes 10
+ *   Equidistant  steps of one length whatever the slope of the ray (eq. 4-5), then steps of double
+ *                length, then none; the paper takes 5 steps of 0.025 of the grid's extent for a
+ *                mesh of 32 x 32 quads, 10 long ones, 2 secant steps
  *
  * Departures from the paper:
+ * - Steps begin where the min-max pyramid first lets the surface be, not at the entry into the
+ *   coarse mesh: "using height mipmaps ... the proper intersection always could be found rapidly"
+ *   (section 6). So a picture does not depend on what the rays start from.
+ * - Equidistant steps are taken only in the nodes of the pyramid that the ray does not clear, and
+ * end at the sides of these nodes. The nodes are 2^StepLevel() cells wide, of which a step is at
+ *   least as long: steps shorter than two cells stay in one cell. The difference of ray and surface
+ *   is a parabola there, and what its ends and slopes tell is exact: no step passes by a thing
+ *   in the cell, however thin.
+ * - Where two equidistant samples of several cells lie on one side but their tangents meet on the
+ *   other, a third is taken there: many ridges thinner than a step are not passed by.
  * - A hit is a change of sign either way, so that the surface is seen from below as well.
- * - A search ends where the ray has risen above the coarse mesh, that is, farther above the surface
- *   than the mesh lies anywhere: if the ray meets the mesh again, it starts a search of its own.
  * - Lengths are counted in cells, and StepRelief height codes count as one cell. With StepRelief =
  *   codes / cells of the longer side, that is the paper's measure in the unit cube.
- * - Where two samples lie on one side but their tangents meet on the other, a third is taken there:
- *   ridges thinner than a step are not passed by.
- * - Where the surface begins or ends between two samples, bisection finds the last one on it.
  * - The secant keeps its bracket and halves the weight of an end that stays (the Illinois rule).
  */
 #ifndef terrain_HeightSearch_h
 #define terrain_HeightSearch_h
 
+#include "core/rays/PyramidTraversal.h"
 #include "core/rays/Ray.h"
 
 #include <glm/glm.hpp>
@@ -51,9 +57,9 @@ struct SearchParameters
   float StepLength = 1.0f;
   /// terrainStepRelief: height codes that count as long as one cell; > 0.
   float StepRelief = 1.0f;
-  /// terrainLargestGap: highest that the coarse mesh lies above the surface, in codes. For rays
-  /// that do not start at the mesh: the largest float.
-  float LargestGap = 3e38f;
+
+  /// terrainStepLevel: level of the pyramid in whose nodes steps are taken.
+  int StepLevel() const;
 };
 
 /// The searches, by the paper's names.
@@ -70,137 +76,88 @@ struct SearchScene
   /// Samples of the grid.
   std::int64_t Width = 0;
   std::int64_t Height = 0;
-  /// Cells along a side of a quad of the coarse mesh.
-  std::int64_t CellsPerQuad = 1;
-  /// Largest vertical distance of mesh and surface, and largest code, in codes.
-  double LargestGap = 0.0;
+  /// Largest code.
   double MaximumCode = 0.0;
   /// Height codes that are as long as one cell as drawn: spacing / (exaggeration * scale); > 0.
   double CodesPerCell = 1.0;
 };
 
 /**
- * Parameters from the mesh itself, such that a default picture has no visible hole.
- * Equidistant: steps of kDefaultStepLength cells, over at least the longest way that a ray can have
- * over the grid, so that it never gives up within the mesh. Linear: as many steps, at most
- * kDefaultLinearSteps. Exponential: kDefaultExponentialSteps; the last steps of
- * this search are a half and a quarter of the ray, however many come before, so it has holes where
- * rays are flat (section 4.3). The paper's own values: PaperSearchParameters().
+ * Default parameters. Linear and Exponential: the paper's own, with the holes that the paper shows
+ * (section 4.2, 4.3). Equidistant: as many steps as the longest ray over the grid can need, so that
+ * it never gives up.
  */
 SearchParameters ChooseSearchParameters(const SearchScene& scene, SearchKind kind);
 
-/// The paper's values for a mesh of 32 x 32 quads, the step length scaled to the quads in use.
-SearchParameters PaperSearchParameters(const SearchScene& scene, SearchKind kind);
+/// The paper's values for a mesh of so many quads a side, whose step length is 0.025 of the
+/// grid's extent where quads are 32. Source: section 4.4 and 5.
+SearchParameters PaperSearchParameters(const SearchScene& scene, SearchKind kind, int quads);
+
+/// The nearest parameters with which a search ends in bounded time: see the constants below.
+SearchParameters BoundSearchParameters(const SearchParameters& parameters, SearchKind kind);
 
 /// Values behind ChooseSearchParameters().
-constexpr float kDefaultStepLength = 0.75f;
-constexpr int kDefaultLinearSteps = 4096;
-constexpr int kDefaultExponentialSteps = 16;
+constexpr float kDefaultStepLength = 1.5f;
+constexpr int kDefaultLinearSteps = 5;
+constexpr int kDefaultExponentialSteps = 10;
 constexpr int kDefaultSecantSteps = 4;
+constexpr int kPaperSecantSteps = 2;
 
-/// Halvings of a step in which the surface begins or ends.
-constexpr int kEdgeSteps = 8;
+/// Values behind BoundSearchParameters(): steps of a linear or exponential, of an equidistant
+/// search; secant steps; cells that an equidistant step is long.
+constexpr int kMostSteps = 256;
+constexpr int kMostEquidistantSteps = 1000000;
+constexpr int kMostSecantSteps = 32;
+constexpr float kLeastStepLength = 0.125f;
+constexpr float kLargestStepLength = 1e6f;
 
-/// The searches over heights that have Code() and CellCodes() as CodedHeights and its members size
-/// and maximumCode.
-template <typename Heights>
+/// A search through heights and their pyramid.
+template <typename Texel>
 struct HeightSearch
 {
-  Heights heights;
-  SearchParameters parameters;
+  using Path = typename CodedPyramid<Texel>::Path;
+  using Step = typename CodedPyramid<Texel>::Step;
+  using Span = typename CodedPyramid<Texel>::Span;
+
+  CodedPyramid<Texel> Coded;
+  SearchParameters Parameters;
+  SearchKind Kind = SearchKind::Equidistant;
 
   /// Height of a ray above the surface at a distance.
   struct Sample
   {
-    bool valid; ///< there is a surface
-    float s;
-    float above; ///< codes, < 0 below the surface
-    float slope; ///< change of above per unit of s, within the cell
+    bool valid = false; ///< there is a surface
+    float s = 0.0f;
+    float above = 0.0f; ///< codes, < 0 below the surface
+    float slope = 0.0f; ///< change of above per unit of s, within the cell
   };
 
   /// A search under way.
   struct March
   {
-    bool running;
     Sample last;
-    TerrainHit hit;
+    Sample next; ///< on the other side of the surface, if found
+    bool found = false;
+    bool ended = false;
+    float begin = 0.0f; ///< distance of the first step
+    float dip = -1.0f;  ///< where to look between last and the step after it; < 0: nowhere
+    int steps = 0;      ///< taken
+    int crossings = 0;  ///< nodes visited and samples taken
   };
 
-  /// The part of the distances range.x to range.y where low <= origin + s * direction <= high;
-  /// empty, range.x > range.y, if there is none.
-  static glm::vec2 ClipToSlab(glm::vec2 range, float origin, float direction, float low, float high)
-  {
-    if (std::abs(direction) < 1e-30f)
-    {
-      return origin >= low && origin <= high ? range : glm::vec2(1.0f, 0.0f);
-    }
-    const float atLow = (low - origin) / direction;
-    const float atHigh = (high - origin) / direction;
-    return { glm::max(range.x, glm::min(atLow, atHigh)),
-      glm::min(range.y, glm::max(atLow, atHigh)) };
-  }
-
-  /// The distances to search: above the grid's rectangle, and down to code 0 or up to the largest
-  /// code.
-  glm::vec2 Segment(const TerrainRay& ray) const
-  {
-    if (this->heights.size.x < 2 || this->heights.size.y < 2)
-    {
-      return { 1.0f, 0.0f };
-    }
-    const glm::vec2 low(-ray.anchorCell);
-    const glm::vec2 high(this->heights.size - 1 - ray.anchorCell);
-    const float margin = 1e-4f * glm::max(this->heights.maximumCode, this->parameters.StepRelief);
-    glm::vec2 range(ray.sBegin, ray.sEnd);
-    range = ClipToSlab(range, ray.originGC.x, ray.directionGC.x, low.x, high.x);
-    range = ClipToSlab(range, ray.originGC.y, ray.directionGC.y, low.y, high.y);
-    return ClipToSlab(
-      range, ray.originGC.z, ray.directionGC.z, -margin, this->heights.maximumCode + margin);
-  }
-
   /// Distance of one step of StepLength cells.
-  float StepDistance(const TerrainRay& ray) const
+  float StepDistance(const Path& path) const
   {
     const glm::vec3 direction(
-      ray.directionGC.x, ray.directionGC.y, ray.directionGC.z / this->parameters.StepRelief);
-    return this->parameters.StepLength / glm::max(glm::length(direction), 1e-30f);
+      path.direction.x, path.direction.y, path.direction.z / this->Parameters.StepRelief);
+    return this->Parameters.StepLength / glm::max(glm::length(direction), 1e-30f);
   }
 
-  /// The cell at a distance; positions beyond the border count as on it.
-  glm::ivec2 CellAt(const TerrainRay& ray, const glm::vec3& positionGC) const
-  {
-    return glm::clamp(ray.anchorCell + glm::ivec2(glm::floor(glm::vec2(positionGC))), glm::ivec2(0),
-      this->heights.size - 2);
-  }
-
-  /// Position within a cell, 0..1.
-  static glm::vec2 FractionAt(
-    const TerrainRay& ray, const glm::vec3& positionGC, const glm::ivec2& cell)
-  {
-    return glm::clamp(
-      glm::vec2(positionGC) - glm::vec2(cell - ray.anchorCell), glm::vec2(0.0f), glm::vec2(1.0f));
-  }
-
-  static bool IsCellValid(const glm::vec4& codes)
-  {
-    return codes.x >= 0.0f && codes.y >= 0.0f && codes.z >= 0.0f && codes.w >= 0.0f;
-  }
-
-  static float PatchCodeAt(const glm::vec4& codes, const glm::vec2& fraction)
-  {
-    return glm::mix(
-      glm::mix(codes.x, codes.y, fraction.x), glm::mix(codes.z, codes.w, fraction.x), fraction.y);
-  }
-
-  Sample SampleRay(const TerrainRay& ray, float s) const
-  {
-    const glm::vec3 positionGC = ray.originGC + s * ray.directionGC;
-    const glm::ivec2 cell = this->CellAt(ray, positionGC);
-    const glm::vec4 codes = this->heights.CellCodes(cell);
-    const glm::vec2 fraction = FractionAt(ray, positionGC, cell);
-    return { IsCellValid(codes), s, positionGC.z - PatchCodeAt(codes, fraction),
-      ray.directionGC.z - glm::dot(PatchGradient(codes, fraction), glm::vec2(ray.directionGC)) };
-  }
+  /// The sample at a distance, of the cells from firstCell to lastCell. Visit(cell) is called for
+  /// the cell, counted from the south-west.
+  template <typename Visit>
+  Sample SamplePath(const Path& path, const glm::ivec2& firstCell, const glm::ivec2& lastCell,
+    float s, Visit&& visit) const;
 
   /// Where the line through two samples meets the surface's height, between them.
   static float Secant(const Sample& a, const Sample& b, float weightA, float weightB)
@@ -208,82 +165,192 @@ struct HeightSearch
     const float above = a.above * weightA;
     const float difference = above - b.above * weightB;
     const float t = difference != 0.0f ? above / difference : 0.0f;
-    return glm::mix(a.s, b.s, glm::clamp(t, 0.0f, 1.0f));
+    return a.s + glm::clamp(t, 0.0f, 1.0f) * (b.s - a.s);
   }
 
-  Sample ValidEdge(const TerrainRay& ray, Sample a, Sample b, March& march) const;
-  Sample Dip(const TerrainRay& ray, const Sample& a, const Sample& b, March& march) const;
-  void Polish(const TerrainRay& ray, Sample a, Sample b, March& march) const;
-  March MarchFrom(const TerrainRay& ray, const glm::vec2& segment) const;
-  void MarchTo(const TerrainRay& ray, float s, float end, March& march) const;
-  TerrainHit SearchLinear(const TerrainRay& ray) const;
-  TerrainHit SearchExponential(const TerrainRay& ray) const;
-  TerrainHit SearchEquidistant(const TerrainRay& ray) const;
+  /// Of two samples on one side of the surface, the distance between them where the ray is on the
+  /// other, or may be; -1 if nowhere. Within a cell that is the vertex of the parabola through
+  /// both with b's slope, over several cells the place where the tangents meet.
+  float Dip(const Sample& a, const Sample& b) const;
+
+  /// The part of the path at whose end a step from a place on ends at the latest: a cell, or all
+  /// the rest.
+  Span StepSpan(const Path& path, const Step& at) const
+  {
+    return this->Kind == SearchKind::Equidistant && this->Parameters.StepLevel() == 0
+      ? this->Coded.NodeSpan(path, at)
+      : Span{ path.lastCell, false, true, path.sEnd, 0.0f };
+  }
+
+  /// Where the next step ends.
+  float NextSample(const Path& path, const March& march) const;
+  /// True if all steps have been taken.
+  bool HasStepped(const March& march) const
+  {
+    const int further = this->Kind == SearchKind::Equidistant ? this->Parameters.LongSteps : 0;
+    return march.steps >= this->Parameters.Steps + further;
+  }
+
+  /// Samples where steps begin, unless the last step has ended there. What rounding puts just below
+  /// the surface counts as on it.
+  template <typename Visit>
+  void BeginSteps(const Path& path, const Step& at, March& march, Visit&& visit) const;
+  /// Where a step has got to: in its cell or the next, or, with longer steps, to be visited again.
+  Step StepTo(const Path& path, const Step& at, const Span& span, float s) const;
+  /// One step, or a look at a dip between two.
+  template <typename Visit>
+  Step TakeStep(const Path& path, const Step& at, March& march, Visit&& visit) const;
+  /// Root polishing between the last samples; nothing is found where there are no data.
+  TerrainHit Polish(const Path& path, const Step& at, const March& march) const;
+
+  /// The first point of the surface on a ray, as the steps find it. Visit(cell) is called for every
+  /// sample before those of root polishing, in order.
+  template <typename Visit>
+  TerrainHit Search(const TerrainRay& ray, Visit&& visit) const;
+  TerrainHit Search(const TerrainRay& ray) const
+  {
+    return this->Search(ray, [](const glm::ivec2&) {});
+  }
 };
 
 //------------------------------------------------------------------------------
-/// Of two samples one of which is valid, the valid one after moving them together to where the
-/// surface begins or ends, to StepLength / 2^kEdgeSteps.
-template <typename Heights>
-typename HeightSearch<Heights>::Sample HeightSearch<Heights>::ValidEdge(
-  const TerrainRay& ray, Sample a, Sample b, March& march) const
+template <typename Texel>
+template <typename Visit>
+typename HeightSearch<Texel>::Sample HeightSearch<Texel>::SamplePath(const Path& path,
+  const glm::ivec2& firstCell, const glm::ivec2& lastCell, float s, Visit&& visit) const
 {
-  for (int i = 0; i < kEdgeSteps; ++i)
-  {
-    const Sample c = this->SampleRay(ray, 0.5f * (a.s + b.s));
-    ++march.hit.crossings;
-    if (c.valid == a.valid)
-    {
-      a = c;
-    }
-    else
-    {
-      b = c;
-    }
-  }
-  return a.valid ? a : b;
+  const glm::vec2 position = glm::vec2(path.origin) + glm::vec2(path.direction) * s;
+  const glm::ivec2 cell =
+    glm::clamp(glm::ivec2(glm::floor(position)) + path.anchor, firstCell, lastCell);
+  visit(cell ^ path.mirror);
+  glm::vec4 codes = this->Coded.heights.CellCodes(cell ^ path.mirror);
+  const bool valid = this->Coded.IsCellValid(cell ^ path.mirror);
+  codes -= path.anchorCode;
+  const glm::vec2 fraction = this->Coded.CellFraction(path, cell, s, 0, 0.0f);
+  const glm::vec2 direction(path.direction);
+  const glm::vec2 move = glm::mix(direction, -direction, glm::notEqual(path.mirror, glm::ivec2(0)));
+  return { valid, s, path.origin.z + path.direction.z * s - PatchCode(codes, fraction),
+    path.direction.z - glm::dot(PatchGradient(codes, fraction), move) };
 }
 
 //------------------------------------------------------------------------------
-/// Of two samples on one side of the surface, the place between them where the ray may be on the
-/// other: where the tangents meet, if that is on the other side. Else b.
-template <typename Heights>
-typename HeightSearch<Heights>::Sample HeightSearch<Heights>::Dip(
-  const TerrainRay& ray, const Sample& a, const Sample& b, March& march) const
+template <typename Texel>
+float HeightSearch<Texel>::Dip(const Sample& a, const Sample& b) const
 {
   const float side = a.above < 0.0f ? -1.0f : 1.0f;
-  const float closing = side * a.slope;
-  const float opening = side * b.slope;
-  if (closing >= 0.0f || opening <= 0.0f)
-  {
-    return b;
-  }
   const float interval = b.s - a.s;
-  const float t = (side * (a.above - b.above) + opening * interval) / (opening - closing);
-  if (!(t > 0.0f && t < interval) || side * a.above + closing * t >= 0.0f)
-  {
-    return b;
-  }
-  ++march.hit.crossings;
-  return this->SampleRay(ray, a.s + t);
+  const bool parabola = this->Parameters.StepLevel() == 0;
+  const float opening = side * b.slope;
+  const float fall = side * (a.above - b.above);
+  const float closing = parabola ? -2.0f * fall / interval - opening : side * a.slope;
+  const float t =
+    (parabola ? -closing * interval : fall + opening * interval) / (opening - closing);
+  const float lowest = side * a.above + (parabola ? 0.5f : 1.0f) * closing * t;
+  const bool dips = closing < 0.0f && opening > 0.0f && t > 0.0f && t < interval && lowest < 0.0f;
+  return dips ? a.s + t : -1.0f;
 }
 
 //------------------------------------------------------------------------------
-/// Root polishing between two samples on different sides; march.hit.found stays false where there
-/// are no data.
-template <typename Heights>
-void HeightSearch<Heights>::Polish(const TerrainRay& ray, Sample a, Sample b, March& march) const
+template <typename Texel>
+float HeightSearch<Texel>::NextSample(const Path& path, const March& march) const
 {
+  const int next = march.steps + 1;
+  switch (this->Kind)
+  {
+    case SearchKind::Linear:
+      return march.begin +
+        static_cast<float>(next) / static_cast<float>(this->Parameters.Steps) *
+        (path.sEnd - march.begin);
+    case SearchKind::Exponential:
+      return march.begin +
+        std::exp2(static_cast<float>(next - this->Parameters.Steps)) * (path.sEnd - march.begin);
+    default:
+      return march.last.s +
+        (march.steps < this->Parameters.Steps ? 1.0f : 2.0f) * this->StepDistance(path);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+template <typename Visit>
+void HeightSearch<Texel>::BeginSteps(
+  const Path& path, const Step& at, March& march, Visit&& visit) const
+{
+  if (at.s != march.last.s || !march.last.valid)
+  {
+    const Span span = this->StepSpan(path, at);
+    march.last = this->SamplePath(path, at.cell, span.lastCell, at.s, visit);
+    march.last.above = std::abs(march.last.above) < 2.0f * path.slack
+      ? glm::max(march.last.above, 0.0f)
+      : march.last.above;
+    march.begin = march.steps == 0 ? at.s : march.begin;
+    ++march.crossings;
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+typename HeightSearch<Texel>::Step HeightSearch<Texel>::StepTo(
+  const Path& path, const Step& at, const Span& span, float s) const
+{
+  const glm::vec2 position = glm::vec2(path.origin) + glm::vec2(path.direction) * s;
+  const glm::ivec2 cell =
+    glm::clamp(glm::ivec2(glm::floor(position)) + path.anchor, at.cell, span.lastCell);
+  const float z = path.origin.z + path.direction.z * s;
+  if (this->Kind != SearchKind::Equidistant)
+  {
+    return { cell, at.level, s, z, 0 };
+  }
+  const int level = this->Parameters.StepLevel();
+  if (level > 0)
+  {
+    return { cell, std::min(level + 1, this->Coded.pyramid->LevelCount()), s, z, 0 };
+  }
+  const Step next = this->Coded.NextStep(path, at, span, false, span.s);
+  return s >= span.s ? Step{ next.cell, next.level, s, z, next.line } : Step{ cell, 0, s, z, 0 };
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+template <typename Visit>
+typename HeightSearch<Texel>::Step HeightSearch<Texel>::TakeStep(
+  const Path& path, const Step& at, March& march, Visit&& visit) const
+{
+  const Span span = this->StepSpan(path, at);
+  const bool looks = march.dip >= 0.0f;
+  const float s = looks ? march.dip : glm::min(this->NextSample(path, march), span.s);
+  march.next = this->SamplePath(path, at.cell, span.lastCell, s, visit);
+  ++march.crossings;
+  const bool both = march.last.valid && march.next.valid;
+  march.found = both && (march.last.above < 0.0f) != (march.next.above < 0.0f);
+  const bool mayDip = both && !march.found && !looks && this->Kind == SearchKind::Equidistant;
+  march.dip = mayDip ? this->Dip(march.last, march.next) : -1.0f;
+  if (march.found || march.dip >= 0.0f)
+  {
+    march.ended = march.found;
+    return at;
+  }
+  march.last = march.next;
+  march.steps += looks ? 0 : 1;
+  march.ended = (s >= span.s && span.ends) || this->HasStepped(march);
+  return this->StepTo(path, at, span, s);
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+TerrainHit HeightSearch<Texel>::Polish(const Path& path, const Step& at, const March& march) const
+{
+  Sample a = march.last;
+  Sample b = march.next;
+  const glm::ivec2 lastCell = this->StepSpan(path, at).lastCell;
   float weightA = 1.0f;
   float weightB = 1.0f;
-  for (int i = 0; i < this->parameters.SecantSteps; ++i)
+  bool valid = true;
+  for (int i = 0; i < this->Parameters.SecantSteps; ++i)
   {
-    const Sample c = this->SampleRay(ray, Secant(a, b, weightA, weightB));
-    ++march.hit.crossings;
-    if (!c.valid)
-    {
-      return;
-    }
+    const Sample c = this->SamplePath(
+      path, at.cell, lastCell, Secant(a, b, weightA, weightB), [](const glm::ivec2&) {});
+    valid = valid && c.valid;
     const bool sideOfA = (c.above < 0.0f) == (a.above < 0.0f);
     weightA = sideOfA ? 1.0f : 0.5f * weightA;
     weightB = sideOfA ? 0.5f * weightB : 1.0f;
@@ -296,104 +363,56 @@ void HeightSearch<Heights>::Polish(const TerrainRay& ray, Sample a, Sample b, Ma
       b = c;
     }
   }
-  march.hit.s = Secant(a, b, 1.0f, 1.0f);
-  const glm::vec3 positionGC = ray.originGC + march.hit.s * ray.directionGC;
-  march.hit.cell = this->CellAt(ray, positionGC);
-  march.hit.fraction = FractionAt(ray, positionGC, march.hit.cell);
-  march.hit.found = IsCellValid(this->heights.CellCodes(march.hit.cell));
+  TerrainHit hit;
+  hit.s = Secant(a, b, 1.0f, 1.0f);
+  const glm::vec2 position = glm::vec2(path.origin) + glm::vec2(path.direction) * hit.s;
+  const glm::ivec2 cell =
+    glm::clamp(glm::ivec2(glm::floor(position)) + path.anchor, at.cell, lastCell);
+  hit.cell = cell ^ path.mirror;
+  hit.fraction = this->Coded.CellFraction(path, cell, hit.s, 0, 0.0f);
+  hit.found = valid && this->Coded.IsCellValid(hit.cell);
+  hit.crossings = march.crossings + this->Parameters.SecantSteps;
+  return hit;
 }
 
 //------------------------------------------------------------------------------
-/// The first sample of a search. What rounding puts just below the surface counts as on it.
-template <typename Heights>
-typename HeightSearch<Heights>::March HeightSearch<Heights>::MarchFrom(
-  const TerrainRay& ray, const glm::vec2& segment) const
+template <typename Texel>
+template <typename Visit>
+TerrainHit HeightSearch<Texel>::Search(const TerrainRay& ray, Visit&& visit) const
 {
-  March march{ segment.x <= segment.y, { false, segment.x, 0.0f, 0.0f }, TerrainHit{} };
-  if (march.running)
+  const Path path = this->Coded.ClipPath(this->Coded.MirrorRay(ray));
+  TerrainHit hit;
+  March march;
+  if (!(path.sBegin <= path.sEnd) || this->HasStepped(march))
   {
-    march.last = this->SampleRay(ray, segment.x);
-    ++march.hit.crossings;
-    const float rounding = 2e-6f * (this->heights.maximumCode + this->parameters.StepRelief);
-    march.last.above =
-      std::abs(march.last.above) < rounding ? glm::max(march.last.above, 0.0f) : march.last.above;
+    return hit;
   }
-  return march;
-}
-
-//------------------------------------------------------------------------------
-/// One step of a search, to distance s. Stops at a hit, at the end of the segment, and where the
-/// ray has risen above the coarse mesh.
-template <typename Heights>
-void HeightSearch<Heights>::MarchTo(const TerrainRay& ray, float s, float end, March& march) const
-{
-  const Sample next = this->SampleRay(ray, glm::min(s, end));
-  ++march.hit.crossings;
-  if (march.last.valid || next.valid)
+  Step at = this->Coded.FirstStep(path);
+  const int level = this->Parameters.StepLevel();
+  while (!march.ended)
   {
-    const bool both = march.last.valid == next.valid;
-    const Sample edge = both ? next : this->ValidEdge(ray, march.last, next, march);
-    const Sample a = march.last.valid ? march.last : edge;
-    const Sample b = next.valid ? next : edge;
-    const bool crosses = (a.above < 0.0f) != (b.above < 0.0f);
-    const Sample c = crosses ? b : this->Dip(ray, a, b, march);
-    if (c.valid && (a.above < 0.0f) != (c.above < 0.0f))
+    while (!march.ended && at.level > level)
     {
-      this->Polish(ray, a, c, march);
+      ++march.crossings;
+      const Span span = this->Coded.NodeSpan(path, at);
+      bool down = false;
+      bool small = false;
+      at = this->Coded.VisitNode(path, at, span, glm::vec4(0.0f), down, small);
+      march.ended = span.ends && !down;
     }
-    march.running = b.above <= this->parameters.LargestGap || b.above <= a.above;
+    if (!march.ended)
+    {
+      this->BeginSteps(path, at, march, visit);
+    }
+    bool goesOn = true;
+    while (!march.ended && goesOn && at.level <= level)
+    {
+      at = this->TakeStep(path, at, march, visit);
+      goesOn = march.next.valid;
+    }
   }
-  march.running = march.running && !march.hit.found && s < end;
-  march.last = next;
-}
-
-//------------------------------------------------------------------------------
-/// Equal steps from the beginning to the end of the segment.
-template <typename Heights>
-TerrainHit HeightSearch<Heights>::SearchLinear(const TerrainRay& ray) const
-{
-  const glm::vec2 segment = this->Segment(ray);
-  March march = this->MarchFrom(ray, segment);
-  for (int i = 0; i < this->parameters.Steps && march.running; ++i)
-  {
-    const float t = static_cast<float>(i + 1) / static_cast<float>(this->parameters.Steps);
-    this->MarchTo(ray, glm::mix(segment.x, segment.y, t), segment.y, march);
-  }
-  return march.hit;
-}
-
-//------------------------------------------------------------------------------
-/// Steps that double: at H = 1 - 1 / 2^(N - 1 - i), where H is 1 at the beginning and 0 at the end
-/// (eq. 3).
-template <typename Heights>
-TerrainHit HeightSearch<Heights>::SearchExponential(const TerrainRay& ray) const
-{
-  const glm::vec2 segment = this->Segment(ray);
-  March march = this->MarchFrom(ray, segment);
-  for (int i = 0; i < this->parameters.Steps && march.running; ++i)
-  {
-    const float h = 1.0f - std::exp2(static_cast<float>(i + 1 - this->parameters.Steps));
-    this->MarchTo(ray, glm::mix(segment.y, segment.x, h), segment.y, march);
-  }
-  return march.hit;
-}
-
-//------------------------------------------------------------------------------
-/// Steps of one length whatever the ray's slope, then of double length (eq. 4-5); then no hit.
-template <typename Heights>
-TerrainHit HeightSearch<Heights>::SearchEquidistant(const TerrainRay& ray) const
-{
-  const glm::vec2 segment = this->Segment(ray);
-  March march = this->MarchFrom(ray, segment);
-  const float stepDistance = this->StepDistance(ray);
-  float s = segment.x;
-  const int steps = this->parameters.Steps;
-  for (int i = 0; i < steps + this->parameters.LongSteps && march.running; ++i)
-  {
-    s += i < steps ? stepDistance : 2.0f * stepDistance;
-    this->MarchTo(ray, s, segment.y, march);
-  }
-  return march.hit;
+  hit.crossings = march.crossings;
+  return march.found ? this->Polish(path, at, march) : hit;
 }
 }
 
