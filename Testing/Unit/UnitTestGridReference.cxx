@@ -48,6 +48,41 @@ TEST(GridReference, LongitudeComesFirst)
   EXPECT_NEAR(place.y, 27.988, 1e-12);
 }
 
+TEST(GridReference, ReadsAnglesInManyWays)
+{
+  for (const char* text : { "86.925 27.988", "86.925,27.988", "27.988N,86.925E", "n27.988 e86.925",
+         "86d55.5 27d59.28", "86:55:30 27:59:16.8", "27:59.28N 86:55.5E",
+         "27d59'16.8\"N 86d55'30\"E", "27\u00b059\u203216.8\u2033N 86\u00b055\u203230\u2033E",
+         "27d59'16.8''N 86d55'30''E", "+86.925 +27.988", "86d55'30 27d59'16.8" })
+  {
+    glm::dvec3 place(0.0);
+    std::string message;
+    ASSERT_TRUE(terrain::PlaceFromText(text, place, message)) << message;
+    EXPECT_NEAR(place.x, 86.925, 1e-12) << text;
+    EXPECT_NEAR(place.y, 27.988, 1e-12) << text;
+  }
+}
+
+// Harmless texts of every kind that is never shown to GeographicLib.
+TEST(GridReference, RefusesWhatDoesNotLookLikeAPlace)
+{
+  for (const char* text : { "N E", "d d", "' '", "\" \"", ": :", "- -", "1: 2:", "1.5d30 2",
+         "1d2d3 4", "1'2d 4", "N1N 2E", "1+2 3", "1:2'3 4", "1:2:3:4 5", "1..2 3", "1e5 2", "1_2 3",
+         "1 2 3", "45N 1e5 2", "45N inf nan", "45northern 1 2", "45N 12345678901 2", "45RVL123",
+         "123RVL12", "45RVLL12", "86.925 27.988 0 0", "1234 5" })
+  {
+    glm::dvec3 place(1.0, 2.0, 3.0);
+    std::string message;
+    EXPECT_FALSE(terrain::PlaceFromText(text, place, message)) << text;
+    EXPECT_EQ(message.find(std::string("'") + text + "' is no place"), 0U) << message;
+    EXPECT_EQ(place, glm::dvec3(1.0, 2.0, 3.0));
+  }
+  glm::dvec3 place(0.0);
+  std::string message;
+  EXPECT_FALSE(terrain::PlaceFromText(std::string(100000, '1'), place, message));
+  EXPECT_FALSE(terrain::PlaceFromText("86.925" + std::string(100, ' ') + "27.988", place, message));
+}
+
 TEST(GridReference, RefusesWithASentence)
 {
   for (const char* text : { "", "Everest", "86.9", "10 95", "99ZZZ12", "45N 1 2 3", "nan nan" })
