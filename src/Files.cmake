@@ -127,6 +127,7 @@ set(core
   strips/HierarchyTile
   strips/MappedFile
   strips/Refinement
+  strips/RefinementInput
   strips/RefinementPlain
   strips/RefinementSelection
   surface/HeightSlopes

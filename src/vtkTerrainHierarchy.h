@@ -16,7 +16,10 @@
  * Memory: 12 bytes a sample, sides rounded up to 64 samples at each depth. A file keeps the same
  * bytes, checksums included 12 + 1e-5. A file that loses pages while it is open, because it was
  * truncated or its disk failed, never ends the process: IsDamaged() tells, and vtkTerrainStrips
- * reports an error. Method and bounds: core/strips/HierarchyBuild.h, core/strips/HierarchyFile.h.
+ * reports an error, as it does for damage that shows in heights. OpenFile with verify finds all
+ * damage there was before. Not noticed is what another program writes into a file that is open:
+ * replace it by renaming another one, as WriteFile and PrepareFile do. Method and bounds:
+ * core/strips/HierarchyBuild.h, core/strips/HierarchyFile.h.
  *
  * @sa vtkTerrainStrips vtkTerrainRasterReader
  */

@@ -523,17 +523,22 @@ int vtkTerrainStrips::RequestData(
   {
     return 1;
   }
-  terrain::FillStrips(internals.Mesh,
-    { internals.MeshJob.Data->View(), internals.MeshJob.Detail.get() },
+  const terrain::StripsSource source{ internals.MeshJob.Data->View(),
+    internals.MeshJob.Detail.get() };
+  terrain::FillStrips(internals.Mesh, source,
     { this->ExaggeratePoints ? internals.MeshJob.View.Exaggeration : 1.0,
       internals.MeshJob.View.DetailScale, this->Normals, this->TextureCoordinates,
       this->LevelColors, this->TriangleOutput },
     vtkPolyData::GetData(outputVector));
-  if (internals.MeshJob.Data->IsDamaged())
+  const bool isDamaged = internals.MeshJob.Data->IsFile &&
+    !terrain::AreHeightsKnown(internals.Mesh, source, internals.MeshJob.View.DetailScale);
+  if (isDamaged || internals.MeshJob.Data->IsDamaged())
   {
     internals.HasMesh = false;
     vtkPolyData::GetData(outputVector)->Initialize();
-    vtkErrorMacro("The hierarchy's file has lost data since it was opened.");
+    vtkErrorMacro(<< (isDamaged ? "The hierarchy's file is damaged: it has heights that no sample "
+                                  "has. Prepare it again."
+                                : "The hierarchy's file has lost data since it was opened."));
     return 0;
   }
   this->NumberOfTriangles = internals.Mesh.Triangles;

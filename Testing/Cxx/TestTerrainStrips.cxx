@@ -28,6 +28,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <limits>
 #include <set>
 #include <thread>
@@ -304,6 +305,29 @@ TEST(TerrainStrips, ReadsFilesLikeMemory)
   EXPECT_TRUE(pipeline.Fails());
   pipeline.Strips->SetHierarchy(memory);
   EXPECT_EQ(pipeline.Update()->GetNumberOfStrips(), 1);
+  std::remove(path.c_str());
+}
+
+// Opened without a look at its checksums; what it holds beyond its header is other text.
+TEST(TerrainStrips, DamagedFilesAreErrors)
+{
+  const std::string path = TemporaryPath("damaged-strips");
+  Pipeline pipeline;
+  vtkNew<vtkTerrainHierarchy> memory;
+  ASSERT_TRUE(memory->SetHeights(pipeline.Heights)) << memory->GetErrorMessage();
+  ASSERT_TRUE(memory->WriteFile(path)) << memory->GetErrorMessage();
+  vtkNew<vtkTerrainHierarchy> file;
+  ASSERT_TRUE(file->OpenFile(path));
+  pipeline.Strips->SetHierarchy(file);
+  EXPECT_GT(pipeline.Update()->GetNumberOfPoints(), 4);
+  {
+    std::fstream stream(path, std::ios::binary | std::ios::in | std::ios::out);
+    stream.seekp(4096);
+    stream << std::string(8192, 'T');
+  }
+  ASSERT_TRUE(file->OpenFile(path));
+  EXPECT_TRUE(pipeline.Fails());
+  EXPECT_FALSE(file->OpenFile(path, true));
   std::remove(path.c_str());
 }
 

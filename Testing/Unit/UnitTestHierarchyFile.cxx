@@ -246,3 +246,35 @@ TEST(HierarchyFile, HoldsRastersOfAnySize)
     EXPECT_EQ(hierarchy.View().Layout->Height(), size[1]);
   }
 }
+
+// Checksums are not meant against intent, and numbers that no raster has are found all the same.
+TEST(HierarchyFile, RefusesNumbersThatNoRasterHas)
+{
+  const MemoryHierarchy sound = Build(MakeHills(100, 90));
+  const auto refusal = [](const MemoryHierarchy& hierarchy)
+  {
+    const TemporaryFile file("hostile");
+    EXPECT_EQ(terrain::WriteHierarchyFile(file.Path, hierarchy.View(), "", {}), "");
+    HierarchyFile opened;
+    return opened.Open(file.Path, true);
+  };
+  EXPECT_EQ(refusal(sound), "");
+  for (const float number : { std::numeric_limits<float>::infinity(), None })
+  {
+    MemoryHierarchy hierarchy = sound;
+    hierarchy.Summary.Corners[2] = number;
+    EXPECT_NE(refusal(hierarchy), "");
+    hierarchy = sound;
+    hierarchy.Summary.MinimumHeight = number;
+    EXPECT_NE(refusal(hierarchy), "");
+    hierarchy = sound;
+    hierarchy.Geometry.Origin.x = number;
+    EXPECT_NE(refusal(hierarchy), "");
+    hierarchy = sound;
+    hierarchy.Geometry.Spacing.y = number;
+    EXPECT_NE(refusal(hierarchy), "");
+    hierarchy = sound;
+    hierarchy.Records[hierarchy.Records.size() / 2].Height = number;
+    EXPECT_NE(refusal(hierarchy).find("no number"), std::string::npos);
+  }
+}

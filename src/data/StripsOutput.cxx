@@ -21,6 +21,9 @@ namespace
 using OutputOptions = StripsOptions;
 using MeshSource = StripsSource;
 
+/// Rounding of heights with detail, which are sums of floats, relative to the largest.
+constexpr double kHeightSlack = 1.0e-5;
+
 /// Colour of a depth: neighbouring depths differ clearly, hues repeat after twelve.
 void DepthColor(int depth, unsigned char* color)
 {
@@ -201,6 +204,26 @@ void AddDepthColors(const StripMesh& mesh, const MeshSource& source, vtkPolyData
   }
   output->GetPointData()->SetScalars(colors);
 }
+}
+
+//------------------------------------------------------------------------------
+bool AreHeightsKnown(const StripMesh& mesh, const StripsSource& source, double detailScale)
+{
+  const HierarchySummary& summary = source.Hierarchy.Summary;
+  double lowest = summary.MinimumHeight;
+  double highest = summary.MaximumHeight;
+  if (source.Detail)
+  {
+    lowest += detailScale * source.Detail->Minimum();
+    highest += detailScale * source.Detail->Maximum();
+  }
+  const double slack = kHeightSlack * std::max(std::abs(lowest), std::abs(highest));
+  return std::all_of(mesh.Strip.begin(), mesh.Strip.end(),
+    [&](std::uint32_t index)
+    {
+      const float height = mesh.Vertices[index].Height;
+      return height >= lowest - slack && height <= highest + slack;
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,9 @@ struct StripsSource
   }
 };
 
+/// False if a drawn vertex is lower or higher than all of the hierarchy: its records are damaged.
+bool AreHeightsKnown(const StripMesh& mesh, const StripsSource& source, double detailScale);
+
 /// Fills the output of vtkTerrainStrips, which says what it has.
 void FillStrips(const StripMesh& mesh, const StripsSource& source, const StripsOptions& options,
   vtkPolyData* output);

@@ -146,6 +146,23 @@ std::string WhyNotHeader(const FileHeader& header, std::size_t fileSize)
   return HierarchyLayout::WhyNotSize(header.Width, header.Height);
 }
 
+/// True if the numbers of a header can be those of a raster.
+bool AreNumbersSound(const FileHeader& header)
+{
+  bool sound = header.Spacing[0] > 0.0 && header.Spacing[1] > 0.0;
+  for (const double number :
+    { header.Origin[0], header.Origin[1], header.Origin[2], header.Spacing[0], header.Spacing[1] })
+  {
+    sound = sound && std::isfinite(number);
+  }
+  for (const float height : { header.Corners[0], header.Corners[1], header.Corners[2],
+         header.Corners[3], header.MinimumHeight, header.MaximumHeight })
+  {
+    sound = sound && std::isfinite(height);
+  }
+  return sound;
+}
+
 /// An output whose space is reserved on the disk and mapped.
 class MappedOutput
 {
@@ -297,7 +314,7 @@ std::string HierarchyFile::Open(const std::string& path, bool verify)
   this->Layout = HierarchyLayout(header.Width, header.Height);
   const FileParts parts(this->Layout.RecordCount(), static_cast<std::size_t>(header.CrsBytes));
   if (header.CrsBytes < 0 || header.RecordCount != this->Layout.RecordCount() ||
-    parts.End != this->File.Size() || !(header.Spacing[0] > 0.0) || !(header.Spacing[1] > 0.0))
+    parts.End != this->File.Size() || !AreNumbersSound(header))
   {
     return "the header contradicts itself";
   }
@@ -345,6 +362,16 @@ std::string HierarchyFile::Verify() const
     {
       return "block " + std::to_string(block) + " of " + std::to_string(parts.Blocks()) +
         " is damaged: its checksum is wrong";
+    }
+  }
+  const HierarchyView view = this->View();
+  for (std::int64_t i = 0; i < this->Layout.RecordCount(); ++i)
+  {
+    const HierarchyRecord& record = view.Records[i];
+    // Errors and radii may be infinite.
+    if (!std::isfinite(record.Height) || std::isnan(record.Error()) || std::isnan(record.Radius()))
+    {
+      return "record " + std::to_string(i) + " has no number, although its checksum is right";
     }
   }
   return {};

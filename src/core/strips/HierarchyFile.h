@@ -37,7 +37,8 @@ public:
   /// Returns an error message, empty if all is well.
   std::string Open(const std::string& path, bool verify);
 
-  /// Message about the first block whose checksum is wrong, or empty.
+  /// Message about the first block whose checksum is wrong, or about a record without number;
+  /// empty if there is none.
   std::string Verify() const;
 
   HierarchyView View() const;

@@ -22,17 +22,14 @@ namespace
 constexpr std::int64_t kCountLimit = 8;
 /// By this factor.
 constexpr double kToleranceStep = 4.0;
+/// The least factor by which it is raised where counting does not know how far.
+constexpr double kLeastStep = 1.125;
 /// Beyond this tolerance only spheres around the eye are refined.
 constexpr double kLargestTolerance = 1.0e30;
 /// Rounding of the base's heights between samples, which are float, in units of the largest one.
 constexpr double kHeightRounding = 1.0e-6;
 /// Relative slack of slants, which are float.
 constexpr double kSlantSlack = 1.0e-6;
-
-bool IsFinite(const glm::dvec3& v)
-{
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 }
 
 void StripMesh::Clear()
@@ -113,9 +110,11 @@ struct Refiner::Work
   std::int64_t MakeStrip(std::vector<std::uint32_t>& strip) const;
   std::int64_t MakeImprovedByDistance(std::vector<std::uint32_t>& strip) const;
   double ToleranceFor(const RefinementView& view, const RefinementOptions& options);
+  bool Coarsen(std::int64_t budget, StripMesh& mesh);
 };
 
-/// Terms and samples of all columns and rows.
+/// Terms and samples of all columns and rows of the square. Those beyond what refinement can reach
+/// have no records; only damaged ones lead there, and on to the last records of the same parity.
 void Refiner::Work::Tabulate()
 {
   const HierarchyLayout& layout = *this->Hierarchy.Layout;
@@ -127,27 +126,28 @@ void Refiner::Work::Tabulate()
     };
     for (int pair = 0; pair < layout.Pairs(); ++pair)
     {
-      for (std::int64_t step = 0; step < layout.Count(pair, axis); ++step)
+      const std::int64_t count = layout.Count(pair, axis);
+      for (std::int64_t step = 0; step <= layout.Cells() >> layout.Shift(pair); ++step)
       {
+        const std::int64_t known = step < count ? step : count - 1 - ((count - 1 - step) & 1);
         this->Axes[axis].push_back(
-          entry(step << layout.Shift(pair), layout.Term(pair, axis, step)));
+          entry(step << layout.Shift(pair), layout.Term(pair, axis, known)));
       }
     }
     this->Ends[axis] = { { entry(0, 0), entry(layout.Cells(), 0) } };
   }
-  std::array<std::size_t, 2> begin{ { 0, 0 } };
+  std::size_t begin = 0;
   for (int depth = 0; depth < layout.Depths(); ++depth)
   {
     const int pair = depth / 2;
     DepthTable& table = this->Frame.Depths[depth];
     table.Shift = layout.Shift(pair) + this->Level();
-    table.Columns = &this->Axes[0][begin[0]];
-    table.Rows = &this->Axes[1][begin[1]];
+    table.Columns = &this->Axes[0][begin];
+    table.Rows = &this->Axes[1][begin];
     table.IsOdd = (depth & 1) != 0;
     if (table.IsOdd)
     {
-      begin[0] += static_cast<std::size_t>(layout.Count(pair, 0));
-      begin[1] += static_cast<std::size_t>(layout.Count(pair, 1));
+      begin += static_cast<std::size_t>(layout.Cells() >> layout.Shift(pair)) + 1;
     }
   }
   this->Frame.Records = this->Hierarchy.Records;
@@ -486,6 +486,23 @@ double Refiner::Work::ToleranceFor(const RefinementView& view, const RefinementO
   return tolerance;
 }
 
+/// After a mesh of too many triangles: raises the tolerance, or looks at one depth less where it is
+/// infinite; false if nothing is left. Where vertices are not tested against the planes, the plain
+/// procedure splits the two sides of an edge independently, into more triangles than are counted.
+bool Refiner::Work::Coarsen(std::int64_t budget, StripMesh& mesh)
+{
+  if (std::isfinite(mesh.Tolerance))
+  {
+    const double excess = static_cast<double>(mesh.Triangles) / static_cast<double>(budget);
+    mesh.Tolerance *= std::max(excess, kLeastStep);
+    mesh.Tolerance =
+      mesh.Tolerance < kLargestTolerance ? mesh.Tolerance : std::numeric_limits<double>::infinity();
+    return true;
+  }
+  this->SetDepths(std::max(this->DepthCount - 1, 1));
+  return this->DepthCount > 1;
+}
+
 Refiner::Refiner(const HierarchyView& hierarchy)
   : Refiner(hierarchy, nullptr)
 {
@@ -498,45 +515,6 @@ Refiner::Refiner(
 }
 
 Refiner::~Refiner() = default;
-
-std::string Refiner::WhyNotRefine(const RefinementView& view, const RefinementOptions& options)
-{
-  if (!std::isfinite(options.Tolerance) || options.Tolerance <= 0.0)
-  {
-    return "the tolerance must be a positive number of pixels, not " +
-      std::to_string(options.Tolerance);
-  }
-  if (options.TriangleBudget < 0)
-  {
-    return "the triangle budget must not be negative, it is " +
-      std::to_string(options.TriangleBudget);
-  }
-  if (!std::isfinite(view.PixelsPerUnit) || view.PixelsPerUnit <= 0.0)
-  {
-    return "the viewport must have a height and the camera a view angle between 0 and 180 degrees";
-  }
-  if (!IsFinite(view.Eye))
-  {
-    return "the camera's position is not finite";
-  }
-  if (!std::isfinite(view.Exaggeration) || view.Exaggeration <= 0.0)
-  {
-    return "the exaggeration must be positive, not " + std::to_string(view.Exaggeration);
-  }
-  if (!std::isfinite(view.DetailScale) || view.DetailScale < 0.0)
-  {
-    return "the factor of the detail must not be negative, it is " +
-      std::to_string(view.DetailScale);
-  }
-  for (const glm::dvec4& plane : view.Planes)
-  {
-    if (!IsFinite(glm::dvec3(plane)) || !std::isfinite(plane.w))
-    {
-      return "the camera's planes are not finite";
-    }
-  }
-  return {};
-}
 
 void Refiner::Refine(const RefinementView& view, const RefinementOptions& options, StripMesh& mesh)
 {
@@ -554,13 +532,18 @@ void Refiner::Refine(const RefinementView& view, const RefinementOptions& option
   {
     mesh.Tolerance = work.ToleranceFor(view, options);
   }
-  work.SetTolerance(view, (options.Morphing ? kMorphBegin : 1.0) * mesh.Tolerance);
+  const double share = options.Morphing ? kMorphBegin : 1.0;
+  work.SetTolerance(view, share * mesh.Tolerance);
   if (options.Method == RefinementMethod::Improved)
   {
     work.MakeImproved(options.Morphing, mesh);
+    return;
   }
-  else
+  work.Plain.MakeMesh(work.Frame, work.MakeSquare(), options.Morphing, mesh);
+  while (options.TriangleBudget > 0 && mesh.Triangles > options.TriangleBudget &&
+    work.Coarsen(options.TriangleBudget, mesh))
   {
+    work.SetTolerance(view, share * mesh.Tolerance);
     work.Plain.MakeMesh(work.Frame, work.MakeSquare(), options.Morphing, mesh);
   }
 }

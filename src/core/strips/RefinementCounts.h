@@ -71,7 +71,9 @@ private:
   static std::size_t BucketOf(double ratio)
   {
     const double largest = std::ldexp(1.0, 64);
-    const std::uint32_t bits = FloatBits(static_cast<float>(std::clamp(ratio, 1.0, largest)));
+    // What is no number, as damaged records make it, is counted as 1.
+    const auto known = static_cast<float>(std::min(std::max(1.0, ratio), largest));
+    const std::uint32_t bits = FloatBits(known);
     return (bits - FloatBits(1.0f)) >> Shift;
   }
   static double EdgeOf(std::size_t bucket)

@@ -153,10 +153,11 @@ struct DetailFrame
   double Half = 0.0;
   double RadiusScale = 1.0;
 
-  /// Height of the base's sample at detail cell (x, y).
+  /// Height of the base's sample at detail cell (x, y), of the last one beyond the raster.
   float BaseHeight(std::uint32_t x, std::uint32_t y) const
   {
-    return this->Base->HeightAt(x >> this->Level, y >> this->Level);
+    const glm::i64vec2 sample = this->Base->Layout->Sample(x >> this->Level, y >> this->Level);
+    return this->Base->HeightAt(sample.x, sample.y);
   }
   /// Scaled height of the detail at detail cell (x, y).
   float DetailHeight(std::uint32_t x, std::uint32_t y) const
