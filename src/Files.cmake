@@ -133,6 +133,9 @@ set(core
   surface/HeightSlopes
   surface/MemoryTiles
   surface/MinMaxPyramid
+  surface/PreparedTiles
+  surface/TileFile
+  surface/TileFileWrite
   surface/TilePyramid
   surface/TileReduction
 )
