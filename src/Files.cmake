@@ -34,6 +34,7 @@ set(private_sources
   vtkOpenGLTerrainMapperPasses
   vtkOpenGLTerrainMapperShaders
   vtkOpenGLTerrainMapperUniforms
+  vtkTerrainRasterReaderLevels
   data/ImageSurface
   data/MeshOutput
   data/StripsOutput
@@ -43,8 +44,10 @@ set(private_sources
   raster/GDALTable
   raster/InputFiles
   raster/RasterFile
+  raster/RasterHeights
   raster/RasterLayout
   raster/RasterPiece
+  raster/RasterTileSource
   raster/RasterTiles
   render/Coloring
   render/ComputeProgram
@@ -131,6 +134,7 @@ set(core
   strips/RefinementPlain
   strips/RefinementSelection
   surface/HeightSlopes
+  surface/LevelSamples
   surface/MemoryTiles
   surface/MinMaxPyramid
   surface/PreparedTiles

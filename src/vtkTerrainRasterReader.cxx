@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainRasterReader.h"
+#include "vtkTerrainRasterReaderInternals.h"
 
 #include "data/Setting.h"
-#include "raster/RasterFile.h"
-#include "raster/RasterPiece.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -33,25 +32,6 @@
 #include <vector>
 
 #include <unistd.h>
-
-/// An opened file and what becomes of it.
-struct vtkTerrainRasterPlan
-{
-  terrain::RasterFile File;
-  terrain::RasterLayout Layout;
-  terrain::RasterRequest Request;
-  int ScalarType = VTK_FLOAT;
-  std::string Name;
-  std::string VerticalUnit;
-  double VerticalScale = 1.0;
-  double Origin[2] = { 0.0, 0.0 };
-  double Spacing[2] = { 1.0, 1.0 };
-
-  explicit vtkTerrainRasterPlan(const char* fileName)
-    : File(fileName)
-  {
-  }
-};
 
 namespace
 {
@@ -390,11 +370,10 @@ void vtkTerrainRasterReader::Plan(vtkTerrainRasterPlan& plan, int band) const
   plan.Request.EastFirst = plan.Layout.EastFirst;
   ReduceSize(plan.Request, this->MaximumSize, this->MaximumNumberOfSamples);
   ResolveHeights(plan);
-  if (this->BandsAsTimeSteps)
-  {
-    plan.Name = DefaultName; // the bands' descriptions are of their times
-  }
+  plan.Name = this->BandsAsTimeSteps ? DefaultName : plan.Name; // bands are described as times
+  this->ChooseLevel(plan);
   PlaceSamples(plan);
+  this->PlaceLevel(plan);
 }
 
 //------------------------------------------------------------------------------
@@ -425,6 +404,7 @@ int vtkTerrainRasterReader::RequestInformation(vtkInformation* vtkNotUsed(reques
   {
     vtkTerrainRasterPlan plan(this->FileName.c_str());
     this->Plan(plan, this->BandsAsTimeSteps ? 1 : this->Band);
+    this->Level = plan.Level;
     vtkInformation* info = outputs->GetInformationObject(0);
     this->DeclareTimeSteps(plan.File.GetNumberOfBands(), info);
     const int extent[6] = { 0, static_cast<int>(plan.Request.Width) - 1, 0,
@@ -472,7 +452,7 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
     image->SetOrigin(plan.Origin[0], plan.Origin[1], 0.0);
     image->SetSpacing(plan.Spacing[0], plan.Spacing[1], 1.0);
     image->GetPointData()->GetScalars()->SetName(plan.Name.c_str());
-    this->Read(plan, image);
+    plan.Level > 0 ? this->ReadTiles(plan, image) : this->Read(plan, image);
     this->AddFieldData(plan, image);
   }
   catch (const std::bad_alloc&)
@@ -587,6 +567,10 @@ void vtkTerrainRasterReader::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NoDataValue: " << this->NoDataValue << "\n"
      << indent << "UseNoDataValue: " << this->UseNoDataValue << "\n"
      << indent << "DetectNoData: " << this->DetectNoData << "\n"
+     << indent << "UseLevels: " << this->UseLevels << "\n"
+     << indent << "UseCache: " << this->UseCache << "\n"
+     << indent << "MemoryBudget: " << this->MemoryBudget << "\n"
+     << indent << "Level: " << this->Level << "\n"
      << indent << "ErrorMessage: " << this->ErrorMessage << "\n"
      << indent << "WarningMessage: " << this->WarningMessage << "\n";
 }

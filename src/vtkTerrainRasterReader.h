@@ -70,6 +70,10 @@
 #include <string> // For texts
 
 struct vtkTerrainRasterPlan;
+namespace terrain
+{
+struct RasterTileSettings;
+}
 
 class VTKTERRAIN_EXPORT vtkTerrainRasterReader : public vtkImageAlgorithm
 {
@@ -149,6 +153,44 @@ public:
   vtkBooleanMacro(DetectNoData, bool);
   ///@}
 
+  ///@{
+  /// Whether a raster that exceeds MaximumSize or MaximumNumberOfSamples is read at a level: the
+  /// finest one that both and MemoryBudget allow. Level k has every 2^k-th sample along both axes,
+  /// from the south-western one on, and each is the average of the samples around it, within the
+  /// bounds of all samples of the cells around it. The levels are made in one pass over the file,
+  /// on all threads and in little memory, and kept for the next time: see UseCache. Has no effect
+  /// with a Window or with BandsAsTimeSteps. Default: off, any reduction by means over areas.
+  vtkSetMacro(UseLevels, bool);
+  vtkGetMacro(UseLevels, bool);
+  vtkBooleanMacro(UseLevels, bool);
+  ///@}
+
+  ///@{
+  /// Whether levels are kept: in FILE.tiles beside the file if that exists, as
+  /// PrepareLevels makes it, else in $XDG_CACHE_HOME/vtkterrain or ~/.cache/vtkterrain. Levels of
+  /// another file, or of an older state of this one, are never used. Default: on.
+  vtkSetMacro(UseCache, bool);
+  vtkGetMacro(UseCache, bool);
+  vtkBooleanMacro(UseCache, bool);
+  ///@}
+
+  /// Makes the levels of FileName and keeps them in FILE.tiles beside it, whatever its size.
+  /// Returns true, or false with GetErrorMessage().
+  bool PrepareLevels();
+
+  ///@{
+  /// With UseLevels, most bytes of memory that an application takes that reads a level and draws
+  /// it, about four times the samples; 0 is no limit. Default: 1 GiB.
+  vtkSetClampMacro(MemoryBudget, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MemoryBudget, vtkIdType);
+  ///@}
+
+  /// The level that the last update read; 0 are the samples of the file.
+  int GetLevel() const
+  {
+    return this->Level;
+  }
+
   /// Why the last update failed, one line; empty if it did not.
   const char* GetErrorMessage() const;
   /// What the last update warned of, one line; empty if nothing.
@@ -182,7 +224,12 @@ protected:
 private:
   void Plan(vtkTerrainRasterPlan& plan, int band) const;
   void DeclareTimeSteps(int numberOfBands, vtkInformation* info) const;
+  void ChooseLevel(vtkTerrainRasterPlan& plan) const;
+  void PlaceLevel(vtkTerrainRasterPlan& plan) const;
   void Read(vtkTerrainRasterPlan& plan, vtkImageData* image);
+  void ReadTiles(vtkTerrainRasterPlan& plan, vtkImageData* image);
+  terrain::RasterTileSettings GetTileSettings() const;
+  void WarnOfLevel(const vtkTerrainRasterPlan& plan, const std::string& message);
   void AddFieldData(const vtkTerrainRasterPlan& plan, vtkImageData* image) const;
   int Fail(const std::string& reason);
   void Warn(const std::string& text);
@@ -197,6 +244,10 @@ private:
   double NoDataValue = -32768.0;
   bool UseNoDataValue = false;
   bool DetectNoData = true;
+  bool UseLevels = false;
+  bool UseCache = true;
+  vtkIdType MemoryBudget = vtkIdType{ 1 } << 30;
+  int Level = 0;
   std::string ErrorMessage;
   std::string WarningMessage;
 };

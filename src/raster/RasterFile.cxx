@@ -514,4 +514,13 @@ std::int64_t RasterFile::GetBlockRows(int overview) const
   GDALGetBlockSize(this->FindBand(overview), &width, &height);
   return std::max(height, 1);
 }
+
+//------------------------------------------------------------------------------
+std::int64_t RasterFile::GetBlockColumns(int overview) const
+{
+  int width = 1;
+  int height = 1;
+  GDALGetBlockSize(this->FindBand(overview), &width, &height);
+  return std::max(width, 1);
+}
 }

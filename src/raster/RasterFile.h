@@ -144,8 +144,9 @@ public:
   int FindOverview(double reduction) const;
   /// Size of an overview, or of the full resolution for -1.
   void GetSize(int overview, std::int64_t& width, std::int64_t& height) const;
-  /// Rows that are cheap to read together.
+  /// Rows, and columns, that are cheap to read together.
   std::int64_t GetBlockRows(int overview) const;
+  std::int64_t GetBlockColumns(int overview) const;
 
 private:
   OGRSpatialReferenceH GetSpatialReference() const;

@@ -100,6 +100,7 @@ struct Texts
   std::string ViewAngle;
   std::string Exaggeration;
   std::string Frames;
+  std::string Memory;
   PlaceArguments Place;
   std::string PixelTolerance;
   std::string Steps;
@@ -115,6 +116,11 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   { return app.add_option(name, value, help)->type_name(type); };
   add("HEIGHTS", options.Heights, "FILE",
     "file of heights, any raster GDAL opens; the built-in landscape without");
+  add("--memory", texts.Memory, "MIB",
+    "most memory for a raster that is larger than 16384 samples a side, which is drawn at the "
+    "finest level that fits; default 1024");
+  app.add_flag("--no-cache", options.NoCache,
+    "neither use nor keep the levels of such a raster (~/.cache/vtkterrain)");
   add("--output", options.Output, "FILE", "picture, PNG; default terrain.png");
   add("--size", texts.Size, "WIDTHxHEIGHT", "of the picture in pixels; default 1280x720");
   add("--technique", options.Search, "NAME",
@@ -218,6 +224,10 @@ void Interpret(const Texts& texts, Options& options)
     options.Frames = ParseInteger("--frames", texts.Frames, 1, 1000000);
   }
   InterpretSteps(texts, options.Search, options.Steps);
+  if (!texts.Memory.empty())
+  {
+    options.Memory = ParseInteger("--memory", texts.Memory, 1, kMostMemory);
+  }
   texts.Place.Interpret(options.Place);
   texts.Detail.Interpret(options.Detail);
   if (options.View && !options.Place.LookFrom.empty())

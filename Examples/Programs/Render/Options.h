@@ -64,6 +64,10 @@ struct Options
 {
   /// File of heights; empty for the built-in landscape.
   std::string Heights;
+  /// Memory that a raster larger than a texture may take, in MiB, 1 to kMostMemory, and whether its
+  /// levels are kept for the next time.
+  int Memory = 1024;
+  bool NoCache = false;
   std::string Output = "terrain.png";
   /// Width and height of the picture, in pixels, 1 to kMaximumSize.
   std::array<int, 2> Size{ 1280, 720 };
@@ -95,6 +99,8 @@ struct Options
 
 /// Largest width and height of a picture, in pixels.
 constexpr int kMaximumSize = 16384;
+/// Largest budget of memory, in MiB: 1 TiB.
+constexpr int kMostMemory = 1 << 20;
 
 /// What messages about the heights begin with.
 std::string HeightsName(const Options& options);

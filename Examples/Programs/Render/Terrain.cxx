@@ -36,6 +36,9 @@ namespace
 {
 using Techniques = vtkOpenGLTerrainMapper::Techniques;
 
+/// Samples a side that every graphics driver takes; larger rasters are drawn at a level.
+constexpr int kLargestTexture = 16384;
+
 /// Shares of the progress bar.
 constexpr double kReadShare = 0.5;
 constexpr double kMeshShare = 0.3;
@@ -52,6 +55,10 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
   auto reader = vtkSmartPointer<vtkTerrainRasterReader>::New();
   reader->SetFileName(options.Heights);
   reader->SetCoordinateSystem(options.Place.CoordinateSystem);
+  reader->UseLevelsOn();
+  reader->SetMaximumSize(kLargestTexture);
+  reader->SetMemoryBudget(vtkIdType{ options.Memory } << 20);
+  reader->SetUseCache(!options.NoCache);
   return reader;
 }
 
@@ -222,6 +229,10 @@ vtkSmartPointer<vtkImageData> ReadHeights(
   vtkSmartPointer<vtkImageData> heights = source->GetOutput();
   statistics.SetText("heights", HeightsName(options));
   CountSamples(heights, statistics);
+  if (reader)
+  {
+    statistics.SetCount("level", reader->GetLevel());
+  }
   return heights;
 }
 

@@ -34,6 +34,9 @@ struct Options
   int Height = 720;
 };
 
+/// Samples a side that every graphics driver takes; larger rasters are drawn at a level.
+constexpr int kLargestTexture = 16384;
+
 vtkSmartPointer<vtkImageAlgorithm> MakeSource(const std::string& file)
 {
   if (file.empty())
@@ -42,6 +45,8 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const std::string& file)
   }
   auto reader = vtkSmartPointer<vtkTerrainRasterReader>::New();
   reader->SetFileName(file);
+  reader->UseLevelsOn();
+  reader->SetMaximumSize(kLargestTexture);
   return reader;
 }
 

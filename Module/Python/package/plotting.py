@@ -24,11 +24,15 @@ from .heights import heights_from_array
 from .vtkTerrain import vtkTerrainActor, vtkTerrainPicker, vtkTerrainRasterReader
 
 _NUMBER_OF_COLORS = 256
+# Samples a side that every graphics driver takes; larger rasters are drawn at a level.
+_LARGEST_TEXTURE = 16384
 
 
 def _read(path):
     reader = vtkTerrainRasterReader()
     reader.SetFileName(path)
+    reader.UseLevelsOn()
+    reader.SetMaximumSize(_LARGEST_TEXTURE)
     reader.Update()
     if reader.GetErrorMessage():
         raise OSError(reader.GetErrorMessage())

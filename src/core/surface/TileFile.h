@@ -183,8 +183,9 @@ struct TilePreparation
   std::function<bool(double)> Progress;
 };
 
-/// Says that a raster's type cannot hold its heights, see WriteTileFile().
+/// Errors of WriteTileFile(): a raster's type cannot hold its heights; Progress has said stop.
 extern const char* const kHeightEqualsNone;
+extern const char* const kPreparationStopped;
 
 /// Reads a raster once and writes its tiles. If another process writes the same file, waits for it.
 /// Returns an error message, empty if all is well or stopped; then nothing is left behind.

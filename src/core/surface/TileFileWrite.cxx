@@ -19,11 +19,10 @@
 namespace terrain
 {
 const char* const kHeightEqualsNone = "a height equals the value that stands for none";
+const char* const kPreparationStopped = "its preparation was stopped";
 
 namespace
 {
-const char* const kStopped = "preparation was stopped";
-
 /// A file under construction, locked. Its destructor removes it unless it was finished.
 class PartialTileFile
 {
@@ -210,7 +209,7 @@ private:
       }
       if (!p.Progress(static_cast<double>(first) / static_cast<double>(p.Layout.Height)))
       {
-        return kStopped;
+        return kPreparationStopped;
       }
     }
     return this->WriteEnds();
