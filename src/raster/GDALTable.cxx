@@ -105,7 +105,8 @@ bool IsLoaded(const std::string& path)
 /// Fills the table. Returns why it is not filled.
 std::string Find(const std::vector<std::string>& added)
 {
-  if (const char* named = std::getenv("VTKTERRAIN_GDAL"))
+  const char* named = std::getenv("VTKTERRAIN_GDAL");
+  if (named && *named)
   {
     const std::string reason = Load(named);
     return reason.empty() ? "" : "VTKTERRAIN_GDAL names no GDAL that can be used: " + reason;

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Installs the wheel that Module/Python/wheel.sh has left in DIR as a new user would, in clean rooms without
+# a compiler, and runs the Python tests, the README's snippets and the notebook there:
+#   - a bare Debian 13, where nothing of VTK, GDAL or Python's packages is but what pip brings;
+#   - environments of two CPythons on this machine.
+# Their pictures must be those of the build in BUILD_DIR, bit for bit on this machine.
+#   bash Testing/Wheel/run.sh DIR [BUILD_DIR]
+# Needs root (for the bare machine) and debootstrap. The rooms are left in DIR/rooms.
+set -euo pipefail
+source_dir=$(cd "$(dirname "$0")/../.." && pwd)
+dist=$(cd "$1" && pwd)
+build=$(cd "${2:-$source_dir/build}" && pwd)
+rooms=$dist/rooms
+packages="pyvista[jupyter] rasterio pyogrio xarray rioxarray geopandas matplotlib nbconvert ipykernel"
+mkdir -p "$rooms"
+wheel=$(ls "$dist"/vtkterrain-*.whl)
+
+fail()
+{
+  printf '%s\n' "$*" >&2
+  exit 1
+}
+
+# The picture of the Debian build.
+picture_of_the_build()
+{
+  PYTHONPATH=$(ls -d "$build"/lib/python3*/*-packages) VTK_DEFAULT_OPENGL_WINDOW=vtkEGLRenderWindow \
+    /usr/bin/python3 "$source_dir/Examples/Python/render.py" "$source_dir/Examples/Places/heights.tif" "$rooms/build.png"
+}
+
+# A Debian 13 with Python and a driver of OpenGL, no compiler.
+make_bare()
+{
+  [ ! -e "$rooms/bare/.complete" ] || return 0
+  mirror=$(cat /etc/apt/sources.list.d/*.sources | awk '/^URIs:/ { print $2; exit }')
+  rm -rf "$rooms/bare"
+  debootstrap --variant=minbase --include=python3,python3-venv,libegl1,libgl1-mesa-dri \
+    trixie "$rooms/bare" "$mirror" /usr/share/debootstrap/scripts/sid >"$rooms/bare.log" 2>&1 ||
+    fail "$(tail -5 "$rooms/bare.log")"
+  cp -L /etc/resolv.conf /etc/hosts "$rooms/bare/etc/"
+  mkdir -p "$rooms/bare/etc/ssl/certs"
+  cp -L /etc/ssl/certs/ca-certificates.crt "$rooms/bare/etc/ssl/certs/"
+  touch "$rooms/bare/.complete"
+}
+
+# Runs inside.sh in the bare machine, which sees this source and the wheel, read only.
+run_bare()
+{
+  make_bare
+  unshare --mount bash -c '
+    set -e
+    root=$1 source=$2 dist=$3
+    mkdir -p "$root/source" "$root/dist" "$root/build"
+    mount --bind "$source" "$root/source" && mount -o remount,bind,ro "$root/source"
+    mount --bind "$dist" "$root/dist"
+    mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev"
+    exec env -u DISPLAY -u PIP_FIND_LINKS PATH=/usr/bin:/bin HOME=/root \
+      chroot "$root" bash /source/Testing/Wheel/inside.sh /usr/bin/python3 /room "/dist/$4" /source "$5"' \
+    run "$rooms/bare" "$source_dir" "$dist" "$(basename "$wheel")" "$packages"
+}
+
+# Two CPythons of this machine: Debian's, and another.
+pythons()
+{
+  echo /usr/bin/python3
+  for candidate in python3.13 python3.12 python3.10 ~/.pyenv/versions/3.1[320].*/bin/python3; do
+    if "$candidate" -c 'import venv' 2>/dev/null; then
+      echo "$candidate"
+      break
+    fi
+  done
+}
+
+picture_of_the_build
+for python in $(pythons); do
+  version=$("$python" -c 'import platform; print(platform.python_version())')
+  echo "== CPython $version on this machine"
+  env -u DISPLAY PYTHONPATH= bash "$source_dir/Testing/Wheel/inside.sh" "$python" "$rooms/$version" "$wheel" "$source_dir" "$packages"
+  cmp "$rooms/build.png" "$rooms/$version/render.png" || fail "CPython $version draws another picture than the build"
+done
+echo "== bare Debian 13"
+run_bare
+cmp "$rooms/build.png" "$rooms/bare/room/render.png" || fail "Debian 13 draws another picture than the build"
