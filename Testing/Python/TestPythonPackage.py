@@ -101,6 +101,13 @@ import vtkterrain
         self.assertEqual(run(code, DISPLAY=":99")[1], "")
         self.assertEqual(run("import vtkterrain", DISPLAY="")[1], "")
 
+    def test_grids_of_geoids_in_share_are_found(self):
+        code = "import os, sys\nsys.prefix = {!r}\nimport vtkterrain\nprint(os.environ.get('GEOGRAPHICLIB_DATA'))"
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(run(code.format(folder))[0], "None")
+            pathlib.Path(folder, "share", "GeographicLib", "geoids").mkdir(parents=True)
+            self.assertEqual(run(code.format(folder))[0], f"{folder}/share/GeographicLib")
+
 
 class TestGDAL(unittest.TestCase):
     @classmethod

@@ -72,12 +72,12 @@ pythons()
 }
 
 picture_of_the_build
+echo "== bare Debian 13"
+run_bare
+cmp "$rooms/build.png" "$rooms/bare/room/render.png" || fail "Debian 13 draws another picture than the build"
 for python in $(pythons); do
   version=$("$python" -c 'import platform; print(platform.python_version())')
   echo "== CPython $version on this machine"
   env -u DISPLAY PYTHONPATH= bash "$source_dir/Testing/Wheel/inside.sh" "$python" "$rooms/$version" "$wheel" "$source_dir" "$packages"
   cmp "$rooms/build.png" "$rooms/$version/render.png" || fail "CPython $version draws another picture than the build"
 done
-echo "== bare Debian 13"
-run_bare
-cmp "$rooms/build.png" "$rooms/bare/room/render.png" || fail "Debian 13 draws another picture than the build"

@@ -25,4 +25,5 @@ __all__ += [name for name, member in vars(_wrapped).items()
             if isinstance(member, type) and name.startswith("vtk")]
 
 _supply.offer_gdal(vtkTerrainRasterReader)  # noqa: F405
+_supply.find_geoids()
 _supply.warn_without_opengl()

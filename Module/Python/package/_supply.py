@@ -49,6 +49,13 @@ def offer_gdal(reader):
         reader.AddGDAL(path)
 
 
+def find_geoids():
+    """Tells GeographicLib of the grids in this Python's own share/, as conda and venvs have it."""
+    folder = os.path.join(sys.prefix, "share", "GeographicLib")
+    if os.path.isdir(os.path.join(folder, "geoids")) and "GEOGRAPHICLIB_GEOID_PATH" not in os.environ:
+        os.environ.setdefault("GEOGRAPHICLIB_DATA", folder)
+
+
 def _can_load(library):
     try:
         ctypes.CDLL(library)
