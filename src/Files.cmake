@@ -140,8 +140,11 @@ set(core
   surface/PreparedTiles
   surface/TileFile
   surface/TileFileWrite
+  surface/TilePool
   surface/TilePyramid
   surface/TileReduction
+  surface/TileResidency
+  surface/TileSelection
 )
 # Their results are the same bits on every machine: no fused multiply-add.
 set(core_without_contraction

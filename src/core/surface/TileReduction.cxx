@@ -266,12 +266,16 @@ void CutTile(const TileLayout& layout, const TileKey& key, const LevelPlane<cons
     }
   }
   tile.Nodes.resize(key.Level > 0 ? static_cast<std::size_t>(count.x * count.y) : 0);
+  tile.Relief = 0.0F;
   PyramidNode<float>* node = tile.Nodes.data();
   for (std::int64_t y = 0; key.Level > 0 && y < count.y; ++y)
   {
     for (std::int64_t x = 0; x < count.x; ++x)
     {
-      *node++ = ToCodes(nodes.At(first.x + x, first.y + y), codes);
+      *node = ToCodes(nodes.At(first.x + x, first.y + y), codes);
+      const float relief = node->IsEmpty() ? 0.0F : node->Maximum - node->Minimum;
+      tile.Relief = std::max(tile.Relief, relief);
+      ++node;
     }
   }
 }

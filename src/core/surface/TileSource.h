@@ -133,6 +133,8 @@ struct Tile
   std::vector<float> Samples;
   /// Bounds of the cells, Cells.x x Cells.y; empty for level 0, whose cells have their samples.
   std::vector<PyramidNode<float>> Nodes;
+  /// The greatest range of heights in one of the cells; 0 for level 0.
+  float Relief = 0.0F;
 
   std::size_t MemorySize() const
   {
