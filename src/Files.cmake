@@ -138,6 +138,7 @@ set(core
   surface/MemoryTiles
   surface/MinMaxPyramid
   surface/PreparedTiles
+  surface/RepeatedTiles
   surface/TileFile
   surface/TileFileWrite
   surface/TilePool

@@ -3,6 +3,7 @@
 #include "UnitTestFields.h"
 
 #include "core/surface/MemoryTiles.h"
+#include "core/surface/RepeatedTiles.h"
 #include "core/surface/TilePyramid.h"
 
 #include <gtest/gtest.h>
@@ -268,6 +269,54 @@ TEST(TileSource, KeepsAllHeightsOf16Bits)
   ASSERT_EQ(source->Read({ 0, 0, 0 }, tile), "");
   EXPECT_EQ(source->GetCodes().ToHeight(static_cast<double>(tile.Samples[0])), -32768.0);
   EXPECT_EQ(source->GetCodes().ToHeight(static_cast<double>(tile.Samples[1])), 32767.0);
+}
+
+// Repeated as tiles it is what it is repeated as samples: level 0, and the bounds of all levels.
+TEST(RepeatedTiles, AreTheRepeatedSamples)
+{
+  const TestField field("hills", 9, 9,
+    [](int i, int j) { return 50.0 * std::sin(0.7 * i) + 30.0 * std::cos(0.9 * j + 0.2 * i); });
+  const std::vector<float> samples(field.Samples.begin(), field.Samples.end());
+  const std::vector<float> period = terrain::MirrorSamples(samples, 8);
+  constexpr int kTimes = 3;
+  const TestField whole("repeated", 16 * kTimes + 1, 16 * kTimes + 1,
+    [&](int i, int j)
+    { return static_cast<double>(period[static_cast<std::size_t>(i % 16 + 17 * (j % 16))]); });
+  const terrain::RepeatedTiles tiles(period, 4, kTimes, kTileLevel, terrain::SerialFor);
+  ForEachTile(tiles.GetLayout(),
+    [&](const TileKey& key)
+    {
+      const auto bounds =
+        BruteBounds(whole, tiles.GetCodes(), key.Level + kTileLevel, key.Column, key.Row);
+      EXPECT_GE(tiles.GetBounds(key).Maximum, bounds.Maximum);
+      EXPECT_LE(tiles.GetBounds(key).Minimum, bounds.Minimum);
+      Tile tile;
+      ASSERT_EQ(tiles.Read(key, tile), "");
+      const glm::i64vec2 first = tiles.GetLayout().FirstCell(key);
+      for (std::int64_t k = 0; k < std::int64_t{ tile.Cells.x } * tile.Cells.y; ++k)
+      {
+        const std::int64_t x = k % tile.Cells.x;
+        const std::int64_t y = k / tile.Cells.x;
+        const auto node = BruteBounds(whole, tiles.GetCodes(), key.Level, first.x + x, first.y + y);
+        for (int corner = 0; corner < 4; ++corner)
+        {
+          const float code = SampleAt(tile, x + corner % 2, y + corner / 2);
+          if (key.Level > 0)
+          {
+            const PyramidNode<float>& bound = tile.Nodes[static_cast<std::size_t>(k)];
+            ASSERT_GE(bound.Maximum, node.Maximum);
+            ASSERT_LE(bound.Minimum, node.Minimum);
+            ASSERT_TRUE(code >= bound.Minimum && code <= bound.Maximum);
+          }
+          else
+          {
+            const double height =
+              whole.View().At(first.x + x + corner % 2, first.y + y + corner / 2);
+            ASSERT_NEAR(tiles.GetCodes().ToHeight(static_cast<double>(code)), height, 1e-4);
+          }
+        }
+      }
+    });
 }
 
 // The pass with bounded memory makes the same tiles, however the rows come.
