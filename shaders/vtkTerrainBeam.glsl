@@ -3,7 +3,8 @@
 //
 // Beams: a safe common start for all rays of a tile of pixels. Twin, with the documentation of the
 // method and why it is conservative: src/core/rays/PyramidBeam.h. Needs vtkTerrainPyramid.glsl and its
-// uniforms; no further ones, no defines.
+// uniforms; no further ones, no defines. Constants: terrainBeamSteps, terrainBeamMargin,
+// terrainBeamReach (src/render/Features.h).
 
 struct TerrainBeam
 {
@@ -28,10 +29,6 @@ struct TerrainBeamStep
   int level;
   bool stops;
 };
-
-const int terrainBeamSteps = 192;
-const float terrainBeamMargin = 1e-6;
-const float terrainBeamReach = 1e-4; // cells: more than what rounding moves positions
 
 TerrainBeamEdges terrainBeamEdges(TerrainPath path, TerrainBeam beam)
 {

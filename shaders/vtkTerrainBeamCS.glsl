@@ -5,7 +5,7 @@
 // viewport: the distance along the viewing direction before which none of the tile's rays meets the
 // surface. Needs vtkTerrainBeam.glsl and vtkTerrainView.glsl.
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = TERRAIN_GROUP_SIZE, local_size_y = TERRAIN_GROUP_SIZE) in;
 layout(r32f, binding = 0) writeonly uniform image2D terrainBeamImage;
 
 // Of a distance: what is taken off for what float rounds where rays begin.

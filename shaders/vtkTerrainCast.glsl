@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the ray of a pixel sees: clips the ray, traces it, passes by what is culled.
-// Needs vtkTerrainHeights.glsl, vtkTerrainRay.glsl, vtkTerrainView.glsl, vtkTerrainTrace.glsl and, for
-// columns, vtkTerrainColumns.glsl.
+// Needs vtkTerrainHeights.glsl, vtkTerrainRay.glsl, vtkTerrainView.glsl, vtkTerrainTrace.glsl,
+// vtkTerrainSighting.glsl and, for columns, vtkTerrainColumns.glsl.
 // Processors that run rays side by side run both sides of a branch: defines leave out what a scene does
 // not need.
 // Defines: TERRAIN_COLUMNS for columns; TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels each
@@ -28,19 +28,6 @@ float terrainSafeStart(vec2 pixel)
   return terrainNear;
 }
 #endif
-
-// The first point of the surface on a pixel's ray.
-struct TerrainSighting
-{
-  bool found;
-  float distanceVC;  // along the viewing direction
-  ivec2 cell;
-  vec2 fraction;     // position in the cell, 0..1
-  bool front;        // seen from above
-  int crossings;     // work done, see TerrainHit
-  int wall;          // clipping plane at which a block is cut, or -1 for the surface
-  vec4 codes;        // of the cell's corners
-};
 
 #ifdef TERRAIN_CLIP_PLANES
 // The part of the distances [range.x, range.y] of a pixel's ray that no clipping plane cuts off, and

@@ -6,6 +6,8 @@
 // Defines: TERRAIN_PAINT if there is or was anything but the material's colour; TERRAIN_DRAPE with the
 // number of the picture's components; TERRAIN_TEXTURED for textures of VTK. All else is chosen by
 // uniforms: to build another program takes as long as several frames.
+// Constants: terrainNotANumber, terrainColorMapSize and the kinds of colours, terrainOfMaterial to
+// terrainOfCrossings (src/render/Features.h).
 
 // What the surface's colours make of the material's: add + keep * colour; opacity times alpha.
 struct TerrainPaint
@@ -51,16 +53,7 @@ mat2 terrainTextureFootprint(vec2 pixel, TerrainSurface surface)
 #endif
 
 #ifdef TERRAIN_PAINT
-// What the surface's own colour is made from; twin: terrain::Coloring::Kinds.
-const int terrainOfMaterial = 0;
-const int terrainOfHeight = 1;
-const int terrainOfSlope = 2;
-const int terrainOfAspect = 3;
-const int terrainOfValues = 4;
-const int terrainOfColors = 5;
-const int terrainOfCrossings = 6;
-
-uniform int terrainColorKind;
+uniform int terrainColorKind;         // one of the constants terrainOf...
 uniform sampler2D terrainValues;      // of samples or cells, less the offset
 uniform sampler2D terrainColors;      // RGBA of samples or cells
 uniform ivec2 terrainArrayTexels;     // that a place needs of each of them: 4, 1 for cells, 0 for none
@@ -71,9 +64,6 @@ uniform vec2 terrainValueScale;       // value = x * the number that terrainMapC
 uniform vec2 terrainColorScale;       // position in the map, 0..1 = x * that number + y
 uniform int terrainColorLogarithm;    // 1 if it is x * logarithm of the value + y instead
 uniform float terrainMaximumShownCrossings;
-
-const float terrainNotANumber = -3e38;
-const int terrainColorMapSize = 4096; // twin: ColorMapSize in src/render/Coloring.cxx
 
 // Weight of a corner, 0 or 1 each way, in bilinear interpolation.
 float terrainCornerWeight(ivec2 corner, vec2 fraction)
@@ -119,6 +109,8 @@ float terrainAspect(TerrainSurface surface)
   return length(down) < 1e-6 ? terrainNotANumber : aspect < 0.0 ? aspect + 360.0 : aspect;
 }
 
+// Colour of a number: a height code, or a slope, aspect or value in its own unit. Exact but for the map's
+// terrainColorMapSize texels.
 vec4 terrainMapColor(float value)
 {
   float logarithm = log(max(terrainValueScale.x * value + terrainValueScale.y, 1e-37));
@@ -231,6 +223,8 @@ float terrainContourCoverage(vec2 pixel, TerrainSurface surface)
   return change < 1e-6 ? 0.0 : mix(line, grey, clamp(2.0 * even - 1.0, 0.0, 1.0));
 }
 
+// What the surface's colour, a draped picture, hillshade and contour lines make of the material's
+// colour at a pixel.
 TerrainPaint terrainPaintSurface(vec2 pixel, TerrainSurface surface)
 {
   vec4 color = terrainOwnColor(surface);
@@ -244,5 +238,15 @@ TerrainPaint terrainPaintSurface(vec2 pixel, TerrainSurface surface)
   paint = TerrainPaint(shade * paint.add, shade * paint.keep, paint.alpha);
   return terrainOver(paint, terrainContourColor.rgb,
     terrainContourColor.a * terrainContourCoverage(pixel, surface));
+}
+
+// Paints over the material's colours, which VTK's lights then shade; intensities: those of the property.
+void terrainPaintMaterial(vec2 pixel, TerrainSurface surface, float ambientIntensity,
+  float diffuseIntensity, inout vec3 ambientColor, inout vec3 diffuseColor, inout float opacity)
+{
+  TerrainPaint paint = terrainPaintSurface(pixel, surface);
+  ambientColor = ambientIntensity * paint.add + paint.keep * ambientColor;
+  diffuseColor = diffuseIntensity * paint.add + paint.keep * diffuseColor;
+  opacity *= paint.alpha;
 }
 #endif

@@ -4,9 +4,7 @@
 // The surface of constant columns, one around each sample and as high as that: the nearest sample's
 // height, as Park and Oh's pyramid without bounding map draws it. A cell, which lies between samples,
 // shows a quarter of four columns. Twin: src/core/surface/Columns.h. Needs vtkTerrainHeights.glsl.
-
-// Cells by which a point on a wall is told from one on a top.
-const float terrainColumnReach = 1e-3;
+// Constant: terrainColumnReach, cells by which a point on a wall is told from one on a top.
 
 // The face of a column that a ray meets.
 struct TerrainColumnFace

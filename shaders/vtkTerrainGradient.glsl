@@ -4,12 +4,11 @@
 // The slope of the surface, for its normal: differences of heights over a cell, or over what a pixel
 // covers where that is more, so that distant ridges do not shimmer. Gradients are in codes per cell.
 // Needs vtkTerrainHeights.glsl and vtkTerrainView.glsl. Twin of what reads samples:
-// src/core/surface/HeightGradient.h.
+// src/core/surface/HeightGradient.h. Constant: terrainFirstSlopeLevel, kFirstSlopeLevel in
+// src/core/surface/HeightSlopes.h.
 
 uniform sampler2D terrainSlopes;   // mean slopes of squares of cells: src/core/surface/HeightSlopes.h
 uniform float terrainSlopesScale; // codes per cell and unit of terrainSlopes
-
-const float terrainFirstSlopeLevel = 4.0; // twin: kFirstSlopeLevel in src/core/surface/HeightSlopes.h
 
 // Code of the texels' surface at a position relative to a cell of texels; negative where there is none.
 float terrainTexelHeight(ivec2 cell, vec2 position)

@@ -4,7 +4,7 @@
 // Compute shader: casts the rays of all pixels of a viewport into a texture of sightings, whose
 // texels vtkTerrainSighting.glsl describes. Needs vtkTerrainCast.glsl.
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = TERRAIN_GROUP_SIZE, local_size_y = TERRAIN_GROUP_SIZE) in;
 layout(rgba32f, binding = 0) writeonly uniform image2D terrainSightingImage;
 
 void main()
@@ -16,10 +16,5 @@ void main()
   }
   TerrainSighting sighting =
     terrainCast(vec2(texel + terrainViewportOrigin) + 0.5, terrainNear);
-  float work = float(sighting.crossings + 1);
-  work += sighting.found ? float(sighting.wall + 1) / 32.0 : 0.0;
-  imageStore(terrainSightingImage, texel,
-    sighting.found ? vec4(sighting.distanceVC, vec2(sighting.cell) + sighting.fraction,
-                       sighting.front ? work : -work)
-                   : vec4(-1.0, 0.0, 0.0, work));
+  imageStore(terrainSightingImage, texel, terrainPackSighting(sighting));
 }

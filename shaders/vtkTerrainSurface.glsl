@@ -3,7 +3,7 @@
 //
 // The point of the surface that a fragment shows: what VTK's lights and colours work on.
 // Needs vtkTerrainHeights.glsl, vtkTerrainView.glsl, vtkTerrainGradient.glsl and, for rays,
-// vtkTerrainCast.glsl; for columns, vtkTerrainColumns.glsl.
+// vtkTerrainSighting.glsl and vtkTerrainCast.glsl; for columns, vtkTerrainColumns.glsl.
 // Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_BOX if rays begin at the
 // box; TERRAIN_DEPTH_OFFSET if depths are shifted thereafter; TERRAIN_COLUMNS for columns;
 // TERRAIN_BLOCK if the surface covers a block that clipping planes cut; TERRAIN_CLIP_PLANES if there are
@@ -141,6 +141,14 @@ float terrainDepthSlope(vec2 pixel, TerrainSurface surface)
   vec2 depths = vec2(terrainDepth(terrainPositionVC(pixel + vec2(1.0, 0.0), s + pace.x)),
     terrainDepth(terrainPositionVC(pixel + vec2(0.0, 1.0), s + pace.y)));
   return length(depths - terrainDepth(surface.positionVC));
+}
+
+// Depth of the surface moved as coincident topology moves that of polygons: by a factor times its slope,
+// and by an offset in 1/65000 of the range of depths.
+float terrainShiftedDepth(vec2 pixel, TerrainSurface surface, float factor, float offset)
+{
+  return terrainDepth(surface.positionVC) + factor * terrainDepthSlope(pixel, surface) +
+    offset / 65000.0;
 }
 
 #ifdef TERRAIN_MESH

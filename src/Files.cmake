@@ -15,6 +15,7 @@ set(classes
   vtkTerrainGraticule
   vtkTerrainHierarchy
   vtkTerrainImageWarp
+  vtkTerrainLook
   vtkTerrainMesh
   vtkTerrainMinMaxPyramid
   vtkTerrainOutputFile
@@ -29,11 +30,6 @@ set(classes
 
 # Private to the module: one line a file, by rooms.
 set(private_sources
-  vtkOpenGLTerrainMapperColors
-  vtkOpenGLTerrainMapperCutting
-  vtkOpenGLTerrainMapperPasses
-  vtkOpenGLTerrainMapperShaders
-  vtkOpenGLTerrainMapperUniforms
   vtkTerrainRasterReaderLevels
   data/ImageSurface
   data/MeshOutput
@@ -49,13 +45,23 @@ set(private_sources
   raster/RasterPiece
   raster/RasterTileSource
   raster/RasterTiles
-  render/Coloring
   render/ComputeProgram
   render/ComputeTexture
   render/DetailTexture
-  render/HeightTexture
+  render/Driver
+  render/Features
+  render/Paint
+  render/Prepass
+  render/Proxy
   render/PyramidTexture
+  render/Scene
+  render/ShaderText
   render/SlopeTexture
+  render/SurfaceProgram
+  render/SurfaceTextures
+  render/Technique
+  render/UniformPasser
+  render/View
 )
 
 set(private_headers
@@ -82,6 +88,7 @@ set(shaders
   vtkTerrainCast
   vtkTerrainColor
   vtkTerrainColumns
+  vtkTerrainDistance
   vtkTerrainGradient
   vtkTerrainHeights
   vtkTerrainPyramid

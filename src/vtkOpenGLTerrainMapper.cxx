@@ -3,115 +3,57 @@
 #include "vtkOpenGLTerrainMapper.h"
 
 #include "render/Driver.h"
+#include "render/Features.h"
+#include "render/Scene.h"
+#include "render/SurfaceProgram.h"
 #include "render/Uniforms.h"
-#include "vtkTerrainMapperInternals.h"
-
-#include "core/surface/DetailHeights.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
-#include "vtkBoundingBox.h"
-#include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkCommand.h"
-#include "vtkExecutive.h"
+#include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
-#include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
-#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTexture.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <map>
 
 vtkStandardNewMacro(vtkOpenGLTerrainMapper);
 
-namespace
+class vtkOpenGLTerrainMapper::vtkInternals
 {
-glm::dmat4 toGlm(vtkMatrix4x4* matrix)
-{
-  glm::dmat4 result;
-  for (int row = 0; row < 4; ++row)
+public:
+  vtkInternals(vtkOpenGLTerrainMapper* self)
+    : Scene(self, self->Look)
   {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = matrix->GetElement(row, column);
-    }
   }
-  return result;
-}
 
-/// A matrix of the camera's, which VTK keeps transposed, for OpenGL.
-glm::dmat4 cameraMatrix(vtkMatrix4x4* matrix)
-{
-  return glm::transpose(toGlm(matrix));
-}
-
-/// Matrix from the coordinates of a vertex buffer, which VTK may shift and scale, to model
-/// coordinates.
-glm::dmat4 modelFromBuffer(vtkOpenGLVertexBufferObject* vertices)
-{
-  glm::dmat4 matrix(1.0);
-  if (vertices && vertices->GetCoordShiftAndScaleEnabled())
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      matrix[axis][axis] = 1.0 / vertices->GetScale()[axis];
-      matrix[3][axis] = vertices->GetShift()[axis];
-    }
-  }
-  return matrix;
-}
-
-/// World to view coordinates, and these to display coordinates.
-struct ViewMatrices
-{
-  glm::dmat4 ViewFromWorld;
-  glm::dmat4 DisplayFromView;
-
-  explicit ViewMatrices(vtkRenderer* ren)
-  {
-    vtkMatrix4x4* worldToView = nullptr;
-    vtkMatrix4x4* viewToDisplay = nullptr;
-    vtkMatrix4x4* worldToDisplay = nullptr;
-    vtkMatrix3x3* normals = nullptr;
-    static_cast<vtkOpenGLCamera*>(ren->GetActiveCamera())
-      ->GetKeyMatrices(ren, worldToView, normals, viewToDisplay, worldToDisplay);
-    this->ViewFromWorld = cameraMatrix(worldToView);
-    this->DisplayFromView = cameraMatrix(viewToDisplay);
-  }
+  terrain::Scene Scene;
+  terrain::SurfaceProgram Program;
+  /// What the program of each primitive was built for.
+  std::map<vtkOpenGLHelper*, terrain::Features> BuiltFor;
+  int ShaderBuilds = 0;
+  int BufferBuilds = 0;
 };
-
-/// Matrix from grid to model coordinates; z of grid coordinates are height codes.
-glm::dmat4 gridToModel(
-  const terrain::GridGeometry& geometry, const terrain::HeightCodes& codes, double exaggeration)
-{
-  glm::dmat4 matrix(1.0);
-  matrix[0][0] = geometry.Spacing.x;
-  matrix[1][1] = geometry.Spacing.y;
-  matrix[2][2] = exaggeration * codes.Scale;
-  matrix[3] = glm::dvec4(
-    geometry.Origin.x, geometry.Origin.y, geometry.Origin.z + exaggeration * codes.Offset, 1.0);
-  return matrix;
-}
-}
 
 //------------------------------------------------------------------------------
 vtkOpenGLTerrainMapper::vtkOpenGLTerrainMapper()
-  : Internals(new vtkInternals)
+  : Look(vtkSmartPointer<vtkTerrainLook>::New())
+  , Internals(new vtkInternals(this))
 {
   this->SetNumberOfInputPorts(3);
   this->ScalarVisibility = 0;
   this->RemoveMesh();
+  this->Look->AddObserver(
+    vtkCommand::ModifiedEvent, this, &vtkOpenGLTerrainMapper::PictureModified);
 }
 
 //------------------------------------------------------------------------------
@@ -121,33 +63,70 @@ vtkOpenGLTerrainMapper::~vtkOpenGLTerrainMapper() = default;
 void vtkOpenGLTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Technique: " << static_cast<int>(this->Technique) << "\n";
-  os << indent << "VerticalExaggeration: " << this->VerticalExaggeration << "\n";
-  os << indent << "Steps: " << this->Steps << "\n";
-  os << indent << "LongSteps: " << this->LongSteps << "\n";
-  os << indent << "SecantSteps: " << this->SecantSteps << "\n";
-  os << indent << "StepLength: " << this->StepLength << "\n";
-  os << indent << "Surface: " << static_cast<int>(this->Surface) << "\n";
-  os << indent << "PixelTolerance: " << this->PixelTolerance << "\n";
-  os << indent << "ComputeMode: " << static_cast<int>(this->ComputeMode) << "\n";
-  os << indent << "UseBeams: " << this->UseBeams << "\n";
-  os << indent << "DetailCells: " << this->DetailCells << "\n";
-  os << indent << "DetailScale: " << this->DetailScale << "\n";
-  const terrain::Coloring& coloring = this->Internals->Coloring;
-  os << indent << "ShowCrossings: " << coloring.ShowCrossings << "\n";
-  os << indent << "MaximumShownCrossings: " << coloring.MaximumShownCrossings << "\n";
-  os << indent << "ColorSource: " << static_cast<int>(coloring.Source) << "\n";
-  os << indent << "Drape: " << coloring.Drape << "\n";
-  os << indent << "Contours: " << coloring.Contours << "\n";
-  os << indent << "ContourInterval: " << coloring.ContourInterval << "\n";
-  os << indent << "ContourWidth: " << coloring.ContourWidth << "\n";
-  os << indent << "Hillshade: " << coloring.Hillshade << "\n";
-  os << indent << "HillshadeAzimuth: " << coloring.HillshadeAzimuth << "\n";
-  os << indent << "HillshadeAltitude: " << coloring.HillshadeAltitude << "\n";
-  os << indent << "Block: " << this->Internals->Cutting.Block << "\n";
-  os << indent << "BlockBase: " << this->Internals->Cutting.BlockBase << "\n";
-  os << indent << "MaximumLayers: " << this->Internals->MaximumLayers << "\n";
-  os << indent << "SampleShading: " << this->Internals->SampleShading << "\n";
+  os << indent << "Look:\n";
+  this->Look->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+#define vtkTerrainLookMacro(Name, Type)                                                            \
+  void vtkOpenGLTerrainMapper::Set##Name(Type value)                                               \
+  {                                                                                                \
+    this->Look->Set##Name(value);                                                                  \
+  }                                                                                                \
+  Type vtkOpenGLTerrainMapper::Get##Name() const                                                   \
+  {                                                                                                \
+    return this->Look->Get##Name();                                                                \
+  }
+vtkTerrainLookMacro(Technique, vtkTerrainLook::Techniques);
+vtkTerrainLookMacro(VerticalExaggeration, double);
+vtkTerrainLookMacro(DetailCells, int);
+vtkTerrainLookMacro(DetailScale, double);
+vtkTerrainLookMacro(Steps, int);
+vtkTerrainLookMacro(LongSteps, int);
+vtkTerrainLookMacro(SecantSteps, int);
+vtkTerrainLookMacro(StepLength, double);
+vtkTerrainLookMacro(Surface, vtkTerrainLook::Surfaces);
+vtkTerrainLookMacro(PixelTolerance, double);
+vtkTerrainLookMacro(ShowCrossings, bool);
+vtkTerrainLookMacro(MaximumShownCrossings, int);
+vtkTerrainLookMacro(ComputeMode, vtkTerrainLook::ComputeModes);
+vtkTerrainLookMacro(UseBeams, bool);
+vtkTerrainLookMacro(ColorSource, vtkTerrainLook::ColorSources);
+vtkTerrainLookMacro(Drape, vtkImageData*);
+vtkTerrainLookMacro(Contours, bool);
+vtkTerrainLookMacro(ContourInterval, double);
+vtkTerrainLookMacro(ContourWidth, double);
+vtkTerrainLookMacro(Hillshade, bool);
+vtkTerrainLookMacro(HillshadeAzimuth, double);
+vtkTerrainLookMacro(HillshadeAltitude, double);
+vtkTerrainLookMacro(Block, bool);
+vtkTerrainLookMacro(BlockBase, double);
+vtkTerrainLookMacro(MaximumLayers, int);
+vtkTerrainLookMacro(SampleShading, bool);
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetDrape(vtkImageData* picture, const double bounds[4])
+{
+  this->Look->SetDrape(picture, bounds);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetContourColor(double red, double green, double blue, double opacity)
+{
+  this->Look->SetContourColor(red, green, blue, opacity);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::PictureModified()
+{
+  this->PictureTime.Modified();
+  this->InvokeEvent(vtkCommand::ModifiedEvent);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkOpenGLTerrainMapper::GetLookTime()
+{
+  return this->PictureTime.GetMTime();
 }
 
 //------------------------------------------------------------------------------
@@ -160,16 +139,6 @@ int vtkOpenGLTerrainMapper::FillInputPortInformation(int port, vtkInformation* i
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetTechnique(Techniques technique)
-{
-  if (this->Technique != technique)
-  {
-    this->Technique = technique;
-    this->UniformModified(); // the shader is rebuilt for its defines
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -187,40 +156,6 @@ vtkImageData* vtkOpenGLTerrainMapper::GetHeights()
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::HeightsModified(
-  int firstColumn, int lastColumn, int firstRow, int lastRow)
-{
-  vtkImageData* image = this->GetHeights();
-  if (image)
-  {
-    const int* extent = image->GetExtent();
-    this->Internals->Heights.SetImagePart(image,
-      { { firstColumn - extent[0], firstRow - extent[2] },
-        { lastColumn - extent[0] + 1, lastRow - extent[2] + 1 } });
-    this->UniformModified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::RemoveMesh()
-{
-  this->SetInputDataInternal(0, this->Internals->Box);
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::GetHeightRange(double range[2])
-{
-  range[0] = 0.0;
-  range[1] = -1.0;
-  if (this->UpdateHeights() && this->Internals->Heights.GetCodes().HasData)
-  {
-    const terrain::HeightCodes& codes = this->Internals->Heights.GetCodes();
-    range[0] = codes.ToHeight(0.0);
-    range[1] = codes.ToHeight(codes.MaximumCode);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::SetDetailData(vtkImageData* detail)
 {
   this->SetInputDataInternal(2, detail);
@@ -235,152 +170,83 @@ vtkImageData* vtkOpenGLTerrainMapper::GetDetail()
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetDetailCells(int cells)
+void vtkOpenGLTerrainMapper::HeightsModified(
+  int firstColumn, int lastColumn, int firstRow, int lastRow)
 {
-  if (cells < 1 || cells > MostDetailCells || (cells & (cells - 1)) != 0)
+  if (vtkImageData* image = this->GetHeights())
   {
-    vtkErrorMacro("The detail cells along a cell of the heights must be a power of two from 1 to "
-      << MostDetailCells << ", not " << cells);
-    return;
-  }
-  if (this->DetailCells != cells)
-  {
-    this->DetailCells = cells;
-    this->UniformModified();
+    const int* extent = image->GetExtent();
+    this->Internals->Scene.Surface.SetImagePart(image,
+      { { firstColumn - extent[0], firstRow - extent[2] },
+        { lastColumn - extent[0] + 1, lastRow - extent[2] + 1 } });
+    this->PictureModified();
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetVerticalExaggeration(double exaggeration)
+void vtkOpenGLTerrainMapper::RemoveMesh()
 {
-  if (!(exaggeration > 0.0) || !std::isfinite(exaggeration))
+  this->SetInputDataInternal(0, this->Internals->Scene.Proxy.GetBox());
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::GetHeightRange(double range[2])
+{
+  range[0] = 0.0;
+  range[1] = -1.0;
+  if (this->UpdateSurface() && this->Internals->Scene.Surface.GetCodes().HasData)
   {
-    vtkErrorMacro("The vertical exaggeration must be above 0, not " << exaggeration);
-    return;
-  }
-  if (this->VerticalExaggeration != exaggeration)
-  {
-    this->VerticalExaggeration = exaggeration;
-    this->UniformModified();
+    const terrain::HeightCodes& codes = this->Internals->Scene.Surface.GetCodes();
+    range[0] = codes.ToHeight(0.0);
+    range[1] = codes.ToHeight(codes.MaximumCode);
   }
 }
 
-#define vtkTerrainSetUniformMacro(Name, Type, Minimum)                                             \
-  void vtkOpenGLTerrainMapper::Set##Name(Type value)                                               \
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetExtract(const int first[2], const int last[2])
+{
+  if (first[0] >= last[0] || first[1] >= last[1])
+  {
+    vtkErrorMacro("An extract must have at least two samples each way");
+    return;
+  }
+  terrain::Cutting& cutting = this->Internals->Scene.Cutting;
+  cutting.Extracts = true;
+  cutting.First = { first[0], first[1] };
+  cutting.Last = { last[0], last[1] };
+  this->PictureModified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ExtractAll()
+{
+  this->Internals->Scene.Cutting.Extracts = false;
+  this->PictureModified();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkOpenGLTerrainMapper::ReadCrossings()
+{
+  return this->Internals->Scene.Prepass.ReadCrossings();
+}
+
+//------------------------------------------------------------------------------
+#define vtkTerrainCountMacro(Name, Type, Count)                                                    \
+  Type vtkOpenGLTerrainMapper::Get##Name() const                                                   \
   {                                                                                                \
-    const Type valid = std::max<Type>(value, Minimum);                                             \
-    if (this->Name != valid)                                                                       \
-    {                                                                                              \
-      this->Name = valid;                                                                          \
-      this->UniformModified();                                                                     \
-    }                                                                                              \
+    return this->Internals->Count;                                                                 \
   }
-
-vtkTerrainSetUniformMacro(Steps, int, 0);
-vtkTerrainSetUniformMacro(LongSteps, int, 0);
-vtkTerrainSetUniformMacro(SecantSteps, int, 0);
-vtkTerrainSetUniformMacro(StepLength, double, 0.0);
-vtkTerrainSetUniformMacro(DetailScale, double, 0.0);
-vtkTerrainSetUniformMacro(
-  Surface, vtkOpenGLTerrainMapper::Surfaces, vtkOpenGLTerrainMapper::Surfaces::Bilinear);
-vtkTerrainSetUniformMacro(PixelTolerance, double, 0.0);
-vtkTerrainSetUniformMacro(
-  ComputeMode, vtkOpenGLTerrainMapper::ComputeModes, ComputeModes::Automatic);
-vtkTerrainSetUniformMacro(UseBeams, bool, false);
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::UniformModified()
-{
-  this->UniformTime.Modified();
-  this->InvokeEvent(vtkCommand::ModifiedEvent);
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkOpenGLTerrainMapper::GetMTime()
-{
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->IgnoresUniformTime ? time : std::max(time, this->UniformTime.GetMTime());
-}
-
-//------------------------------------------------------------------------------
-int vtkOpenGLTerrainMapper::GetNumberOfHeightUploads() const
-{
-  return this->Internals->Heights.GetNumberOfUploads();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkOpenGLTerrainMapper::GetNumberOfUploadedTexels() const
-{
-  return this->Internals->Heights.GetNumberOfUploadedTexels();
-}
-
-//------------------------------------------------------------------------------
-int vtkOpenGLTerrainMapper::GetNumberOfShaderBuilds() const
-{
-  return this->Internals->ShaderBuilds;
-}
-
-//------------------------------------------------------------------------------
-int vtkOpenGLTerrainMapper::GetNumberOfBufferBuilds() const
-{
-  return this->Internals->BufferBuilds;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkOpenGLTerrainMapper::GetTextureMemorySize() const
-{
-  return this->Internals->Heights.GetMemorySize();
-}
+vtkTerrainCountMacro(NumberOfHeightUploads, int, Scene.Surface.GetNumberOfUploads());
+vtkTerrainCountMacro(NumberOfUploadedTexels, vtkIdType, Scene.Surface.GetNumberOfUploadedTexels());
+vtkTerrainCountMacro(TextureMemorySize, vtkIdType, Scene.Surface.GetMemorySize());
+vtkTerrainCountMacro(NumberOfShaderBuilds, int, ShaderBuilds);
+vtkTerrainCountMacro(NumberOfBufferBuilds, int, BufferBuilds);
 
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internals->Heights.ReleaseGraphicsResources(window);
-  this->Internals->Coloring.ReleaseGraphicsResources(window);
-  this->Internals->BeamStarts.ReleaseGraphicsResources(window);
-  this->Internals->Sightings.ReleaseGraphicsResources(window);
+  this->Internals->Scene.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
-}
-
-//------------------------------------------------------------------------------
-bool vtkOpenGLTerrainMapper::UpdateHeights()
-{
-  vtkInternals& internals = *this->Internals;
-  if (this->GetNumberOfInputConnections(1) == 0)
-  {
-    internals.Why = "no heights are given";
-    return false;
-  }
-  if (!this->Static)
-  {
-    this->GetInputAlgorithm(1, 0)->Update();
-    if (this->GetNumberOfInputConnections(2) > 0)
-    {
-      this->GetInputAlgorithm(2, 0)->Update();
-    }
-  }
-  internals.Why = internals.Heights.SetImage(this->GetHeights());
-  if (internals.Why.empty())
-  {
-    internals.Why = internals.Heights.SetDetail(
-      this->GetDetail(), terrain::LevelOfCells(this->DetailCells), this->DetailScale);
-  }
-  this->UpdateBox();
-  return internals.Why.empty();
-}
-
-//------------------------------------------------------------------------------
-bool vtkOpenGLTerrainMapper::CastsRays(vtkActor* act) const
-{
-  return this->Technique != Techniques::Mesh && this->Internals->Why.empty() &&
-    act->GetProperty()->GetRepresentation() == VTK_SURFACE;
-}
-
-//------------------------------------------------------------------------------
-bool vtkOpenGLTerrainMapper::UsesSurface(vtkActor* act) const
-{
-  return this->Internals->Why.empty() && this->Internals->Heights.HasSurface() &&
-    act->GetProperty()->GetRepresentation() == VTK_SURFACE;
 }
 
 //------------------------------------------------------------------------------
@@ -402,154 +268,150 @@ double* vtkOpenGLTerrainMapper::GetBounds()
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::ComputeBounds()
 {
-  const bool hasHeights = this->UpdateHeights(); // and the box, which may be the mesh
+  const bool hasHeights = this->UpdateSurface(); // and the box, which may be the mesh
   this->Superclass::ComputeBounds();
-  if (!hasHeights || !this->Internals->Heights.HasSurface())
+  if (hasHeights && this->Internals->Scene.Surface.HasSurface())
   {
-    return;
+    this->Internals->Scene.GetBounds(this->Bounds);
   }
-  terrain::GridGeometry geometry = this->Internals->Heights.GetGeometry();
-  geometry.Exaggeration = this->VerticalExaggeration;
-  const terrain::HeightCodes& codes = this->Internals->Heights.GetCodes();
-  const terrain::Cutting& cutting = this->Internals->Cutting;
-  const terrain::SampleRectangle drawn = this->DrawnRectangle();
-  const glm::dvec3 low = geometry.ToModel(drawn.First, cutting.Lowest(codes.ToHeight(0.0)));
-  const glm::dvec3 high = geometry.ToModel(drawn.Last, codes.ToHeight(codes.MaximumCode));
-  vtkBoundingBox box;
-  box.AddPoint(low.x, low.y, low.z);
-  box.AddPoint(high.x, high.y, high.z);
-  box.GetBounds(this->Bounds);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLTerrainMapper::HasTranslucentPolygonalGeometry()
+{
+  return terrain::Paint::IsTranslucent(this, this->GetHeights(), this->Look) ||
+    this->Superclass::HasTranslucentPolygonalGeometry();
+}
+
+//------------------------------------------------------------------------------
+// What the program that draws is built for now.
+terrain::Features vtkOpenGLTerrainMapper::FindFeatures(vtkRenderer* ren, vtkActor* act)
+{
+  terrain::Features features;
+  float factor = 0.0f;
+  float offset = 0.0f;
+  if (this->LastBoundBO) // else VTK does not draw yet
+  {
+    this->GetCoincidentParameters(ren, act, factor, offset);
+  }
+  features.ShiftsDepth = factor != 0.0f || offset != 0.0f;
+  if (this->Internals->Scene.IsFound(act))
+  {
+    features.Textured = this->HaveTextures(act);
+    this->Internals->Scene.AddFeatures(features);
+  }
+  return features;
+}
+
+//------------------------------------------------------------------------------
+// Update: the surface and its box are those of the inputs.
+bool vtkOpenGLTerrainMapper::UpdateSurface()
+{
+  for (int port = 1; port <= 2 && !this->Static && this->GetNumberOfInputConnections(1) > 0; ++port)
+  {
+    if (this->GetNumberOfInputConnections(port) > 0)
+    {
+      this->GetInputAlgorithm(port, 0)->Update();
+    }
+  }
+  return this->Internals->Scene.Update(this->GetHeights(), this->GetDetail());
 }
 
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
 {
-  if (!this->UpdateHeights() && this->Technique != Techniques::Mesh)
+  const terrain::Scene& scene = this->Internals->Scene;
+  const bool casts = scene.GetTechnique().CastsRays();
+  if (!this->UpdateSurface() && casts)
   {
-    vtkErrorMacro("Cannot draw the terrain: " << this->Internals->Why);
-    return;
+    vtkErrorMacro("Cannot draw the terrain: " << scene.Why);
   }
-  if (this->Technique != Techniques::Mesh && !this->Internals->Heights.HasSurface())
+  else if (!casts || scene.Surface.HasSurface())
   {
-    return;
+    this->Superclass::RenderPiece(ren, act);
   }
-  this->Superclass::RenderPiece(ren, act);
 }
 
 //------------------------------------------------------------------------------
+// Prepare: the textures of the surface, how the view sees it, and the proxy.
 void vtkOpenGLTerrainMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
 {
-  vtkInternals& internals = *this->Internals;
-  if (this->UsesSurface(act))
+  terrain::Scene& scene = this->Internals->Scene;
+  if (scene.IsFound(act))
   {
-    auto* window = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow());
-    internals.Why = internals.Heights.Upload(window, this->CastsRays(act));
-    if (!internals.Why.empty())
-    {
-      vtkErrorMacro("Cannot draw the terrain: " << internals.Why);
-    }
-    else
-    {
-      internals.Heights.Activate();
-      this->UpdateView(ren, act);
-      this->UpdateColors(ren);
-      this->ComputeBeams(ren, act);
-    }
+    this->ReportWords(scene.Prepare(ren, act));
   }
-  this->UpdateProxy(act);
+  if (scene.IsFound(act))
+  {
+    this->ReportWords(scene.PrepareBeams(ren, act, this->FindFeatures(ren, act)));
+  }
+  if (scene.CastsRays(act))
+  {
+    this->CurrentInput = scene.Proxy.GetBox();
+  }
+  if (scene.IsFound(act) && this->HaveTextures(act))
+  {
+    this->CurrentInput = scene.Proxy.WithTextureCoordinates(this->CurrentInput);
+  }
   this->Superclass::RenderPieceStart(ren, act);
-  if (this->CastsRays(act))
+  if (scene.CastsRays(act))
   {
     this->PointPicking = false; // rays find the points, too
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::UpdateView(vtkRenderer* ren, vtkActor* act)
+void vtkOpenGLTerrainMapper::ReportWords(const std::string& words)
 {
-  vtkInternals& internals = *this->Internals;
-  const ViewMatrices matrices(ren);
-  const glm::dmat4 viewFromModel = matrices.ViewFromWorld * toGlm(act->GetMatrix());
-  const glm::dmat4 viewFromGrid = viewFromModel *
-    gridToModel(
-      internals.Heights.GetGeometry(), internals.Heights.GetCodes(), this->VerticalExaggeration);
-
-  std::array<int, 4> viewport{};
-  static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())
-    ->GetState()
-    ->vtkglGetIntegerv(GL_VIEWPORT, viewport.data());
-  internals.Viewport = { viewport[0], viewport[1], viewport[2], viewport[3] };
-  const glm::dvec4 pixels(internals.Viewport);
-  internals.Rays = terrain::MakePixelRays(viewFromGrid, matrices.DisplayFromView, pixels);
-  internals.ViewToGrid = glm::inverse(viewFromGrid);
-  internals.ViewToModel = glm::inverse(viewFromModel);
-  internals.KeepsOrientation = glm::determinant(glm::dmat3(viewFromGrid)) > 0.0;
-
-  const auto nearBounds = terrain::NearBoundsGC(internals.Rays, pixels);
-  internals.EyeInBox = glm::all(glm::lessThanEqual(nearBounds[0], internals.BoxMaximumGC)) &&
-    glm::all(glm::greaterThanEqual(nearBounds[1], internals.BoxMinimumGC));
-}
-
-//------------------------------------------------------------------------------
-// Vertices are exaggerated by their matrices, in double precision: the heights that are drawn may
-// be far larger than those in the buffer.
-void vtkOpenGLTerrainMapper::SetCameraShaderParameters(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
-{
-  this->Superclass::SetCameraShaderParameters(cellBO, ren, act);
-  if (!this->Internals->Why.empty() || this->VerticalExaggeration == 1.0)
+  if (!words.empty())
   {
-    return;
+    vtkErrorMacro(<< words);
   }
-  const double factor = this->VerticalExaggeration;
-  glm::dmat4 exaggeration(1.0);
-  exaggeration[2][2] = factor;
-  exaggeration[3][2] = (1.0 - factor) * this->Internals->Heights.GetGeometry().Origin.z;
-  const ViewMatrices matrices(ren);
-  const glm::dmat4 viewFromBuffer = matrices.ViewFromWorld * toGlm(act->GetMatrix()) *
-    exaggeration * modelFromBuffer(this->VBOs->GetVBO("vertexMC"));
-  terrain::ProgramUniforms uniforms(cellBO.Program);
-  uniforms.Set("MCVCMatrix", glm::mat4(viewFromBuffer));
-  uniforms.Set("MCDCMatrix", glm::mat4(matrices.DisplayFromView * viewFromBuffer));
 }
 
 //------------------------------------------------------------------------------
+// Draw: the near sides of the box where rays enter it, or its far sides around the eye: each ray is
+// cast once. Culling of the surface itself is the shader's.
 void vtkOpenGLTerrainMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
 {
-  if (!this->CastsRays(act))
+  if (!this->Internals->Scene.CastsRays(act))
   {
     this->Superclass::RenderPieceDraw(ren, act);
     return;
   }
-  // The near sides of the hull where rays enter it, or the far sides of the box around the eye:
-  // each ray is cast once. Culling of the surface itself is the shader's.
+  const terrain::View& view = this->Internals->Scene.View;
   vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())->GetState();
   vtkOpenGLState::ScopedglEnableDisable restoreCull(state, GL_CULL_FACE);
-  const bool cullFront = this->Internals->EyeInBox == this->Internals->KeepsOrientation;
   state->vtkglEnable(GL_CULL_FACE);
-  state->vtkglCullFace(cullFront ? GL_FRONT : GL_BACK);
-  if (this->Internals->EyeInBox)
-  {
-    glEnable(GL_DEPTH_CLAMP); // the far sides count beyond the far plane, too
-  }
+  state->vtkglCullFace(view.IsEyeInBox() == view.KeepsOrientation() ? GL_FRONT : GL_BACK);
+  // the far sides count beyond the far plane, too
+  const terrain::ScopedCapability clamp(GL_DEPTH_CLAMP, view.IsEyeInBox());
+  const terrain::ScopedSampleShading samples(this->GetSampleShading());
   this->DrawLayers(ren, act);
-  if (this->Internals->EyeInBox)
-  {
-    glDisable(GL_DEPTH_CLAMP);
-  }
   state->vtkglCullFace(GL_BACK);
+}
+
+//------------------------------------------------------------------------------
+// From the last layer to the first, so that blending has the order that it needs.
+void vtkOpenGLTerrainMapper::DrawLayers(vtkRenderer* ren, vtkActor* act)
+{
+  terrain::Scene& scene = this->Internals->Scene;
+  const bool several =
+    scene.GetTechnique().IsExact() && !ren->GetSelector() && act->HasTranslucentPolygonalGeometry();
+  for (int layer = (several ? this->GetMaximumLayers() : 1) - 1; layer >= 0; --layer)
+  {
+    this->ReportWords(scene.BeginLayer(layer, ren, act, this->FindFeatures(ren, act)));
+    this->Superclass::RenderPieceDraw(ren, act);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* act)
 {
   this->Superclass::RenderPieceFinish(ren, act);
-  if (this->UsesSurface(act))
+  if (this->Internals->Scene.IsFound(act))
   {
-    this->Internals->Heights.Deactivate();
-    this->Internals->BeamStarts.Finish();
-    this->Internals->Sightings.Finish();
-    this->Internals->Coloring.Deactivate();
+    this->Internals->Scene.Finish();
   }
 }
 
@@ -561,29 +423,164 @@ void vtkOpenGLTerrainMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
 }
 
 //------------------------------------------------------------------------------
-bool vtkOpenGLTerrainMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act)
-{
-  this->IgnoresUniformTime = true;
-  const bool rebuild = this->Superclass::GetNeedToRebuildBufferObjects(ren, act);
-  this->IgnoresUniformTime = false;
-  return rebuild;
-}
-
-//------------------------------------------------------------------------------
 bool vtkOpenGLTerrainMapper::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
-  this->IgnoresUniformTime = true;
-  bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
-  this->IgnoresUniformTime = false;
+  const bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
+  const terrain::Features features = this->FindFeatures(ren, act);
+  terrain::Features& builtFor = this->Internals->BuiltFor[&cellBO];
+  const bool isOther = builtFor != features;
+  builtFor = features;
+  return rebuild || isOther;
+}
 
-  std::string& builtWith = this->Internals->ShaderBuiltWith[&cellBO];
-  const std::string defines =
-    this->ShaderDefines(act) + (this->ShiftsDepth(ren, act) ? "shifted" : "");
-  if (builtWith != defines)
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  vtkInternals& internals = *this->Internals;
+  ++internals.ShaderBuilds;
+  internals.Program.Begin(this->FindFeatures(ren, act), shaders);
+  this->Superclass::ReplaceShaderValues(shaders, ren, act);
+  const std::string problem = internals.Program.End(shaders);
+  if (!problem.empty())
   {
-    builtWith = defines;
-    rebuild = true;
+    vtkErrorMacro(
+      "The terrain does not know these shaders of VTK's, and may draw wrong: " << problem);
   }
-  return rebuild;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReplaceShaderPositionVC(
+  ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  this->Internals->Program.PlaceVertices(shaders);
+  this->Superclass::ReplaceShaderPositionVC(shaders, ren, act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReplaceShaderDepth(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  this->Internals->Program.FindSurface(shaders);
+  this->Superclass::ReplaceShaderDepth(shaders, ren, act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReplaceShaderColor(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  this->Internals->Program.PaintColors(shaders);
+  this->Superclass::ReplaceShaderColor(shaders, ren, act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReplaceShaderTCoord(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::ReplaceShaderTCoord(shaders, ren, act);
+  this->Internals->Program.FollowTextures(
+    shaders, act->GetTexture() && !act->GetTexture()->GetCubeMap());
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReplaceShaderCoincidentOffset(
+  ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  if (this->Internals->Scene.IsFound(act))
+  {
+    this->Internals->Program.ShiftDepth(shaders);
+    return;
+  }
+  this->Superclass::ReplaceShaderCoincidentOffset(shaders, ren, act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReplaceShaderNormal(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  if (this->Internals->Scene.IsFound(act))
+  {
+    this->Internals->Program.ReplaceNormal(shaders,
+      act->GetProperty()->GetInterpolation() == VTK_PBR &&
+        act->GetProperty()->GetCoatStrength() > 0.0);
+    return;
+  }
+  this->Superclass::ReplaceShaderNormal(shaders, ren, act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReplaceShaderClip(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  if (this->Internals->Scene.IsFound(act))
+  {
+    this->Internals->Program.ClipMesh(shaders);
+    return;
+  }
+  this->Superclass::ReplaceShaderClip(shaders, ren, act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReplaceShaderPicking(
+  ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  const int pass = this->LastSelectionState;
+  const bool high =
+    pass == vtkHardwareSelector::CELL_ID_HIGH24 || pass == vtkHardwareSelector::POINT_ID_HIGH24;
+  const bool cells =
+    pass == vtkHardwareSelector::CELL_ID_LOW24 || pass == vtkHardwareSelector::CELL_ID_HIGH24;
+  const bool points =
+    pass == vtkHardwareSelector::POINT_ID_LOW24 || pass == vtkHardwareSelector::POINT_ID_HIGH24;
+  if (this->Internals->Scene.CastsRays(act) && (cells || points))
+  {
+    this->Internals->Program.ReplaceIds(shaders, cells, high);
+  }
+  this->Superclass::ReplaceShaderPicking(shaders, ren, act);
+}
+
+//------------------------------------------------------------------------------
+// The edges of a proxy are not the surface's.
+bool vtkOpenGLTerrainMapper::DrawingEdges(vtkRenderer* ren, vtkActor* act)
+{
+  return !this->Internals->Scene.CastsRays(act) && this->Superclass::DrawingEdges(ren, act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::UpdateMaximumPointCellIds(vtkRenderer* ren, vtkActor* act)
+{
+  if (!this->Internals->Scene.CastsRays(act))
+  {
+    this->Superclass::UpdateMaximumPointCellIds(ren, act);
+    return;
+  }
+  const int* size = this->GetHeights()->GetDimensions();
+  ren->GetSelector()->UpdateMaximumPointId(vtkIdType{ size[0] } * size[1] - 1);
+  ren->GetSelector()->UpdateMaximumCellId(vtkIdType{ size[0] - 1 } * (size[1] - 1) - 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, std::vector<unsigned int>& offsets, vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!actor || !this->Internals->Scene.CastsRays(actor))
+  {
+    this->Superclass::ProcessSelectorPixelBuffers(selector, offsets, prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetCameraShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::SetCameraShaderParameters(cellBO, ren, act);
+  terrain::ProgramUniforms uniforms(cellBO.Program);
+  this->Internals->Scene.ExaggerateVertices(uniforms, ren, act, this->VBOs);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
+  if (this->Internals->Scene.IsFound(act))
+  {
+    terrain::ProgramUniforms uniforms(cellBO.Program);
+    this->Internals->Scene.SetUniforms(uniforms, act);
+  }
 }

@@ -17,6 +17,8 @@
  * The fragment shader finds the hit where VTK sets the depth and hands VTK its position, normal and
  * depth; lights, materials, clipping planes, translucency and render passes then work on the hit.
  *
+ * How the surface looks is a vtkTerrainLook, GetLook(); the setters here pass on to it.
+ *
  * Techniques: Pyramid, the default, is exact: rays pass through a pyramid of minimum and maximum
  * heights and meet the bilinear patches (Park and Oh, "GPU-only Terrain Rendering for
  * Walk-through"). Linear, Exponential and Equidistant are the searches of Fehér ("Terrain Rendering
@@ -24,7 +26,8 @@
  * secant steps. They step where the pyramid lets the surface be, which takes 1/6 to 1/140 of the
  * time of steps from the paper's coarse mesh on. Equidistant by default misses nothing; its depths
  * are those of Pyramid to 1e-3 of a cell. Linear and Exponential have the few steps of the paper
- * and the holes that it shows. Mesh draws the polygons of port 0 with normals from the heights.
+ * and the holes that it shows. Mesh draws the polygons of port 0 with normals from the heights;
+ * so does Strips, which tells a vtkTerrainActor to put vtkTerrainStrips there.
  *
  * Where the eye or the near plane comes into the box of the terrain, the rays start at the near
  * plane and the far sides of that box are drawn instead of its near sides, so that the eye may be
@@ -57,17 +60,21 @@
  *   - vtkValuePass draws what has its array in port 0 (vtkTerrainCoarseMesh::PassPointArrays), and
  *     tells no mapper which array that is: in its floating-point mode the values are those that
  *     colours are made of here (SelectColorArray), at the surface's points; NaN where there is
- * none.
+ *     none.
  *   - A z-buffer of 24 bits is as coarse for a hit as for a mesh; vtkTerrainPicker and
  *     vtkTerrainDepthPass are exact.
  *
- * @sa vtkTerrainCoarseMesh vtkTerrainRasterReader vtkTerrainSource
+ * GetMTime() is that of what buffers and programs are built for; the look has its own, and each
+ * change of it invokes the mapper's ModifiedEvent.
+ *
+ * @sa vtkTerrainLook vtkTerrainCoarseMesh vtkTerrainRasterReader vtkTerrainSource
  */
 #ifndef vtkOpenGLTerrainMapper_h
 #define vtkOpenGLTerrainMapper_h
 
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkSmartPointer.h"  // For vtkSmartPointer
+#include "vtkTerrainLook.h"   // For its settings
 #include "vtkTerrainModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
@@ -77,15 +84,7 @@
 class vtkImageData;
 namespace terrain
 {
-class ComputeTexture;
-}
-namespace terrain
-{
-class Uniforms;
-}
-namespace terrain
-{
-struct SampleRectangle;
+struct Features;
 }
 
 class VTKTERRAIN_EXPORT vtkOpenGLTerrainMapper : public vtkOpenGLPolyDataMapper
@@ -94,25 +93,6 @@ public:
   static vtkOpenGLTerrainMapper* New();
   vtkTypeMacro(vtkOpenGLTerrainMapper, vtkOpenGLPolyDataMapper)
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /// How the surface is drawn, see the class description.
-  enum class Techniques
-  {
-    Mesh,
-    Linear,
-    Exponential,
-    Equidistant,
-    Pyramid
-  };
-
-  ///@{
-  /// The technique; default Pyramid.
-  void SetTechnique(Techniques technique);
-  Techniques GetTechnique() const
-  {
-    return this->Technique;
-  }
-  ///@}
 
   ///@{
   /// The heights, port 1.
@@ -152,180 +132,56 @@ public:
   vtkImageData* GetDetail();
   ///@}
 
-  ///@{
-  /// Detail cells along a cell of the heights: a power of two from 1 to MostDetailCells, default
-  /// 16. Changing it builds and uploads nothing.
-  void SetDetailCells(int cells);
-  int GetDetailCells() const
+  /// All settings of how the surface looks, never null; copy them by its DeepCopy().
+  vtkTerrainLook* GetLook()
   {
-    return this->DetailCells;
+    return this->Look;
   }
-  static constexpr int MostDetailCells = 1024;
-  ///@}
+  /// Time of the last change of the picture that needs no other buffers: of the look, of the
+  /// extract, of a part of the heights. vtkTerrainActor counts it as its own.
+  vtkMTimeType GetLookTime();
 
+  using Techniques = vtkTerrainLook::Techniques;
+  using Surfaces = vtkTerrainLook::Surfaces;
+  using ComputeModes = vtkTerrainLook::ComputeModes;
+  using ColorSources = vtkTerrainLook::ColorSources;
+  static constexpr int MostDetailCells = vtkTerrainLook::MostDetailCells;
   ///@{
-  /// Factor of the detail's heights, >= 0; default 1. Changing it builds and uploads nothing.
-  void SetDetailScale(double scale);
-  double GetDetailScale() const
-  {
-    return this->DetailScale;
-  }
-  ///@}
-
-  ///@{
-  /// Drawn height over true height, > 0; default 1. Heights are exaggerated from the image's origin
-  /// in z. A uniform of the shader: changing it builds and uploads nothing.
+  /// A setting of the look, as the method of vtkTerrainLook that has this name, where its unit,
+  /// range and default are documented.
+  void SetTechnique(vtkTerrainLook::Techniques technique);
+  vtkTerrainLook::Techniques GetTechnique() const;
   void SetVerticalExaggeration(double exaggeration);
-  double GetVerticalExaggeration() const
-  {
-    return this->VerticalExaggeration;
-  }
-  ///@}
-
-  ///@{
-  /// The searches: steps of the first length, then steps of double length (Equidistant only), then
-  /// secant steps. 0 and less choose (the default): Fehér's 5 steps for Linear and 10 for
-  /// Exponential, each with 2 secant steps; for Equidistant as many as the longest ray needs, and 4
-  /// secant steps. Fehér has 5 steps, 10 long ones and 2 secant steps there. At most 256 steps of
-  /// Linear and Exponential, 10^6 of Equidistant and 32 secant steps are taken: more count as that.
+  double GetVerticalExaggeration() const;
+  void SetDetailCells(int cells);
+  int GetDetailCells() const;
+  void SetDetailScale(double scale);
+  double GetDetailScale() const;
   void SetSteps(int steps);
-  int GetSteps() const
-  {
-    return this->Steps;
-  }
+  int GetSteps() const;
   void SetLongSteps(int steps);
-  int GetLongSteps() const
-  {
-    return this->LongSteps;
-  }
+  int GetLongSteps() const;
   void SetSecantSteps(int steps);
-  int GetSecantSteps() const
-  {
-    return this->SecantSteps;
-  }
-  ///@}
-
-  ///@{
-  /// Length of a step of Equidistant, in cells; 0, less and NaN choose (the default, 1.5). Heights
-  /// count as cells that are as high as wide. A step of less than 2 cells passes by nothing; longer
-  /// ones pass by what is thinner than a step. Fehér's value is 0.025 of the terrain's side for
-  /// 32 x 32 quads. Less than 1/8 counts as 1/8, more than 10^6 as 10^6.
+  int GetSecantSteps() const;
   void SetStepLength(double cells);
-  double GetStepLength() const
-  {
-    return this->StepLength;
-  }
-  ///@}
-
-  /// The surface between the samples: bilinear patches, or columns of constant height around the
-  /// samples, the nearest sample's height.
-  enum class Surfaces
-  {
-    Bilinear,
-    Columns
-  };
-  ///@{
-  /// The surface that the technique Pyramid draws; the other techniques know only the bilinear one.
-  /// Default Bilinear.
-  void SetSurface(Surfaces surface);
-  Surfaces GetSurface() const
-  {
-    return this->Surface;
-  }
-  ///@}
-
-  ///@{
-  /// The technique Pyramid may end its search at a square of at least 2 x 2 cells that, in its side
-  /// and in its relief, projects to less than this number of pixels, >= 0: the surface is then
-  /// drawn where the ray enters the box around that square. Default 0: exact. It tells where cells
-  /// are smaller than half of it. Measured on hills seen at 45 degrees, along the ray: with 1, half
-  /// of the pixels were off by less than 0.4 pixels, 95 % by less than 2.5; with 4 by 1.2 and 4.3.
-  /// No hit comes later than the exact one; what a ray passes by within such a box, such as a rim,
-  /// is seen as hit. Large tolerances show dark specks where the box is entered above a cell that
-  /// faces away.
+  double GetStepLength() const;
+  void SetSurface(vtkTerrainLook::Surfaces surface);
+  vtkTerrainLook::Surfaces GetSurface() const;
   void SetPixelTolerance(double pixels);
-  double GetPixelTolerance() const
-  {
-    return this->PixelTolerance;
-  }
-  ///@}
-
-  ///@{
-  /// Draw, in place of the surface's colour, how many nodes or samples each pixel's ray took: blue
-  /// for none to red for the given number and above. Default off, 64.
+  double GetPixelTolerance() const;
   void SetShowCrossings(bool show);
   bool GetShowCrossings() const;
   void SetMaximumShownCrossings(int crossings);
   int GetMaximumShownCrossings() const;
-  ///@}
-
-  ///@{
-  /// Cast the rays in a compute shader ahead of drawing, where OpenGL 4.3 is there, instead of in
-  /// the fragment shader: the same picture. Compute shaders have the whole
-  /// chip where drawing has a part of it, and cast no ray twice in passes that draw the view more
-  /// than once. Default on, but for software rendering.
-  enum class ComputeModes
-  {
-    Automatic,
-    Off,
-    On
-  };
-  void SetComputeMode(ComputeModes mode);
-  ComputeModes GetComputeMode() const
-  {
-    return this->ComputeMode;
-  }
-  ///@}
-
-  ///@{
-  /// Let the rays begin where those of a tile of 8 x 8 pixels can first
-  /// meet the surface, which a compute shader finds ahead of drawing where OpenGL 4.3 is there: the
-  /// same picture, in software rendering up to a third sooner, on graphics cards up to a tenth.
-  /// Default on.
+  void SetComputeMode(vtkTerrainLook::ComputeModes mode);
+  vtkTerrainLook::ComputeModes GetComputeMode() const;
   void SetUseBeams(bool use);
-  bool GetUseBeams() const
-  {
-    return this->UseBeams;
-  }
-  ///@}
-
-  /// Where the values come from that colour the surface while ScalarVisibility is on. They pass
-  /// through the lookup table or transfer function and the scalar range as in any mapper; values
-  /// are interpolated, then mapped. Array, the default, is the array of the heights' image that
-  /// ScalarMode, SelectColorArray and the table's vector mode select, of its points or its cells;
-  /// the heights themselves unless told otherwise. Colours (unsigned chars by default,
-  /// SetColorModeToDirectScalars) and tables of annotated values are mixed after mapping. Height
-  /// makes hypsometric tints whatever ScalarMode says. Slope is in degrees from the horizontal;
-  /// Aspect is the direction downhill in degrees clockwise from north, NaN where it is level; both
-  /// without exaggeration.
-  enum class ColorSources
-  {
-    Array,
-    Height,
-    Slope,
-    Aspect
-  };
-  void SetColorSource(ColorSources source);
-  ColorSources GetColorSource() const;
-  ///@}
-
-  ///@{
-  /// Lays a picture over the colours of the surface, below lights and contour lines: W x H x 1
-  /// points of 1 to 4 unsigned chars (grey, grey and alpha, RGB, RGBA), row 0 southernmost. What is
-  /// transparent, and what lies beside the picture, keeps the surface's colour. bounds are west,
-  /// east, south and north of the picture's outer edges in the coordinates of the heights; without
-  /// them, the image's own: pixel centres at origin + index * spacing. Filtered with mipmaps,
-  /// anisotropic up to 16 (but for llvmpipe). nullptr takes the picture away. (An actor's own
-  /// vtkTexture spans the terrain: texture coordinates 0 at the first sample, 1 at the last.)
+  bool GetUseBeams() const;
+  void SetColorSource(vtkTerrainLook::ColorSources source);
+  vtkTerrainLook::ColorSources GetColorSource() const;
   void SetDrape(vtkImageData* picture, const double bounds[4]);
   void SetDrape(vtkImageData* picture);
   vtkImageData* GetDrape() const;
-  ///@}
-
-  ///@{
-  /// Draw contour lines: at multiples of an interval in the unit of heights (default 100), of a
-  /// width in pixels (default 1.5) with smooth edges, in a colour (default opaque black). Lines
-  /// closer than their width run into a grey that fades as they come closer still. Default off.
   void SetContours(bool show);
   bool GetContours() const;
   void SetContourInterval(double heights);
@@ -333,49 +189,26 @@ public:
   void SetContourWidth(double pixels);
   double GetContourWidth() const;
   void SetContourColor(double red, double green, double blue, double opacity = 1.0);
-  ///@}
-
-  ///@{
-  /// Multiply the colours with the cosine of the angle between the surface and a sun, which needs
-  /// no lights (turn the property's lighting off). Azimuth in degrees clockwise from north (default
-  /// 315), altitude in degrees above the horizon (default 45). Default off.
   void SetHillshade(bool show);
   bool GetHillshade() const;
   void SetHillshadeAzimuth(double degrees);
   double GetHillshadeAzimuth() const;
   void SetHillshadeAltitude(double degrees);
   double GetHillshadeAltitude() const;
+  void SetBlock(bool show);
+  bool GetBlock() const;
+  void SetBlockBase(double height);
+  double GetBlockBase() const;
+  void SetMaximumLayers(int layers);
+  int GetMaximumLayers() const;
+  void SetSampleShading(bool shade);
+  bool GetSampleShading() const;
   ///@}
 
   ///@{
   /// Draw the samples first[0] <= i <= last[0], first[1] <= j <= last[1] only. Default all of them.
   void SetExtract(const int first[2], const int last[2]);
   void ExtractAll();
-  ///@}
-
-  ///@{
-  /// Draw a solid block from the surface down to a height (default 0), with the technique Pyramid:
-  /// walls along the borders of what is drawn, a floor, and faces where clipping planes cut. Holes
-  /// without data have no walls. Default off.
-  void SetBlock(bool show);
-  bool GetBlock() const;
-  void SetBlockBase(double height);
-  double GetBlockBase() const;
-  ///@}
-
-  ///@{
-  /// Most surfaces behind each other that a translucent terrain shows (opacity below 1, translucent
-  /// colours), with the technique Pyramid. Each casts all rays again. Default 4.
-  void SetMaximumLayers(int layers);
-  int GetMaximumLayers() const;
-  ///@}
-
-  ///@{
-  /// Cast a ray for each sample where the window has multisamples, which makes silhouettes smooth,
-  /// for as many times the work. Without it, multisampling smooths the edges of other actors, not
-  /// those of the terrain: the fragments of its proxy cover whole pixels. Default off.
-  void SetSampleShading(bool shade);
-  bool GetSampleShading() const;
   ///@}
 
   ///@{
@@ -418,7 +251,6 @@ public:
   }
   ///@}
 
-  vtkMTimeType GetMTime() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   vtkOpenGLTerrainMapper(const vtkOpenGLTerrainMapper&) = delete;
@@ -437,7 +269,6 @@ protected:
   void RenderPieceFinish(vtkRenderer* ren, vtkActor* act) override;
 
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
-  bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
 
   using ShaderMap = std::map<vtkShader::Type, vtkShader*>;
@@ -458,55 +289,17 @@ protected:
 private:
   class vtkInternals;
 
-  /// Marks a change of something that is a uniform: the picture changes, no buffer and no shader
-  /// does.
-  void UniformModified();
-
-  bool UpdateHeights();
-  void UpdateBox();
-  bool CastsRays(vtkActor* act) const;
-  bool UsesSurface(vtkActor* act) const;
-  bool ShiftsDepth(vtkRenderer* ren, vtkActor* act);
-  bool IsTextured(vtkActor* act);
-  void UpdateColors(vtkRenderer* ren);
-  void UpdateProxy(vtkActor* act);
-  int LayersToDraw(vtkRenderer* ren, vtkActor* act);
+  // The recipe of a frame: update, prepare, draw.
+  bool UpdateSurface();
   void DrawLayers(vtkRenderer* ren, vtkActor* act);
-  terrain::SampleRectangle DrawnRectangle() const;
-  void FollowDepth(ShaderMap shaders, vtkActor* act);
-  void FollowValues(ShaderMap shaders);
-  std::string HeightDefines() const;
-  std::string CastDefines() const;
-  std::string BeamDefines() const;
-  std::string ShaderDefines(vtkActor* act);
-  void UpdateView(vtkRenderer* ren, vtkActor* act);
-  bool UsesCompute(vtkActor* act) const;
-  std::string CastFunctions() const;
-  bool UsesBeams(vtkActor* act) const;
-  void ComputeBeams(vtkRenderer* ren, vtkActor* act);
-  void ComputeSightings(vtkRenderer* ren, vtkActor* act);
-  void Compute(vtkRenderer* ren, vtkActor* act, terrain::ComputeTexture& texture,
-    const std::string& defines, const std::string& functions, int pixels, int components);
-  void SetSurfaceUniforms(terrain::Uniforms& uniforms, vtkActor* act);
-  void SetViewUniforms(terrain::Uniforms& uniforms);
-  void SetSearchUniforms(terrain::Uniforms& uniforms);
-  void SetClipUniforms(terrain::Uniforms& uniforms, vtkActor* act);
-  void SetVertexUniforms(terrain::Uniforms& uniforms);
 
-  Techniques Technique = Techniques::Pyramid;
-  double VerticalExaggeration = 1.0;
-  int Steps = 0;
-  int LongSteps = 0;
-  int SecantSteps = 0;
-  double StepLength = 0.0;
-  int DetailCells = 16;
-  double DetailScale = 1.0;
-  Surfaces Surface = Surfaces::Bilinear;
-  double PixelTolerance = 0.0;
-  ComputeModes ComputeMode = ComputeModes::Automatic;
-  bool UseBeams = true;
-  vtkTimeStamp UniformTime;
-  bool IgnoresUniformTime = false;
+  terrain::Features FindFeatures(vtkRenderer* ren, vtkActor* act);
+  void ReportWords(const std::string& words);
+  /// Marks a change that is one of uniforms: of the picture, of no buffer and no program.
+  void PictureModified();
+
+  vtkSmartPointer<vtkTerrainLook> Look;
+  vtkTimeStamp PictureTime;
   std::unique_ptr<vtkInternals> Internals;
 };
 

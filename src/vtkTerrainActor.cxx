@@ -127,7 +127,6 @@ void vtkTerrainActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TerrainMapper: " << this->TerrainMapper << "\n";
   os << indent << "CoarseMesh: " << this->CoarseMesh << "\n";
   os << indent << "Technique: " << static_cast<int>(this->GetTechnique()) << "\n";
-  os << indent << "UseStrips: " << this->UseStrips << "\n";
   os << indent << "Strips: " << this->Strips << "\n";
   os << indent << "VerticalExaggeration: " << this->GetVerticalExaggeration() << "\n";
   os << indent << "ColorByHeight: " << this->ColorByHeight << "\n";
@@ -175,16 +174,6 @@ vtkTerrainCoarseMesh* vtkTerrainActor::GetCoarseMesh()
 vtkTerrainStrips* vtkTerrainActor::GetStrips()
 {
   return this->Strips;
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainActor::SetUseStrips(bool use)
-{
-  if (this->UseStrips != use)
-  {
-    this->UseStrips = use;
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -285,17 +274,11 @@ bool vtkTerrainActor::HasSurface()
 }
 
 //------------------------------------------------------------------------------
-bool vtkTerrainActor::DrawsStrips() const
-{
-  return this->UseStrips && this->GetTechnique() == Techniques::Mesh;
-}
-
-//------------------------------------------------------------------------------
 vtkTerrainCoarseMesh* vtkTerrainActor::GetUsedMesh()
 {
-  if (this->GetTechnique() == Techniques::Mesh)
+  if (this->GetTechnique() == Techniques::Mesh || this->GetTechnique() == Techniques::Strips)
   {
-    return this->UseStrips ? nullptr : this->FullMesh.Get();
+    return this->GetTechnique() == Techniques::Mesh ? this->FullMesh.Get() : nullptr;
   }
   const bool castsRays = this->GetProperty()->GetRepresentation() == VTK_SURFACE;
   return castsRays ? nullptr : this->CoarseMesh.Get();
@@ -333,7 +316,7 @@ void vtkTerrainActor::RefineFor(vtkRenderer* renderer)
 void vtkTerrainActor::UpdateMesh()
 {
   vtkAlgorithm* mesh = this->GetUsedMesh();
-  if (this->DrawsStrips() && this->Strips->GetCamera())
+  if (this->GetTechnique() == Techniques::Strips && this->Strips->GetCamera())
   {
     mesh = this->Strips;
   }
@@ -386,7 +369,7 @@ double* vtkTerrainActor::GetBounds()
 //------------------------------------------------------------------------------
 void vtkTerrainActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
-  if (this->DrawsStrips())
+  if (this->GetTechnique() == Techniques::Strips)
   {
     this->RefineFor(renderer);
   }
@@ -429,6 +412,21 @@ void vtkTerrainActor::RenderInTime(vtkRenderer* renderer, vtkMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkTerrainActor::GetRedrawMTime()
+{
+  return std::max(this->Superclass::GetRedrawMTime(), this->TerrainMapper->GetLookTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::CopyLook(vtkTerrainActor* other)
+{
+  this->TerrainMapper->GetLook()->DeepCopy(other->TerrainMapper->GetLook());
+  this->Strips->SetTolerance(other->Strips->GetTolerance());
+  this->Strips->SetTriangleBudget(other->Strips->GetTriangleBudget());
+  this->SetLevelOfDetail(other->LevelOfDetail);
+}
+
+//------------------------------------------------------------------------------
 void vtkTerrainActor::ShallowCopy(vtkProp* prop)
 {
   if (auto* other = vtkTerrainActor::SafeDownCast(prop))
@@ -437,7 +435,6 @@ void vtkTerrainActor::ShallowCopy(vtkProp* prop)
     this->CoarseMesh = other->CoarseMesh;
     this->FullMesh = other->FullMesh;
     this->Strips = other->Strips;
-    this->UseStrips = other->UseStrips;
     this->LookupTable = other->LookupTable;
     this->ReliefColors = other->ReliefColors;
     this->ReliefRange = other->ReliefRange;

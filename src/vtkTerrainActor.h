@@ -18,10 +18,10 @@
  * heights, unless told otherwise; both follow the heights when these change.
  *
  * A mesh is made when it is first needed: the full one for the technique Mesh, a coarse one where
- * the other techniques are drawn as wireframe or points, and none for their surface. With
- * UseStrips the technique Mesh draws vtkTerrainStrips instead, refined for the camera at each
- * frame: triangles within a tolerance, lit and coloured by the heights themselves as all else. An
- * actor whose scales in x and y differ makes their tolerance as much larger.
+ * the other techniques are drawn as wireframe or points, and none for their surface. The technique
+ * Strips draws vtkTerrainStrips, refined for the camera at each frame: triangles within a
+ * tolerance, lit and coloured by the heights themselves as all else. An actor whose scales in x and
+ * y differ makes their tolerance as much larger.
  *
  * Level of detail: while the renderer allots this actor less than LongestInteraction seconds a
  * frame, as interactors do while the mouse is down, and the last frame took more, the pixel
@@ -69,29 +69,19 @@ public:
   /// What makes the coarse mesh when it is needed: set its SamplesPerQuad here.
   vtkTerrainCoarseMesh* GetCoarseMesh();
 
-  /// What refines with UseStrips: set its Tolerance or TriangleBudget here. The actor keeps its
-  /// heights, camera, viewport, culling and exaggeration.
+  /// What refines with the technique Strips: set its Tolerance or TriangleBudget here. The actor
+  /// keeps its heights, camera, viewport, culling and exaggeration.
   vtkTerrainStrips* GetStrips();
 
   /// The mesh that the technique and the representation need: the full one, the coarse mesh, or
   /// null where that is none or strips.
   vtkTerrainCoarseMesh* GetUsedMesh();
 
-  using Techniques = vtkOpenGLTerrainMapper::Techniques;
+  using Techniques = vtkTerrainLook::Techniques;
   ///@{
   /// How the surface is drawn; default Pyramid.
-  void SetTechnique(Techniques technique);
-  Techniques GetTechnique() const;
-  ///@}
-
-  ///@{
-  /// Whether the technique Mesh draws strips refined for the camera, in place of the full mesh
-  /// (class comment); default off.
-  void SetUseStrips(bool use);
-  bool GetUseStrips() const
-  {
-    return this->UseStrips;
-  }
+  void SetTechnique(vtkTerrainLook::Techniques technique);
+  vtkTerrainLook::Techniques GetTechnique() const;
   ///@}
 
   ///@{
@@ -148,6 +138,11 @@ public:
   using vtkOpenGLActor::GetBounds;
   double* GetBounds() VTK_SIZEHINT(6) override;
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+  /// As vtkActor, with the mapper's look.
+  vtkMTimeType GetRedrawMTime() override;
+  /// Takes over how another terrain looks but for its colours: its mapper's look, the tolerance and
+  /// the budget of its strips, its level of detail. Property and place are those of any vtkActor.
+  void CopyLook(vtkTerrainActor* other);
   /// Shares mapper and mesh with another terrain.
   void ShallowCopy(vtkProp* prop) override;
 
@@ -159,7 +154,6 @@ protected:
   ~vtkTerrainActor() override;
 
 private:
-  bool DrawsStrips() const;
   void RefineFor(vtkRenderer* renderer);
   void UpdateMesh();
   void UpdateColors();
@@ -175,7 +169,6 @@ private:
   vtkSmartPointer<vtkColorTransferFunction> ReliefColors;
   /// Heights that they were made for.
   std::array<double, 2> ReliefRange{};
-  bool UseStrips = false;
   bool ColorByHeight = true;
   bool LevelOfDetail = true;
   double InteractionTolerance = 0.0;

@@ -4,6 +4,8 @@
 
 #include "render/Driver.h"
 
+#include "vtkTerrainDistance.h"
+
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLightsPass.h"
@@ -78,10 +80,10 @@ bool vtkTerrainDepthPass::PreReplaceShaderValues(
 {
   // extend: the last tag of main, so that nothing overwrites the distance
   return !vtkOpenGLPolyDataMapper::SafeDownCast(mapper) ||
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Coincident::Impl",
-      "gl_FragData[0] = vec4(-vertexVC.z, 0.0, 0.0, 1.0);\n"
-      "  //VTK::Coincident::Impl",
-      false);
+    (vtkShaderProgram::Substitute(fragmentShader, "//VTK::Coincident::Dec",
+       std::string(vtkTerrainDistance) + "//VTK::Coincident::Dec", false) &&
+      vtkShaderProgram::Substitute(fragmentShader, "//VTK::Coincident::Impl",
+        "gl_FragData[0] = terrainDistanceColor(vertexVC);\n  //VTK::Coincident::Impl", false));
 }
 
 //------------------------------------------------------------------------------

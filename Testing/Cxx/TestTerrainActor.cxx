@@ -187,9 +187,9 @@ TEST_F(TerrainActor, StripsAreTheMeshWithinTheTolerance)
     camera->SetFocalPoint(east, north + 500.0, bounds[4]);
     camera->SetViewAngle(70.0);
     this->Scene.Renderer->ResetCameraClippingRange();
-    this->Terrain->SetUseStrips(false);
+    this->Terrain->SetTechnique(Techniques::Mesh);
     const auto mesh = this->Draw();
-    this->Terrain->SetUseStrips(true);
+    this->Terrain->SetTechnique(Techniques::Strips);
     const auto strips = this->Draw();
     EXPECT_GT(countDrawn(mesh), 160 * 120 / 3);
     EXPECT_LT(
@@ -203,8 +203,7 @@ TEST_F(TerrainActor, StripsAreTheMeshWithinTheTolerance)
 TEST_F(TerrainActor, StripsFollowTheCamera)
 {
   this->Heights->SetOrigin(0.0, 0.0, 50.0);
-  this->Terrain->SetTechnique(Techniques::Mesh);
-  this->Terrain->SetUseStrips(true);
+  this->Terrain->SetTechnique(Techniques::Strips);
   this->Terrain->SetVerticalExaggeration(3.0);
   this->Draw();
   const vtkIdType triangles = this->Terrain->GetStrips()->GetNumberOfTriangles();
@@ -243,8 +242,7 @@ TEST_F(TerrainActor, StripsComeBackFromNothing)
     scalars->SetComponent(
       id, 0, isIsland ? scalars->GetComponent(id, 0) : std::numeric_limits<double>::quiet_NaN());
   }
-  this->Terrain->SetTechnique(Techniques::Mesh);
-  this->Terrain->SetUseStrips(true);
+  this->Terrain->SetTechnique(Techniques::Strips);
   const int drawn = countDrawn(this->Draw());
   EXPECT_GT(drawn, 30);
   const Bounds bounds = this->ActorBounds();

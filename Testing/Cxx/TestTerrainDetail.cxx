@@ -399,7 +399,7 @@ TEST(TerrainDetailErrors, AreToldInOneSentence)
 {
   vtkNew<vtkOpenGLTerrainMapper> mapper;
   vtkNew<vtkTest::ErrorObserver> errors;
-  mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  mapper->GetLook()->AddObserver(vtkCommand::ErrorEvent, errors);
   for (const int cells : { 0, -2, 3, 24, 2048 })
   {
     mapper->SetDetailCells(cells);

@@ -28,10 +28,12 @@ using vtkTerrainTesting::FieldTextures;
 using vtkTerrainTesting::ReadShader;
 using vtkTerrainTesting::SumTextures;
 
-std::string declarations(bool integer, const std::string& defines)
+/// What is drawn with, with tolerances, and counts visits.
+std::string declarations(terrain::Features features)
 {
-  return std::string(integer ? "#define TERRAIN_HEIGHTS_INTEGER\n" : "") + defines +
-    "#define TERRAIN_WITHIN\nuint terrainVisits = 0u;\n"
+  features.Within = true;
+  return features.Defines() + terrain::Features::Constants() +
+    "uint terrainVisits = 0u;\n"
     "#define TERRAIN_VISIT(node, level) terrainVisits = terrainVisits * 31u + "
     "uint((node).x * 7 + (node).y * 13 + level);\n" +
     ReadShader("vtkTerrainHeights") + ReadShader("vtkTerrainColumns") +
@@ -119,8 +121,7 @@ void comparePaths(
     textures.SetUniforms(program);
     program->SetUniform4f("tolerance", &tolerance[0]);
   };
-  const std::string head =
-    declarations(Textures::Integer, textures.Defines()) + "uniform vec4 tolerance;\n";
+  const std::string head = declarations(textures.GetFeatures()) + "uniform vec4 tolerance;\n";
   const std::string trace =
     "TerrainHit hit = terrainTracePyramidWithin(inputRay(input0, input1, input2), tolerance);";
   const auto paths = run(window, head,
@@ -159,7 +160,7 @@ void comparePaths(
 template <typename Texel, typename Textures>
 void compareBeams(vtkRenderWindow* window, Textures& textures, const Beams& beams)
 {
-  const auto starts = run(window, declarations(Textures::Integer, textures.Defines()),
+  const auto starts = run(window, declarations(textures.GetFeatures()),
     "result = vec4(terrainBeamStart(TerrainBeam(inputRay(input0, input1, input2), input3.xyz,"
     "input4.xyz)));",
     beams, [&](vtkShaderProgram* program) { textures.SetUniforms(program); });

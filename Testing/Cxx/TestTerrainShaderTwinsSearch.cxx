@@ -25,18 +25,19 @@ using terrain::TerrainHit;
 using terrain::TerrainRay;
 using vtkTerrainTesting::ReadShader;
 
-const char* defineOf(SearchKind kind)
+terrain::Features::Ways wayOf(SearchKind kind)
 {
-  return kind == SearchKind::Linear   ? "TERRAIN_LINEAR"
-    : kind == SearchKind::Exponential ? "TERRAIN_EXPONENTIAL"
-                                      : "TERRAIN_EQUIDISTANT";
+  return kind == SearchKind::Linear   ? terrain::Features::Ways::Linear
+    : kind == SearchKind::Exponential ? terrain::Features::Ways::Exponential
+                                      : terrain::Features::Ways::Equidistant;
 }
 
-std::string declarations(bool integer, SearchKind kind)
+/// What is drawn with.
+std::string declarations(terrain::Features features, SearchKind kind)
 {
-  return std::string(integer ? "#define TERRAIN_HEIGHTS_INTEGER\n" : "") + "#define " +
-    defineOf(kind) + "\n" + ReadShader("vtkTerrainHeights") + ReadShader("vtkTerrainRay") +
-    ReadShader("vtkTerrainPyramid") + ReadShader("vtkTerrainSearch") +
+  features.Way = wayOf(kind);
+  return features.Defines() + terrain::Features::Constants() + ReadShader("vtkTerrainHeights") +
+    ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainPyramid") + ReadShader("vtkTerrainSearch") +
     "TerrainRay inputRay(vec4 a, vec4 b, vec4 c)\n"
     "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w, b.w); }\n";
 }
@@ -95,7 +96,6 @@ template <typename Texel>
 void compareField(vtkRenderWindow* window, const terrain::TestField& test, SearchKind kind,
   const SearchParameters& parameters, unsigned seed)
 {
-  constexpr bool integer = std::is_integral_v<Texel>;
   const terrain::CodedField<Texel> field(test);
   vtkTerrainTesting::FieldTextures<Texel> textures(window, field, false);
   const terrain::HeightSearch<Texel> search{ field.Coded, parameters, kind };
@@ -103,13 +103,13 @@ void compareField(vtkRenderWindow* window, const terrain::TestField& test, Searc
   const std::string body =
     "TerrainHit hit = terrainSearch(inputRay(input0, input1, input2));"
     "result = vec4(hit.found ? hit.s : -1.0, hit.crossings, vec2(hit.cell) + hit.fraction);";
-  const std::vector<float> results =
-    vtkTerrainTesting::RunShader(window, declarations(integer, kind), body, rays.Inputs,
-      [&](vtkShaderProgram* program)
-      {
-        textures.SetUniforms(program);
-        setParameters(program, parameters);
-      });
+  const std::vector<float> results = vtkTerrainTesting::RunShader(window,
+    declarations(textures.GetFeatures(), kind), body, rays.Inputs,
+    [&](vtkShaderProgram* program)
+    {
+      textures.SetUniforms(program);
+      setParameters(program, parameters);
+    });
   ASSERT_EQ(results.size(), 4 * rays.Items.size());
   int hits = 0;
   int different = 0;
@@ -149,7 +149,7 @@ TEST(TerrainShaderTwinsSearch, FindTheSameHits)
     {
       for (const SearchParameters& parameters : someParameters(field, kind))
       {
-        SCOPED_TRACE(field.Name + ", " + defineOf(kind) + ", step length " +
+        SCOPED_TRACE(field.Name + ", " + std::to_string(static_cast<int>(kind)) + ", step length " +
           std::to_string(parameters.StepLength));
         if (++seed % 2 == 0)
         {

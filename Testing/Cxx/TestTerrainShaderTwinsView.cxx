@@ -10,6 +10,7 @@
 #include "core/surface/Cutting.h"
 #include "core/surface/HeightGradient.h"
 #include "render/Driver.h"
+#include "render/Features.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -33,12 +34,15 @@ using vtkTerrainTesting::ReadShader;
 
 constexpr int Count = 2000;
 
-/// The rays of pixels in float: only a shader's first lines can ask for double.
-std::string readView()
+/// Rays of pixels, with what else all programs begin with.
+std::string readView(int clipPlanes = 0)
 {
-  std::string text = ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView");
-  const std::string extension = "#ifdef GL_ARB_gpu_shader_fp64";
-  return text.replace(text.find(extension), extension.size(), "#if 0");
+  terrain::Features features;
+  features.Way = terrain::Features::Ways::Pyramid;
+  features.Gathers = terrain::Driver().Gathers;
+  features.ClipPlanes = clipPlanes;
+  return features.Defines() + terrain::Features::Constants() + ReadShader("vtkTerrainHeights") +
+    ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView");
 }
 
 /// Random numbers of a range.
@@ -187,11 +191,9 @@ TEST_F(TerrainShaderTwinsView, AreClippedAlike)
   {
     EXPECT_GT(count, 20); // nowhere, and at each of the planes
   }
-  const std::string needed = ReadShader("vtkTerrainHeights") + readView() +
-    "#define TERRAIN_PYRAMID\n" + ReadShader("vtkTerrainPyramid") + ReadShader("vtkTerrainTrace") +
-    ReadShader("vtkTerrainCast");
-  const int different = items.CountDifferent(Scene->Window,
-    "#define TERRAIN_CLIP_PLANES 3\n" + needed,
+  const std::string needed = readView(3) + ReadShader("vtkTerrainPyramid") +
+    ReadShader("vtkTerrainTrace") + ReadShader("vtkTerrainSighting") + ReadShader("vtkTerrainCast");
+  const int different = items.CountDifferent(Scene->Window, needed,
     "int begin; result.xy = terrainClipRange(input0.xy, input0.zw, begin); result.z = begin;",
     1e-4f,
     [&](vtkShaderProgram* program)
@@ -242,16 +244,16 @@ TEST_F(TerrainShaderTwinsView, SeeTheSameSlopes)
     std::vector<float> texels = field.Texels;
     texture->Create2DFromRaw(size.x, size.y, 1, VTK_FLOAT, texels.data());
     texture->Activate();
-    const int different = items.CountDifferent(Scene->Window,
-      ReadShader("vtkTerrainHeights") + readView() + ReadShader("vtkTerrainGradient"),
-      "ivec2 cell = ivec2(input0.xy); result.xy = terrainWideGradient(cell, input0.zw,"
-      "terrainTexelCodes(cell), input1.x);",
-      1e-3f,
-      [&](vtkShaderProgram* program)
-      {
-        program->SetUniformi("terrainHeights", texture->GetTextureUnit());
-        program->SetUniformf("terrainBias", 0.0f);
-      });
+    const int different =
+      items.CountDifferent(Scene->Window, readView() + ReadShader("vtkTerrainGradient"),
+        "ivec2 cell = ivec2(input0.xy); result.xy = terrainWideGradient(cell, input0.zw,"
+        "terrainTexelCodes(cell), input1.x);",
+        1e-3f,
+        [&](vtkShaderProgram* program)
+        {
+          program->SetUniformi("terrainHeights", texture->GetTextureUnit());
+          program->SetUniformf("terrainBias", 0.0f);
+        });
     EXPECT_EQ(different, 0);
     texture->Deactivate();
   }

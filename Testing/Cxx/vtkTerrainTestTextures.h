@@ -9,6 +9,7 @@
 
 #include "../Unit/UnitTestDetail.h"
 #include "render/Driver.h"
+#include "render/Features.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
@@ -135,10 +136,16 @@ public:
     this->Pyramid->Deactivate();
   }
 
-  std::string Defines() const
+  /// What programs that read them are built for.
+  terrain::Features GetFeatures() const
   {
-    return std::string(this->Coded.columns ? "#define TERRAIN_COLUMNS\n" : "") +
-      (this->InBuffer ? "#define TERRAIN_PYRAMID_BUFFER\n" : "");
+    terrain::Features features;
+    features.Way = terrain::Features::Ways::Pyramid;
+    features.IntegerHeights = Integer;
+    features.Gathers = terrain::Driver().Gathers;
+    features.Columns = this->Coded.columns;
+    features.BuffersPyramid = this->InBuffer;
+    return features;
   }
 
   void SetUniforms(vtkShaderProgram* program)
@@ -193,9 +200,11 @@ public:
     this->DetailPyramid->Deactivate();
   }
 
-  std::string Defines() const
+  terrain::Features GetFeatures() const
   {
-    return this->Base.Defines() + "#define TERRAIN_DETAIL\n";
+    terrain::Features features = this->Base.GetFeatures();
+    features.Detail = true;
+    return features;
   }
 
   void SetUniforms(vtkShaderProgram* program)

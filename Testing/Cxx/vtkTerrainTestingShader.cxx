@@ -45,7 +45,9 @@ std::string FragmentShader(
     fetches.append("  vec4 ").append(name).append(" = texelFetch(").append(name);
     fetches.append("Texture, texel, 0);\n");
   }
-  return "//VTK::System::Dec\n//VTK::Output::Dec\nin vec2 texCoord;\n" + uniforms + declarations +
+  // declarations may begin with extensions
+  return "//VTK::System::Dec\n" + declarations + "\n//VTK::Output::Dec\nin vec2 texCoord;\n" +
+    uniforms +
     "\nvoid main()\n{\n  vec4 result = vec4(0.0);\n"
     "  ivec2 texel = ivec2(texCoord * vec2(textureSize(input0Texture, 0)));\n" +
     fetches + body + "\n  gl_FragData[0] = result;\n}\n";

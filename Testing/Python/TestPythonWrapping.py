@@ -42,8 +42,8 @@ class TestWrapping(unittest.TestCase):
 
     def test_properties_of_all_types(self):
         mapper = vtkterrain.vtkOpenGLTerrainMapper()
-        for technique in ("Mesh", "Linear", "Exponential", "Equidistant", "Pyramid"):
-            value = getattr(mapper.Techniques, technique)
+        for technique in ("Mesh", "Linear", "Exponential", "Equidistant", "Pyramid", "Strips"):
+            value = getattr(vtkterrain.vtkTerrainLook.Techniques, technique)
             mapper.SetTechnique(value)
             self.assertEqual(mapper.GetTechnique(), value)
         self.assertRaises(TypeError, mapper.SetTechnique, "Mesh")
@@ -114,7 +114,7 @@ class TestWrapping(unittest.TestCase):
                        if callable(member) and not isinstance(member, type) and name[0] != "_"}
             self.assertEqual(hinted[cls.__name__], methods)
         text = ast.unparse(stub)
-        self.assertIn("def SetTechnique(self, technique: vtkOpenGLTerrainMapper.Techniques) -> None",
+        self.assertIn("def SetTechnique(self, technique: vtkTerrainLook.Techniques) -> None",
                       text)
         self.assertIn("def GetExtent(self) -> Tuple[float, float, float, float]", text)
 

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -127,10 +129,27 @@ TEST(HeightSlopes, PassByNoData)
   EXPECT_TRUE(slopes(line).GetLevels().empty());
 }
 
-// After an update of a part the levels are those of a new build.
+/// Makes rubbish of all texels that an update of a part may not read.
+void spoilBeside(CodedField<float>& field, const terrain::GridRectangle& part)
+{
+  for (int j = 0; j < field.TexelView.Height; ++j)
+  {
+    for (int i = 0; i < field.TexelView.Width; ++i)
+    {
+      const bool isNear = i >= part.First.x - terrain::kSlopesReach &&
+        i < part.End.x + terrain::kSlopesReach && j >= part.First.y - terrain::kSlopesReach &&
+        j < part.End.y + terrain::kSlopesReach;
+      float& texel = field.Texels[static_cast<std::size_t>(field.TexelView.Index(i, j))];
+      texel = isNear ? texel : 1e6f;
+    }
+  }
+}
+
+// After an update of a part the levels are those of a new build, whatever lies far beside it.
 TEST(HeightSlopes, FollowChangesOfAPart)
 {
-  for (const glm::ivec2 size : { glm::ivec2(64, 64), { 83, 45 }, { 9, 100 } })
+  for (const glm::ivec2 size :
+    { glm::ivec2(64, 64), { 83, 45 }, { 9, 100 }, { 160, 161 }, { 32, 32 }, { 96, 33 } })
   {
     const auto heights = [](int i, int j) { return 100.0 * std::sin(0.2 * i) * std::cos(0.1 * j); };
     CodedField<float> field(TestField("", size.x, size.y, heights));
@@ -146,7 +165,10 @@ TEST(HeightSlopes, FollowChangesOfAPart)
           field.Texels[static_cast<std::size_t>(i + size.x * j)] *= 0.5f;
         }
       }
+      const std::vector<float> kept = field.Texels;
+      spoilBeside(field, part);
       updated.Update(field.TexelView, part, terrain::SerialFor);
+      std::copy(kept.begin(), kept.end(), field.Texels.begin());
       const HeightSlopes fresh = slopes(field);
       ASSERT_EQ(fresh.GetLevels().size(), updated.GetLevels().size());
       EXPECT_EQ(fresh.GetScale(), updated.GetScale());

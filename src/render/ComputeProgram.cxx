@@ -52,6 +52,7 @@ std::string ComputeProgram::Build(const std::string& source)
   if (!words.empty())
   {
     this->Release();
+    words = "A compute shader does not build: " + words;
   }
   return words;
 }

@@ -7,30 +7,36 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 
+#include <algorithm>
+
 namespace terrain
 {
 namespace
 {
-/// Texels of a group of invocations each way.
-constexpr int GroupSize = 8;
-
 GLuint groups(int texels)
 {
-  return static_cast<GLuint>((texels + GroupSize - 1) / GroupSize);
+  return static_cast<GLuint>((texels + kGroupSize - 1) / kGroupSize);
 }
 }
 
 //------------------------------------------------------------------------------
-std::string ComputeTexture::Fill(vtkOpenGLRenderWindow* window, const std::string& source,
-  glm::ivec2 size, int components, const std::function<void(Uniforms&)>& setUniforms)
+std::string ComputeTexture::Fill(vtkOpenGLRenderWindow* window, const Features& features,
+  const std::function<std::string()>& makeSource, glm::ivec2 size, int components,
+  const std::function<void(Uniforms&)>& setUniforms)
 {
   this->Filled = false;
   this->Size = { 0, 0 };
-  const auto [entry, isNew] = this->Programs.try_emplace(source);
+  auto entry = std::find_if(this->Programs.begin(), this->Programs.end(),
+    [&features](const auto& known) { return known.first == features; });
+  const bool isNew = entry == this->Programs.end();
+  if (isNew)
+  {
+    entry = this->Programs.insert(entry, { features, ComputeProgram() });
+  }
   ComputeProgram& program = entry->second;
   if (isNew)
   {
-    std::string words = program.Build(source);
+    std::string words = program.Build(makeSource());
     if (!words.empty())
     {
       return words;
@@ -48,7 +54,7 @@ std::string ComputeTexture::Fill(vtkOpenGLRenderWindow* window, const std::strin
   glBindImageTexture(0, this->Texture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
     components == 4 ? GL_RGBA32F : GL_R32F);
   glDispatchCompute(groups(size.x), groups(size.y), 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT); // Read(), too
   glUseProgram(0);
   this->Size = size;
   this->Filled = true;
@@ -102,7 +108,7 @@ void ComputeTexture::ReleaseGraphicsResources(vtkWindow* window)
   this->Filled = false;
   this->Size = { 0, 0 };
   this->Texture->ReleaseGraphicsResources(window);
-  for (auto& [source, program] : this->Programs)
+  for (auto& [features, program] : this->Programs)
   {
     if (program.IsBuilt())
     {

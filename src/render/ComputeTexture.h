@@ -8,6 +8,7 @@
 #define vtkTerrain_render_ComputeTexture_h
 
 #include "render/ComputeProgram.h"
+#include "render/Features.h"
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
@@ -15,8 +16,8 @@
 #include <glm/glm.hpp>
 
 #include <functional>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -27,12 +28,13 @@ namespace terrain
 class ComputeTexture
 {
 public:
-  /// Runs a compute shader of 8 x 8 invocations a group, one for each texel of 1 or 4 floats, and
-  /// makes the texture current for drawing. The source has no version line; it writes the image of
-  /// binding 0, r32f or rgba32f; setUniforms sets the uniforms. Programs are kept. Returns an empty
-  /// string, or the compiler's words; of the same source, once.
-  std::string Fill(vtkOpenGLRenderWindow* window, const std::string& source, glm::ivec2 size,
-    int components, const std::function<void(Uniforms&)>& setUniforms);
+  /// Runs a compute shader of kGroupSize x kGroupSize invocations a group, one for each texel of 1
+  /// or 4 floats, and makes the texture current for drawing. The source, made when features are
+  /// new, has no version line; it writes the image of binding 0, r32f or rgba32f; setUniforms sets
+  /// the uniforms. Programs are kept. Returns an empty string, or the compiler's words; once.
+  std::string Fill(vtkOpenGLRenderWindow* window, const Features& features,
+    const std::function<std::string()>& makeSource, glm::ivec2 size, int components,
+    const std::function<void(Uniforms&)>& setUniforms);
 
   /// True from Fill() to Finish(), if that went well.
   bool IsFilled() const
@@ -64,8 +66,7 @@ public:
 private:
   void Allocate(vtkOpenGLRenderWindow* window, glm::ivec2 size, int components);
 
-  /// By their source.
-  std::map<std::string, ComputeProgram> Programs;
+  std::vector<std::pair<Features, ComputeProgram>> Programs;
   vtkNew<vtkTextureObject> Texture;
   glm::ivec2 Size{ 0, 0 };
   bool Filled = false;

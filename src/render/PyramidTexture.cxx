@@ -35,7 +35,7 @@ bool PyramidTexture::Upload(vtkOpenGLRenderWindow* window, const MinMaxPyramid<T
   {
     return true;
   }
-  this->InBuffer = IsSoftware();
+  this->InBuffer = Driver::Current().BuffersPyramid;
   this->Texture->SetContext(window);
   this->Texture->ResetFormatAndType();
   this->Texture->SetInternalFormat(InternalFormat<Texel>);

@@ -3,8 +3,8 @@
 /**
  * @file
  * A min-max pyramid (core/surface/MinMaxPyramid.h) for shaders/vtkTerrainPyramid.glsl: a texture
- * whose mip levels are its levels. Mesa's llvmpipe finds a mip level for each pixel by itself, in
- * some 150 instructions: for it the texture is a buffer of all nodes. Private to the module.
+ * whose mip levels are its levels or, where the driver is faster so (Driver.h), a buffer of all
+ * nodes. Private to the module.
  */
 #ifndef vtkTerrain_render_PyramidTexture_h
 #define vtkTerrain_render_PyramidTexture_h

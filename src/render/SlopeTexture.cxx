@@ -14,7 +14,7 @@ bool SlopeTexture::Upload(vtkOpenGLRenderWindow* window)
 {
   const std::vector<SlopeLevel>& levels = this->Slopes.GetLevels();
   vtkTextureObject* texture = this->Texture;
-  texture->ReleaseGraphicsResources(texture->GetContext());
+  this->ReleaseGraphicsResources(texture->GetContext());
   if (levels.empty())
   {
     return true;
@@ -39,8 +39,10 @@ bool SlopeTexture::Upload(vtkOpenGLRenderWindow* window)
     // the first one, too: VTK fills the levels above it by itself
     glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(k), GL_RG16_SNORM, levels[k].Size.x,
       levels[k].Size.y, 0, GL_RG, GL_SHORT, levels[k].Texels.data());
+    this->MemorySize += static_cast<vtkIdType>(levels[k].Texels.size() * sizeof(SlopeTexel));
   }
   texture->Deactivate();
+  this->Slopes.ForgetLevels();
   return done && glGetError() == GL_NO_ERROR;
 }
 
@@ -48,6 +50,7 @@ bool SlopeTexture::Upload(vtkOpenGLRenderWindow* window)
 void SlopeTexture::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
+  this->MemorySize = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -76,16 +79,5 @@ void SlopeTexture::SetUniforms(Uniforms& uniforms)
     uniforms.Set("terrainSlopes", this->Texture->GetTextureUnit());
     uniforms.Set("terrainSlopesScale", static_cast<float>(this->Slopes.GetScale()));
   }
-}
-
-//------------------------------------------------------------------------------
-vtkIdType SlopeTexture::GetMemorySize() const
-{
-  std::size_t texels = 0;
-  for (const SlopeLevel& level : this->Slopes.GetLevels())
-  {
-    texels += level.Texels.size();
-  }
-  return this->Texture->GetHandle() ? static_cast<vtkIdType>(texels * sizeof(SlopeTexel)) : 0;
 }
 }

@@ -29,17 +29,21 @@ public:
     return this->Slopes;
   }
 
-  /// Uploads all levels; false if that failed. True also if there are none.
+  /// Uploads all levels, and forgets them; false if that failed. True also if there are none.
   bool Upload(vtkOpenGLRenderWindow* window);
   void ReleaseGraphicsResources(vtkWindow* window);
   void Activate();
   void Deactivate();
   void SetUniforms(Uniforms& uniforms);
   /// Bytes of the texture.
-  vtkIdType GetMemorySize() const;
+  vtkIdType GetMemorySize() const
+  {
+    return this->MemorySize;
+  }
 
 private:
   HeightSlopes Slopes;
+  vtkIdType MemorySize = 0;
   vtkNew<vtkTextureObject> Texture;
 };
 }

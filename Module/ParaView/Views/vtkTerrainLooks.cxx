@@ -30,23 +30,7 @@ void ShareActor(vtkActor* from, vtkActor* to)
 void ShareTerrain(vtkTerrainActor* from, vtkTerrainActor* to)
 {
   ShareActor(from, to);
-  to->SetTechnique(from->GetTechnique());
-  to->SetUseStrips(from->GetUseStrips());
-  to->GetStrips()->SetTolerance(from->GetStrips()->GetTolerance());
-  to->SetVerticalExaggeration(from->GetVerticalExaggeration());
-  to->SetLevelOfDetail(from->GetLevelOfDetail());
-  vtkOpenGLTerrainMapper* source = from->GetTerrainMapper();
-  vtkOpenGLTerrainMapper* mapper = to->GetTerrainMapper();
-  mapper->SetColorSource(source->GetColorSource());
-  mapper->SetContours(source->GetContours());
-  mapper->SetContourInterval(source->GetContourInterval());
-  mapper->SetContourWidth(source->GetContourWidth());
-  mapper->SetHillshade(source->GetHillshade());
-  mapper->SetHillshadeAzimuth(source->GetHillshadeAzimuth());
-  mapper->SetHillshadeAltitude(source->GetHillshadeAltitude());
-  mapper->SetBlock(source->GetBlock());
-  mapper->SetBlockBase(source->GetBlockBase());
-  mapper->SetMaximumLayers(source->GetMaximumLayers());
+  to->CopyLook(from);
 }
 
 //------------------------------------------------------------------------------

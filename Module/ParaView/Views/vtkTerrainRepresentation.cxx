@@ -422,10 +422,7 @@ void vtkTerrainRepresentation::SetVisibility(bool visible)
 //------------------------------------------------------------------------------
 void vtkTerrainRepresentation::SetTechnique(int technique)
 {
-  this->Actor->SetUseStrips(technique == Strips);
-  this->Actor->SetTechnique(technique == Strips
-      ? vtkTerrainActor::Techniques::Mesh
-      : static_cast<vtkTerrainActor::Techniques>(technique));
+  this->Actor->SetTechnique(static_cast<vtkTerrainActor::Techniques>(technique));
 }
 
 //------------------------------------------------------------------------------

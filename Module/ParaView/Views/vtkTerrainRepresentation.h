@@ -56,7 +56,6 @@ public:
   /// or Strips: triangles that are refined for the camera at each frame, each process those of its
   /// own piece.
   void SetTechnique(int technique);
-  static constexpr int Strips = 5;
   /// Largest error of Strips in pixels, > 0; default 1.
   void SetStripsTolerance(double pixels);
   /// Most surfaces along a ray that are drawn where they are translucent, >= 1; default 4.

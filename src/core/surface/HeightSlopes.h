@@ -33,6 +33,10 @@ namespace terrain
 /// the samples themselves are as good; above, memory hardly grows.
 constexpr int kFirstSlopeLevel = 4;
 
+/// Samples beside a rectangle that Update() reads, each way at most: less than two texels of the
+/// first level.
+constexpr int kSlopesReach = 2 << kFirstSlopeLevel;
+
 /// East and north.
 using SlopeTexel = glm::i16vec2;
 
@@ -52,7 +56,8 @@ public:
   void Build(
     const HeightfieldView<T>& view, const HeightCodes& codes, const ParallelFor& parallelFor);
 
-  /// The same after the samples of a rectangle have changed; reads no others but those beside it.
+  /// The same after the samples of a rectangle have changed; reads no others but those within
+  /// kSlopesReach of it.
   template <typename T>
   void Update(
     const HeightfieldView<T>& view, const GridRectangle& samples, const ParallelFor& parallelFor);
@@ -60,6 +65,12 @@ public:
   const std::vector<SlopeLevel>& GetLevels() const
   {
     return this->Levels;
+  }
+
+  /// Frees the levels, until the next Update() makes them anew.
+  void ForgetLevels()
+  {
+    this->Levels = {};
   }
 
   /// Codes per cell of a texel of 1.

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/HeightTexture.h"
+#include "render/SurfaceTextures.h"
 
 #include "data/ImageHeights.h"
 #include "data/SMPParallelFor.h"
 #include "render/Driver.h"
 #include "render/Uniforms.h"
-#include "vtkTerrainCoarseMesh.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -22,7 +21,7 @@ constexpr int MostCells = 1 << 20;
 }
 
 //------------------------------------------------------------------------------
-std::string HeightTexture::SetImage(vtkImageData* image)
+std::string SurfaceTextures::SetImage(vtkImageData* image)
 {
   std::string why = ImageHeights::WhyNotHeights(image);
   if (!why.empty())
@@ -48,7 +47,7 @@ std::string HeightTexture::SetImage(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-std::string HeightTexture::SetDetail(vtkImageData* detail, int level, double scale)
+std::string SurfaceTextures::SetDetail(vtkImageData* detail, int level, double scale)
 {
   std::string why = this->Detail.SetImage(detail);
   this->Sum = { this->Codes, this->Geometry, this->Size };
@@ -72,24 +71,7 @@ std::string HeightTexture::SetDetail(vtkImageData* detail, int level, double sca
 }
 
 //------------------------------------------------------------------------------
-glm::dvec2 HeightTexture::GetDetailRange() const
-{
-  const HeightCodes& codes = this->Detail.GetCodes();
-  const double factor = this->DetailScale * this->Codes.Scale / codes.Scale;
-  return this->HasDetail() ? factor * glm::dvec2(codes.Offset, codes.ToHeight(codes.MaximumCode))
-                           : glm::dvec2(0.0);
-}
-
-//------------------------------------------------------------------------------
-double HeightTexture::GetFloorThreshold() const
-{
-  const double range = this->Codes.MaximumCode * this->Codes.Scale;
-  const double spacing = std::min(this->Geometry.Spacing.x, this->Geometry.Spacing.y);
-  return this->Codes.Offset - 0.5 * vtkTerrainCoarseMesh::FloorMargin * std::max(range, spacing);
-}
-
-//------------------------------------------------------------------------------
-void HeightTexture::SetImagePart(vtkImageData* image, GridRectangle samples)
+void SurfaceTextures::SetImagePart(vtkImageData* image, GridRectangle samples)
 {
   if (!image || this->Image != image || this->ImageTime == 0 ||
     !ImageHeights::WhyNotHeights(image).empty() || image->GetScalarType() != this->ScalarType ||
@@ -114,32 +96,54 @@ void HeightTexture::SetImagePart(vtkImageData* image, GridRectangle samples)
 }
 
 //------------------------------------------------------------------------------
-bool HeightTexture::HasSurface() const
+bool SurfaceTextures::HasSurface() const
 {
   return this->Codes.HasData && this->Size.x > 1 && this->Size.y > 1;
 }
 
 //------------------------------------------------------------------------------
-vtkIdType HeightTexture::GetMemorySize() const
+vtkIdType SurfaceTextures::GetMemorySize() const
 {
-  return std::visit(
-           [this](const auto& store)
-           {
-             const std::size_t heights = store.Texels.size() * sizeof(store.Texels[0]);
-             const std::size_t pyramid = this->PyramidTime ? store.Pyramid.MemorySize() : 0;
-             const std::size_t all = (this->UploadTime ? heights : 0) + pyramid;
-             return static_cast<vtkIdType>(all);
-           },
-           this->Data) +
+  const std::size_t heights = static_cast<std::size_t>(this->Size.x) * this->Size.y *
+    (this->Codes.Format == HeightCodes::TexelFormat::UInt16 ? sizeof(unsigned short)
+                                                            : sizeof(float));
+  const std::size_t nodes =
+    std::visit([](const auto& pyramid) { return pyramid.MemorySize(); }, this->Pyramid);
+  return static_cast<vtkIdType>(
+           (this->UploadTime ? heights : 0) + (this->PyramidTime ? nodes : 0)) +
     this->Detail.GetMemorySize() + this->Slopes.GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
 template <typename Texel>
-HeightfieldView<Texel> HeightTexture::TexelView(const Store<Texel>& store) const
+SurfaceTextures::Texels<Texel> SurfaceTextures::Encode(const GridRectangle& samples) const
+{
+  const auto width = static_cast<std::int64_t>(this->Size.x);
+  Texels<Texel> texels(new Texel[static_cast<std::size_t>(width) * this->Size.y]);
+  ImageHeights::Dispatch(this->Image,
+    [&](const auto& view)
+    {
+      if (samples.First.x == 0 && samples.End == this->Size)
+      {
+        EncodeHeights(view, this->Codes, 0, this->Size.x, samples.First.y, samples.End.y,
+          texels.get() + width * samples.First.y, SMPParallelFor);
+        return;
+      }
+      for (int row = samples.First.y; row < samples.End.y; ++row)
+      {
+        EncodeHeights(view, this->Codes, samples.First.x, samples.End.x, row, row + 1,
+          texels.get() + samples.First.x + width * row, SerialFor);
+      }
+    });
+  return texels;
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+HeightfieldView<Texel> SurfaceTextures::TexelView(const Texels<Texel>& texels) const
 {
   HeightfieldView<Texel> view;
-  view.Samples = store.Texels.data();
+  view.Samples = texels.get();
   view.Width = this->Size.x;
   view.Height = this->Size.y;
   view.HasNoData = this->Codes.HasNoData;
@@ -148,7 +152,7 @@ HeightfieldView<Texel> HeightTexture::TexelView(const Store<Texel>& store) const
 }
 
 //------------------------------------------------------------------------------
-std::string HeightTexture::Prepare(vtkOpenGLRenderWindow* window)
+std::string SurfaceTextures::Prepare(vtkOpenGLRenderWindow* window)
 {
   const int limit = vtkTextureObject::GetMaximumTextureSize(window);
   if (limit > 0 && std::max(this->Size.x, this->Size.y) > limit)
@@ -169,48 +173,46 @@ std::string HeightTexture::Prepare(vtkOpenGLRenderWindow* window)
   texture->SetFormat(integer ? GL_RED_INTEGER : GL_RED);
   if (integer)
   {
-    this->Data.emplace<Store<unsigned short>>();
+    this->Pyramid.emplace<MinMaxPyramid<unsigned short>>();
   }
   else
   {
-    this->Data.emplace<Store<float>>();
+    this->Pyramid.emplace<MinMaxPyramid<float>>();
   }
   return {};
 }
 
 //------------------------------------------------------------------------------
 template <typename Texel>
-bool HeightTexture::UploadHeights(Store<Texel>& store)
+bool SurfaceTextures::UploadWhole(
+  vtkOpenGLRenderWindow* window, MinMaxPyramid<Texel>& pyramid, bool heights, bool withPyramid)
 {
-  store.Texels.resize(static_cast<std::size_t>(this->Size.x) * this->Size.y);
-  ImageHeights::Dispatch(this->Image,
-    [&](const auto& view)
-    {
-      EncodeHeights(
-        view, this->Codes, 0, this->Size.x, 0, this->Size.y, store.Texels.data(), SMPParallelFor);
-    });
-  this->Slopes.GetSlopes().Build(this->TexelView(store), this->Codes, SMPParallelFor);
-  this->NumberOfUploadedTexels += static_cast<vtkIdType>(store.Texels.size());
-  return this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Size.x),
-    static_cast<unsigned int>(this->Size.y), 1,
-    std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT, store.Texels.data());
+  const Texels<Texel> texels = this->Encode<Texel>({ { 0, 0 }, this->Size });
+  bool done = true;
+  if (heights)
+  {
+    this->Slopes.GetSlopes().Build(this->TexelView(texels), this->Codes, SMPParallelFor);
+    this->NumberOfUploadedTexels += vtkIdType{ this->Size.x } * this->Size.y;
+    done = this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Size.x),
+             static_cast<unsigned int>(this->Size.y), 1,
+             std::is_floating_point_v<Texel> ? VTK_FLOAT : VTK_UNSIGNED_SHORT, texels.get()) &&
+      this->Slopes.Upload(window);
+  }
+  if (done && withPyramid)
+  {
+    pyramid.Build(this->TexelView(texels), SMPParallelFor);
+    this->PyramidTop = pyramid.LevelCount();
+    this->PyramidSize = this->PyramidTop > 0 ? pyramid.LevelSize(1) : glm::ivec2(0);
+    this->NumberOfUploadedTexels +=
+      static_cast<vtkIdType>(pyramid.MemorySize() / sizeof(PyramidNode<Texel>));
+    done = this->Extremes.Upload(window, pyramid);
+  }
+  return done;
 }
 
 //------------------------------------------------------------------------------
 template <typename Texel>
-bool HeightTexture::UploadPyramid(vtkOpenGLRenderWindow* window, Store<Texel>& store)
-{
-  store.Pyramid.Build(this->TexelView(store), SMPParallelFor);
-  this->PyramidTop = store.Pyramid.LevelCount();
-  this->PyramidSize = this->PyramidTop > 0 ? store.Pyramid.LevelSize(1) : glm::ivec2(0);
-  this->NumberOfUploadedTexels +=
-    static_cast<vtkIdType>(store.Pyramid.MemorySize() / sizeof(PyramidNode<Texel>));
-  return this->Extremes.Upload(window, store.Pyramid);
-}
-
-//------------------------------------------------------------------------------
-template <typename Texel>
-void HeightTexture::SendTexels(const Store<Texel>& store, const GridRectangle& part)
+void SurfaceTextures::SendTexels(const Texels<Texel>& texels, const GridRectangle& part)
 {
   const glm::ivec2 size = part.End - part.First;
   this->NumberOfUploadedTexels += vtkIdType{ size.x } * size.y;
@@ -221,33 +223,27 @@ void HeightTexture::SendTexels(const Store<Texel>& store, const GridRectangle& p
   glPixelStorei(GL_UNPACK_ROW_LENGTH, this->Size.x);
   glTexSubImage2D(GL_TEXTURE_2D, 0, part.First.x, part.First.y, size.x, size.y,
     texture->GetFormat(vtkType, 1, false), static_cast<GLenum>(texture->GetDataType(vtkType)),
-    store.Texels.data() + part.First.x + static_cast<std::int64_t>(this->Size.x) * part.First.y);
+    texels.get() + part.First.x + static_cast<std::int64_t>(this->Size.x) * part.First.y);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   texture->Deactivate();
 }
 
 //------------------------------------------------------------------------------
 template <typename Texel>
-void HeightTexture::UploadPart(Store<Texel>& store, const GridRectangle& samples)
+void SurfaceTextures::UploadPart(MinMaxPyramid<Texel>& pyramid, const GridRectangle& samples)
 {
-  ImageHeights::Dispatch(this->Image,
-    [&](const auto& view)
-    {
-      for (int row = samples.First.y; row < samples.End.y; ++row)
-      {
-        EncodeHeights(view, this->Codes, samples.First.x, samples.End.x, row, row + 1,
-          store.Texels.data() + samples.First.x + static_cast<std::int64_t>(this->Size.x) * row,
-          SerialFor);
-      }
-    });
-  this->Slopes.GetSlopes().Update(this->TexelView(store), samples, SMPParallelFor);
-  this->SendTexels(store, samples);
+  // with what slopes and pyramid read beside the samples
+  const GridRectangle read{ glm::max(samples.First - kSlopesReach, glm::ivec2(0)),
+    glm::min(samples.End + kSlopesReach, this->Size) };
+  const Texels<Texel> texels = this->Encode<Texel>(read);
+  this->Slopes.GetSlopes().Update(this->TexelView(texels), samples, SMPParallelFor);
+  this->SendTexels(texels, samples);
   if (this->PyramidTime != this->WholeTime)
   {
     return;
   }
   const std::vector<GridRectangle> nodes =
-    store.Pyramid.Update(this->TexelView(store), samples, SMPParallelFor);
+    pyramid.Update(this->TexelView(texels), samples, SMPParallelFor);
   for (int level = 1; level <= static_cast<int>(nodes.size()); ++level)
   {
     const GridRectangle& part = nodes[static_cast<std::size_t>(level) - 1];
@@ -255,16 +251,16 @@ void HeightTexture::UploadPart(Store<Texel>& store, const GridRectangle& samples
     {
       const glm::ivec2 size = part.End - part.First;
       this->NumberOfUploadedTexels += vtkIdType{ size.x } * size.y;
-      this->Extremes.UploadPart(store.Pyramid, level, part);
+      this->Extremes.UploadPart(pyramid, level, part);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-std::string HeightTexture::Upload(vtkOpenGLRenderWindow* window, bool withPyramid)
+std::string SurfaceTextures::Upload(vtkOpenGLRenderWindow* window, bool withPyramid)
 {
-  bool done = true;
-  if (this->Texture->GetContext() != window || this->UploadTime != this->WholeTime)
+  const bool heights = this->Texture->GetContext() != window || this->UploadTime != this->WholeTime;
+  if (heights)
   {
     this->UploadTime = 0;
     this->PyramidTime = 0;
@@ -273,44 +269,47 @@ std::string HeightTexture::Upload(vtkOpenGLRenderWindow* window, bool withPyrami
     {
       return why;
     }
-    done = std::visit([this](auto& store) { return this->UploadHeights(store); }, this->Data);
-    done = done && this->Slopes.Upload(window);
-    this->UploadTime = done ? this->WholeTime : 0;
     this->Parts.clear();
     ++this->NumberOfUploads;
   }
   for (const GridRectangle& part : this->Parts)
   {
-    std::visit([&](auto& store) { this->UploadPart(store, part); }, this->Data);
+    std::visit([&](auto& pyramid) { this->UploadPart(pyramid, part); }, this->Pyramid);
   }
-  done = done && (this->Parts.empty() || this->Slopes.Upload(window));
+  bool done = this->Parts.empty() || this->Slopes.Upload(window);
   this->Parts.clear();
-  if (done && withPyramid && this->PyramidTime != this->WholeTime)
+  const bool nodes = withPyramid && this->PyramidTime != this->WholeTime;
+  if (done && (heights || nodes))
   {
-    done = std::visit([&](auto& store) { return this->UploadPyramid(window, store); }, this->Data);
-    this->PyramidTime = done ? this->WholeTime : 0;
+    done =
+      std::visit([&](auto& pyramid) { return this->UploadWhole(window, pyramid, heights, nodes); },
+        this->Pyramid);
+    this->UploadTime = done ? this->WholeTime : 0;
+    this->PyramidTime = done && nodes ? this->WholeTime : 0;
   }
   done = done && this->Detail.Upload(window);
   return done ? std::string() : "heights could not be uploaded to the graphics driver";
 }
 
 //------------------------------------------------------------------------------
-void HeightTexture::ReleaseGraphicsResources(vtkWindow* window)
+void SurfaceTextures::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
   this->Extremes.ReleaseGraphicsResources(window);
   this->Detail.ReleaseGraphicsResources(window);
   this->Slopes.ReleaseGraphicsResources(window);
+  this->Colors.ReleaseGraphicsResources(window);
   this->UploadTime = 0;
   this->PyramidTime = 0;
 }
 
 //------------------------------------------------------------------------------
-void HeightTexture::Activate()
+void SurfaceTextures::Activate()
 {
   this->Texture->Activate();
   this->Detail.Activate();
   this->Slopes.Activate();
+  this->Colors.Activate();
   if (this->PyramidTime)
   {
     this->Extremes.Activate();
@@ -318,11 +317,12 @@ void HeightTexture::Activate()
 }
 
 //------------------------------------------------------------------------------
-void HeightTexture::Deactivate()
+void SurfaceTextures::Deactivate()
 {
   this->Texture->Deactivate();
   this->Detail.Deactivate();
   this->Slopes.Deactivate();
+  this->Colors.Deactivate();
   if (this->PyramidTime)
   {
     this->Extremes.Deactivate();
@@ -330,13 +330,24 @@ void HeightTexture::Deactivate()
 }
 
 //------------------------------------------------------------------------------
-void HeightTexture::SetUniforms(Uniforms& uniforms)
+void SurfaceTextures::AddFeatures(Features& features) const
+{
+  features.IntegerHeights = this->Codes.Format == HeightCodes::TexelFormat::UInt16;
+  features.BuffersPyramid = this->Extremes.IsBuffer();
+  features.Detail = this->HasDetail();
+  features.Paints = this->Colors.Paints();
+  features.DrapeComponents = this->Colors.GetDrapeComponents();
+}
+
+//------------------------------------------------------------------------------
+void SurfaceTextures::SetUniforms(Uniforms& uniforms, const vtkTerrainLook* look)
 {
   uniforms.Set("terrainHeights", this->Texture->GetTextureUnit());
   uniforms.Set("terrainSize", this->Sum.Size);
   uniforms.Set("terrainBias", static_cast<float>(this->Codes.Bias));
   uniforms.Set("terrainMaximumCode", static_cast<float>(this->Sum.Codes.MaximumCode));
   this->Slopes.SetUniforms(uniforms);
+  this->Colors.SetUniforms(uniforms, this->Sum.Codes, this->Sum.Geometry, look);
   this->Detail.SetUniforms(uniforms, this->DetailLevel, this->DetailScale);
   if (uniforms.Uses("terrainPyramid"))
   {

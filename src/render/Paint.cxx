@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "render/Coloring.h"
+#include "render/Paint.h"
 
 #include "data/SMPParallelFor.h"
 #include "render/Driver.h"
-#include "render/HeightTexture.h"
 #include "render/Uniforms.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkLookupTable.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
@@ -24,12 +24,7 @@ namespace terrain
 {
 namespace
 {
-using ColorSources = vtkOpenGLTerrainMapper::ColorSources;
-
-/// Twins of terrainColorMapSize and terrainNotANumber in shaders/vtkTerrainColor.glsl.
-constexpr int ColorMapSize = 4096;
-constexpr float NotANumber = -3e38f;
-constexpr float LargestAnisotropy = 16.0f;
+using ColorSources = vtkTerrainLook::ColorSources;
 
 /// Text that changes with an object's state and with some numbers.
 template <typename... Numbers>
@@ -42,19 +37,18 @@ std::string stateOf(vtkObject* object, Numbers... numbers)
 }
 
 /// The array that the mapper's scalar mode selects in the heights' image, or null.
-vtkDataArray* findArray(vtkOpenGLTerrainMapper* mapper, bool& cells)
+vtkDataArray* findArray(vtkMapper* mapper, vtkImageData* heights, bool& cells)
 {
   int association = 0;
-  vtkAbstractArray* array =
-    vtkAbstractMapper::GetAbstractScalars(mapper->GetHeights(), mapper->GetScalarMode(),
-      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), association);
+  vtkAbstractArray* array = vtkAbstractMapper::GetAbstractScalars(heights, mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), association);
   cells = association == 1;
   return association == 2 ? nullptr : vtkDataArray::SafeDownCast(array);
 }
 
 /// True if the array's tuples become colours one by one, which are then mixed: it holds colours, or
 /// the table knows values only that are equal to its own.
-bool isDirect(vtkOpenGLTerrainMapper* mapper, vtkDataArray* array)
+bool isDirect(vtkMapper* mapper, vtkDataArray* array)
 {
   vtkScalarsToColors* table = mapper->GetLookupTable();
   const int mode = mapper->GetColorMode();
@@ -65,7 +59,7 @@ bool isDirect(vtkOpenGLTerrainMapper* mapper, vtkDataArray* array)
 }
 
 /// Component of an array that the table maps; -1 for the magnitude.
-int mappedComponent(vtkOpenGLTerrainMapper* mapper, vtkDataArray* array)
+int mappedComponent(vtkMapper* mapper, vtkDataArray* array)
 {
   vtkScalarsToColors* table = mapper->GetLookupTable();
   const int last = array->GetNumberOfComponents() - 1;
@@ -104,12 +98,6 @@ void clampToEdge(vtkTextureObject* texture)
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
 }
 
-/// Anisotropy of textures. llvmpipe's filter (Mesa 22) takes wrong texels with explicit gradients.
-float supportedAnisotropy()
-{
-  return IsSoftware() ? 1.0f : LargestAnisotropy;
-}
-
 /// Multiplies the colours of an image with alpha, of 2 or 4 components, by it: only so may texels
 /// be mixed.
 std::vector<unsigned char> premultiplied(
@@ -130,34 +118,40 @@ std::vector<unsigned char> premultiplied(
 }
 
 //------------------------------------------------------------------------------
-std::string Coloring::Update(vtkOpenGLTerrainMapper* mapper, vtkOpenGLRenderWindow* window)
+std::string Paint::Update(vtkMapper* mapper, vtkImageData* heights, const vtkTerrainLook* look,
+  vtkOpenGLRenderWindow* window)
 {
+  this->Mapper = mapper;
+  this->Heights = heights;
+  this->Look = look;
+  this->Window = window;
   for (Made* made : this->Textures())
   {
     made->Used = false;
   }
-  const std::string words = this->UpdateScalars(mapper, window);
-  const std::string more = this->UpdateDrape(window);
-  this->Painted = this->Painted || this->Kind != Kinds::Material || this->DrapeTexture.Used ||
-    this->Hillshade || this->Contours;
+  const std::string words = this->UpdateScalars();
+  const std::string more = this->UpdateDrape();
+  this->Painted = this->Painted || this->Kind != PaintKinds::Material || this->DrapeTexture.Used ||
+    look->GetHillshade() || look->GetContours();
   if (this->Painted)
   {
-    this->FillIn(mapper->GetHeights()->GetDimensions(), window);
+    this->FillIn();
   }
   return words.empty() ? more : words;
 }
 
 //------------------------------------------------------------------------------
-void Coloring::FillIn(const int heights[2], vtkOpenGLRenderWindow* window)
+void Paint::FillIn()
 {
+  const int* heights = this->Heights->GetDimensions();
   // like the arrays of these samples: some drivers build programs for sizes that are powers of two
   // (those of cells may then cost one more)
   const auto size = [](int samples) { return (samples & (samples - 1)) == 0 ? 2U : 3U; };
   const auto fill = [&](
                       Made& made, unsigned int width, unsigned int height, int components, int type)
   {
-    const bool there = !made.From.empty() && made.Texture->GetContext() == window;
-    if (!there && this->StartsToMake(made, "nothing", window))
+    const bool there = !made.From.empty() && made.Texture->GetContext() == this->Window;
+    if (!there && this->StartsToMake(made, "nothing"))
     {
       std::array<float, 9> nothing{};
       made.Texture->Create2DFromRaw(width, height, components, type, nothing.data());
@@ -170,17 +164,17 @@ void Coloring::FillIn(const int heights[2], vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool Coloring::StartsToMake(Made& made, const std::string& from, vtkOpenGLRenderWindow* window)
+bool Paint::StartsToMake(Made& made, const std::string& from)
 {
   made.Used = true;
-  if (made.From == from && made.Texture->GetContext() == window)
+  if (made.From == from && made.Texture->GetContext() == this->Window)
   {
     return false;
   }
   made.From = from;
   made.Texture->ReleaseGraphicsResources(made.Texture->GetContext());
   made.Texture->ResetFormatAndType();
-  made.Texture->SetContext(window);
+  made.Texture->SetContext(this->Window);
   made.Texture->SetMinificationFilter(vtkTextureObject::Nearest);
   made.Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   clampToEdge(made.Texture);
@@ -188,46 +182,48 @@ bool Coloring::StartsToMake(Made& made, const std::string& from, vtkOpenGLRender
 }
 
 //------------------------------------------------------------------------------
-std::string Coloring::UpdateScalars(vtkOpenGLTerrainMapper* mapper, vtkOpenGLRenderWindow* window)
+std::string Paint::UpdateScalars()
 {
-  this->Kind = this->ShowCrossings ? Kinds::Crossings : Kinds::Material;
-  if (!mapper->GetScalarVisibility() || this->ShowCrossings)
+  vtkMapper* mapper = this->Mapper;
+  const ColorSources source = this->Look->GetColorSource();
+  this->Kind = this->Look->GetShowCrossings() ? PaintKinds::Crossings : PaintKinds::Material;
+  if (!mapper->GetScalarVisibility() || this->Look->GetShowCrossings())
   {
     return {};
   }
   bool cells = false;
-  vtkDataArray* array = this->Source == ColorSources::Array ? findArray(mapper, cells) : nullptr;
+  vtkDataArray* array =
+    source == ColorSources::Array ? findArray(mapper, this->Heights, cells) : nullptr;
   if (array && array->GetLookupTable())
   {
     mapper->SetLookupTable(array->GetLookupTable()); // as VTK's mappers do
   }
-  const bool heights = array && array == mapper->GetHeights()->GetPointData()->GetScalars() &&
-    !isDirect(mapper, array);
-  if (heights || this->Source == ColorSources::Height)
+  const bool heights =
+    array && array == this->Heights->GetPointData()->GetScalars() && !isDirect(mapper, array);
+  if (heights || source == ColorSources::Height)
   {
-    this->Kind = Kinds::Height;
+    this->Kind = PaintKinds::Height;
   }
-  else if (this->Source != ColorSources::Array)
+  else if (source != ColorSources::Array)
   {
-    this->Kind = this->Source == ColorSources::Slope ? Kinds::Slope : Kinds::Aspect;
+    this->Kind = source == ColorSources::Slope ? PaintKinds::Slope : PaintKinds::Aspect;
   }
   else
   {
-    return this->UpdateArray(mapper, array, cells, window);
+    return this->UpdateArray(array, cells);
   }
-  this->UpdateColorMap(mapper, window);
+  this->UpdateColorMap();
   return {};
 }
 
 //------------------------------------------------------------------------------
-std::string Coloring::UpdateArray(
-  vtkOpenGLTerrainMapper* mapper, vtkDataArray* array, bool cells, vtkOpenGLRenderWindow* window)
+std::string Paint::UpdateArray(vtkDataArray* array, bool cells)
 {
   if (!array)
   {
     return "The heights' image has no array to colour by of the name or kind that is asked for";
   }
-  const int* size = mapper->GetHeights()->GetDimensions();
+  const int* size = this->Heights->GetDimensions();
   const int width = cells ? size[0] - 1 : size[0];
   const int height = cells ? size[1] - 1 : size[1];
   if (array->GetNumberOfTuples() != vtkIdType{ width } * height)
@@ -236,23 +232,22 @@ std::string Coloring::UpdateArray(
       " tuples, not " + std::to_string(width) + " x " + std::to_string(height);
   }
   this->OfCells = cells;
-  if (isDirect(mapper, array))
+  if (isDirect(this->Mapper, array))
   {
-    this->Kind = Kinds::Colors;
-    this->UpdateColors(mapper, array, width, height, window);
+    this->Kind = PaintKinds::Colors;
+    this->UpdateColors(array, width, height);
     return {};
   }
-  this->Kind = Kinds::Values;
-  this->UpdateValues(array, mappedComponent(mapper, array), width, height, window);
-  this->UpdateColorMap(mapper, window);
+  this->Kind = PaintKinds::Values;
+  this->UpdateValues(array, mappedComponent(this->Mapper, array), width, height);
+  this->UpdateColorMap();
   return {};
 }
 
 //------------------------------------------------------------------------------
-void Coloring::UpdateValues(
-  vtkDataArray* array, int component, int width, int height, vtkOpenGLRenderWindow* window)
+void Paint::UpdateValues(vtkDataArray* array, int component, int width, int height)
 {
-  if (!this->StartsToMake(this->Values, stateOf(array, component, width, height), window))
+  if (!this->StartsToMake(this->Values, stateOf(array, component, width, height)))
   {
     return;
   }
@@ -266,7 +261,7 @@ void Coloring::UpdateValues(
       for (std::int64_t i = begin; i < end; ++i)
       {
         const double value = valueOf(array, i, component) - this->ValueOffset;
-        values[i] = std::isfinite(value) ? static_cast<float>(value) : NotANumber;
+        values[i] = std::isfinite(value) ? static_cast<float>(value) : kNotANumber;
       }
     });
   this->Values.Texture->SetInternalFormat(GL_R32F);
@@ -277,14 +272,13 @@ void Coloring::UpdateValues(
 }
 
 //------------------------------------------------------------------------------
-void Coloring::UpdateColors(vtkOpenGLTerrainMapper* mapper, vtkDataArray* array, int width,
-  int height, vtkOpenGLRenderWindow* window)
+void Paint::UpdateColors(vtkDataArray* array, int width, int height)
 {
+  vtkMapper* mapper = this->Mapper;
   vtkScalarsToColors* table = mapper->GetLookupTable();
   table->Build();
   if (!this->StartsToMake(this->Colors,
-        stateOf(array, mapper->GetColorMode(), mapper->GetArrayComponent(), table->GetMTime()),
-        window))
+        stateOf(array, mapper->GetColorMode(), mapper->GetArrayComponent(), table->GetMTime())))
   {
     return;
   }
@@ -296,15 +290,16 @@ void Coloring::UpdateColors(vtkOpenGLTerrainMapper* mapper, vtkDataArray* array,
 }
 
 //------------------------------------------------------------------------------
-void Coloring::UpdateColorMap(vtkOpenGLTerrainMapper* mapper, vtkOpenGLRenderWindow* window)
+void Paint::UpdateColorMap()
 {
+  vtkMapper* mapper = this->Mapper;
   vtkScalarsToColors* table = mapper->GetLookupTable();
   if (!mapper->GetUseLookupTableScalarRange())
   {
     table->SetRange(mapper->GetScalarRange());
   }
   table->Build();
-  if (!this->StartsToMake(this->ColorMap, stateOf(table), window))
+  if (!this->StartsToMake(this->ColorMap, stateOf(table)))
   {
     return;
   }
@@ -321,28 +316,29 @@ void Coloring::UpdateColorMap(vtkOpenGLTerrainMapper* mapper, vtkOpenGLRenderWin
   }
   const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
   this->ColorScale = { 1.0 / width, -range[0] / width };
-  std::vector<double> values(ColorMapSize);
-  for (int i = 0; i < ColorMapSize; ++i)
+  std::vector<double> values(kColorMapSize);
+  for (int i = 0; i < kColorMapSize; ++i)
   {
-    const double value = range[0] + (range[1] - range[0]) * (i + 0.5) / ColorMapSize;
+    const double value = range[0] + (range[1] - range[0]) * (i + 0.5) / kColorMapSize;
     values[i] = this->Logarithm ? std::exp(value) : value;
   }
-  std::vector<unsigned char> colors(std::size_t{ 4 } * ColorMapSize);
+  std::vector<unsigned char> colors(std::size_t{ 4 } * kColorMapSize);
   table->MapScalarsThroughTable2(
-    values.data(), colors.data(), VTK_DOUBLE, ColorMapSize, 1, VTK_RGBA);
-  this->ColorMap.Texture->Create2DFromRaw(ColorMapSize, 1, 4, VTK_UNSIGNED_CHAR, colors.data());
+    values.data(), colors.data(), VTK_DOUBLE, kColorMapSize, 1, VTK_RGBA);
+  this->ColorMap.Texture->Create2DFromRaw(kColorMapSize, 1, 4, VTK_UNSIGNED_CHAR, colors.data());
 }
 
 //------------------------------------------------------------------------------
-std::string Coloring::UpdateDrape(vtkOpenGLRenderWindow* window)
+std::string Paint::UpdateDrape()
 {
-  if (!this->Drape || this->Drape->GetNumberOfPoints() == 0 || this->ShowCrossings)
+  vtkImageData* drape = this->Look->GetDrape();
+  if (!drape || drape->GetNumberOfPoints() == 0 || this->Look->GetShowCrossings())
   {
     return {};
   }
-  auto* texels = vtkUnsignedCharArray::SafeDownCast(this->Drape->GetPointData()->GetScalars());
-  const int* size = this->Drape->GetDimensions();
-  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
+  auto* texels = vtkUnsignedCharArray::SafeDownCast(drape->GetPointData()->GetScalars());
+  const int* size = drape->GetDimensions();
+  const int limit = vtkTextureObject::GetMaximumTextureSize(this->Window);
   if (!texels || texels->GetNumberOfComponents() > 4 || size[2] != 1)
   {
     return "The drape must be an image of W x H x 1 points with 1 to 4 unsigned chars";
@@ -351,7 +347,7 @@ std::string Coloring::UpdateDrape(vtkOpenGLRenderWindow* window)
   {
     return "The drape has more than " + std::to_string(limit) + " pixels a side";
   }
-  if (!this->StartsToMake(this->DrapeTexture, stateOf(this->Drape), window))
+  if (!this->StartsToMake(this->DrapeTexture, stateOf(drape)))
   {
     return {};
   }
@@ -365,7 +361,7 @@ std::string Coloring::UpdateDrape(vtkOpenGLRenderWindow* window)
   texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
   texture->SetMaxLevel(16);
-  texture->SetMaximumAnisotropicFiltering(supportedAnisotropy());
+  texture->SetMaximumAnisotropicFiltering(Driver::Current().Anisotropy);
   texture->Create2DFromRaw(static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]),
     this->DrapeComponents, VTK_UNSIGNED_CHAR, copy.empty() ? texels->GetPointer(0) : copy.data());
   texture->Activate();
@@ -376,34 +372,23 @@ std::string Coloring::UpdateDrape(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::string Coloring::Defines() const
+bool Paint::IsTranslucent(vtkMapper* mapper, vtkImageData* heights, const vtkTerrainLook* look)
 {
-  std::string defines = this->Painted ? "#define TERRAIN_PAINT\n" : "";
-  if (this->DrapeTexture.Used)
-  {
-    defines += "#define TERRAIN_DRAPE " + std::to_string(this->DrapeComponents) + "\n";
-  }
-  return defines;
-}
-
-//------------------------------------------------------------------------------
-bool Coloring::IsTranslucent(vtkOpenGLTerrainMapper* mapper)
-{
-  if (!mapper->GetScalarVisibility() || !mapper->GetHeights())
+  if (!mapper->GetScalarVisibility() || !heights)
   {
     return false;
   }
   bool cells = false;
-  vtkDataArray* array = mapper->GetColorSource() == ColorSources::Array
-    ? findArray(mapper, cells)
-    : mapper->GetHeights()->GetPointData()->GetScalars();
+  vtkDataArray* array = look->GetColorSource() == ColorSources::Array
+    ? findArray(mapper, heights, cells)
+    : heights->GetPointData()->GetScalars();
   vtkScalarsToColors* table = mapper->GetLookupTable();
   table->Build();
   return array && table->IsOpaque(array, mapper->GetColorMode(), mapper->GetArrayComponent()) == 0;
 }
 
 //------------------------------------------------------------------------------
-void Coloring::Activate()
+void Paint::Activate()
 {
   for (Made* made : this->Textures())
   {
@@ -415,7 +400,7 @@ void Coloring::Activate()
 }
 
 //------------------------------------------------------------------------------
-void Coloring::Deactivate()
+void Paint::Deactivate()
 {
   for (Made* made : this->Textures())
   {
@@ -427,7 +412,7 @@ void Coloring::Deactivate()
 }
 
 //------------------------------------------------------------------------------
-void Coloring::ReleaseGraphicsResources(vtkWindow* window)
+void Paint::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (Made* made : this->Textures())
   {
@@ -437,18 +422,61 @@ void Coloring::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec2 Coloring::ValueScale(const HeightTexture& heights) const
+glm::dvec2 Paint::ValueScale(const HeightCodes& codes) const
 {
-  if (this->Kind == Kinds::Height)
+  if (this->Kind == PaintKinds::Height)
   {
-    return { heights.GetCodes().Scale, heights.GetCodes().Offset };
+    return { codes.Scale, codes.Offset };
   }
-  return { 1.0, this->Kind == Kinds::Values ? this->ValueOffset : 0.0 };
+  return { 1.0, this->Kind == PaintKinds::Values ? this->ValueOffset : 0.0 };
 }
 
 //------------------------------------------------------------------------------
-void Coloring::SetUniforms(
-  Uniforms& uniforms, const HeightTexture& heights, double exaggeration) const
+void Paint::SetColorUniforms(Uniforms& uniforms, const HeightCodes& codes) const
+{
+  const int texels = this->OfCells ? 1 : 4;
+  const glm::ivec2 needed(
+    this->Kind == PaintKinds::Values ? texels : 0, this->Kind == PaintKinds::Colors ? texels : 0);
+  // Both scales in one, made in double: values may lie far from 0.
+  const glm::dvec2 value = this->ValueScale(codes);
+  const glm::dvec2 color = this->Logarithm
+    ? this->ColorScale
+    : glm::dvec2(this->ColorScale.x * value.x, this->ColorScale.x * value.y + this->ColorScale.y);
+  uniforms.Set("terrainColorKind", static_cast<int>(this->Kind));
+  uniforms.Set("terrainArrayTexels", needed);
+  uniforms.SetArray("terrainSpecialColors", 3, this->SpecialColors.data());
+  uniforms.Set("terrainValueScale", glm::vec2(value));
+  uniforms.Set("terrainColorScale", glm::vec2(color));
+  uniforms.Set("terrainColorLogarithm", this->Logarithm ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void Paint::SetLineUniforms(
+  Uniforms& uniforms, const HeightCodes& codes, const vtkTerrainLook* look) const
+{
+  const bool shown = !look->GetShowCrossings();
+  const double azimuth = vtkMath::RadiansFromDegrees(look->GetHillshadeAzimuth());
+  const double altitude = vtkMath::RadiansFromDegrees(look->GetHillshadeAltitude());
+  const glm::vec3 sun(std::sin(azimuth) * std::cos(altitude),
+    std::cos(azimuth) * std::cos(altitude), std::sin(altitude));
+  uniforms.SetArray("terrainSunDirection", 1, &sun);
+  uniforms.Set("terrainShadeRelief", static_cast<float>(look->GetVerticalExaggeration()));
+  uniforms.Set("terrainShadeStrength", look->GetHillshade() && shown ? 1.0f : 0.0f);
+
+  const double interval = look->GetContourInterval();
+  const double number = codes.Offset / interval; // of which only the fraction counts
+  std::array<double, 4> color{};
+  look->GetContourColor(color.data());
+  color[3] = look->GetContours() && shown ? color[3] : 0.0;
+  uniforms.Set(
+    "terrainContourScale", glm::vec2(codes.Scale / interval, number - std::floor(number)));
+  uniforms.Set("terrainContourWidth", static_cast<float>(look->GetContourWidth()));
+  uniforms.Set("terrainContourColor", glm::vec4(color[0], color[1], color[2], color[3]));
+}
+
+//------------------------------------------------------------------------------
+void Paint::SetUniforms(Uniforms& uniforms, const HeightCodes& codes, const GridGeometry& geometry,
+  const vtkTerrainLook* look) const
 {
   auto setTexture = [&](const char* name, const Made& made)
   {
@@ -461,61 +489,24 @@ void Coloring::SetUniforms(
   setTexture("terrainValues", this->Values);
   setTexture("terrainColors", this->Colors);
   setTexture("terrainDrape", this->DrapeTexture);
-  if (uniforms.Uses("terrainColorKind"))
+  if (!uniforms.Uses("terrainColorKind"))
   {
-    const int texels = this->OfCells ? 1 : 4;
-    const glm::ivec2 needed(
-      this->Kind == Kinds::Values ? texels : 0, this->Kind == Kinds::Colors ? texels : 0);
-    // Both scales in one, made in double: values may lie far from 0.
-    const glm::dvec2 value = this->ValueScale(heights);
-    const glm::dvec2 color = this->Logarithm
-      ? this->ColorScale
-      : glm::dvec2(this->ColorScale.x * value.x, this->ColorScale.x * value.y + this->ColorScale.y);
-    uniforms.Set("terrainColorKind", static_cast<int>(this->Kind));
-    uniforms.Set("terrainArrayTexels", needed);
-    uniforms.SetArray("terrainSpecialColors", 3, this->SpecialColors.data());
-    uniforms.Set("terrainValueScale", glm::vec2(value));
-    uniforms.Set("terrainColorScale", glm::vec2(color));
-    uniforms.Set("terrainColorLogarithm", this->Logarithm ? 1 : 0);
+    return;
   }
-  const HeightCodes& codes = heights.GetCodes();
-  const GridGeometry& geometry = heights.GetGeometry();
-  if (uniforms.Uses("terrainGradientScale"))
-  {
-    uniforms.Set("terrainGradientScale", glm::vec2(codes.Scale / geometry.Spacing));
-  }
+  this->SetColorUniforms(uniforms, codes);
+  this->SetLineUniforms(uniforms, codes, look);
+  uniforms.Set("terrainGradientScale", glm::vec2(codes.Scale / geometry.Spacing));
+  uniforms.Set(
+    "terrainMaximumShownCrossings", static_cast<float>(look->GetMaximumShownCrossings()));
   if (uniforms.Uses("terrainDrapeScale"))
   {
-    const std::array<double, 4>& bounds = this->DrapeBounds;
+    std::array<double, 4> bounds{};
+    look->GetDrapeBounds(bounds.data());
     const glm::dvec2 size(bounds[1] - bounds[0], bounds[3] - bounds[2]);
     const glm::dvec2 corner(bounds[0], bounds[2]);
     uniforms.Set("terrainDrapeScale",
       glm::vec4(
         glm::dvec4(geometry.Spacing / size, (glm::dvec2(geometry.Origin) - corner) / size)));
-  }
-  if (uniforms.Uses("terrainSunDirection"))
-  {
-    const double azimuth = vtkMath::RadiansFromDegrees(this->HillshadeAzimuth);
-    const double altitude = vtkMath::RadiansFromDegrees(this->HillshadeAltitude);
-    const glm::vec3 sun(std::sin(azimuth) * std::cos(altitude),
-      std::cos(azimuth) * std::cos(altitude), std::sin(altitude));
-    uniforms.SetArray("terrainSunDirection", 1, &sun);
-    uniforms.Set("terrainShadeRelief", static_cast<float>(exaggeration));
-    uniforms.Set("terrainShadeStrength", this->Hillshade && !this->ShowCrossings ? 1.0f : 0.0f);
-  }
-  if (uniforms.Uses("terrainContourScale"))
-  {
-    const double number = codes.Offset / this->ContourInterval; // of which only the fraction counts
-    uniforms.Set("terrainContourScale",
-      glm::vec2(codes.Scale / this->ContourInterval, number - std::floor(number)));
-    uniforms.Set("terrainContourWidth", static_cast<float>(this->ContourWidth));
-    const double shown = this->Contours && !this->ShowCrossings ? 1.0 : 0.0;
-    uniforms.Set(
-      "terrainContourColor", glm::vec4(this->ContourColor * glm::dvec4(1.0, 1.0, 1.0, shown)));
-  }
-  if (uniforms.Uses("terrainMaximumShownCrossings"))
-  {
-    uniforms.Set("terrainMaximumShownCrossings", static_cast<float>(this->MaximumShownCrossings));
   }
 }
 }

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Heights on the GPU: one texture of height codes (core/grid/HeightCodes.h), uploaded when the
- * image that holds them has changed; and, if there is any, the detail that is added to them.
- * Private to the module.
+ * One surface on the GPU: the texture of its height codes (core/grid/HeightCodes.h), uploaded when
+ * the image that holds them has changed, with their pyramid and their mean slopes; the detail that
+ * is added to them, if there is any; and the textures of its colours. Private to the module.
+ *
+ * Host memory beside the image: the pyramid, 2/3 of the texels' bytes, and the sums of the slopes,
+ * by which parts are brought up to date. The texels are encoded anew where they are needed.
  */
-#ifndef vtkTerrain_render_HeightTexture_h
-#define vtkTerrain_render_HeightTexture_h
+#ifndef vtkTerrain_render_SurfaceTextures_h
+#define vtkTerrain_render_SurfaceTextures_h
 
 #include "render/DetailTexture.h"
+#include "render/Paint.h"
 #include "render/PyramidTexture.h"
 #include "render/SlopeTexture.h"
 
@@ -24,6 +28,7 @@
 
 #include <glm/glm.hpp>
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,12 +40,18 @@ namespace terrain
 {
 class Uniforms;
 
-class HeightTexture
+class SurfaceTextures
 {
 public:
   /// Takes over the image: size, place and range of the heights. Returns an empty string, or one
   /// sentence that says why the image cannot be used.
   std::string SetImage(vtkImageData* image);
+
+  /// Null if there is none, or it cannot be used.
+  vtkImageData* GetImage()
+  {
+    return this->Image;
+  }
 
   /// Takes over an image of detail, null for none; call it after SetImage(). There are 2^level
   /// cells of the detail along a cell of the heights, and scale times its heights is added. Returns
@@ -56,11 +67,6 @@ public:
     return this->HasDetail() ? this->DetailLevel : 0;
   }
 
-  /// Lowest and highest height that the detail adds, in height units; 0, 0 without detail.
-  glm::dvec2 GetDetailRange() const;
-  /// A height below all heights without detail, and above the floor of their coarse mesh.
-  double GetFloorThreshold() const;
-
   /// Takes over a part of the image that was taken over before, and of which nothing else has
   /// changed since. Where the part's heights do not fit the codes in use, or the image is another
   /// one, it is left to SetImage() to take it over whole.
@@ -73,11 +79,17 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
+  /// The colours; call its Update() after Upload() and before Activate().
+  Paint Colors;
+
   /// Makes the textures current for drawing and sets their uniforms
-  /// (shaders/vtkTerrainHeights.glsl, shaders/vtkTerrainPyramid.glsl).
+  /// (shaders/vtkTerrainHeights.glsl, vtkTerrainPyramid.glsl, vtkTerrainGradient.glsl,
+  /// vtkTerrainColor.glsl).
   void Activate();
   void Deactivate();
-  void SetUniforms(Uniforms& uniforms);
+  void SetUniforms(Uniforms& uniforms, const vtkTerrainLook* look);
+  /// Adds what shaders have to know of these textures.
+  void AddFeatures(Features& features) const;
 
   ///@{
   /// Codes, place and samples of the surface: of the sum, if there is detail.
@@ -97,11 +109,6 @@ public:
   /// True if there is at least one cell and one height.
   bool HasSurface() const;
 
-  /// True if the pyramid is a buffer, TERRAIN_PYRAMID_BUFFER in shaders.
-  bool HasPyramidBuffer() const
-  {
-    return this->Extremes.IsBuffer();
-  }
   /// Top level of the pyramid on the graphics card.
   int GetPyramidTop() const
   {
@@ -122,24 +129,22 @@ public:
   vtkIdType GetMemorySize() const;
 
 private:
-  /// The texels and their pyramid, kept so that a window of them can be brought up to date.
+  /// Texels of all samples, of which a rectangle has been encoded: memory that is never written is
+  /// never taken.
   template <typename Texel>
-  struct Store
-  {
-    std::vector<Texel> Texels;
-    MinMaxPyramid<Texel> Pyramid;
-  };
+  using Texels = std::unique_ptr<Texel[]>;
 
   template <typename Texel>
-  HeightfieldView<Texel> TexelView(const Store<Texel>& store) const;
+  Texels<Texel> Encode(const GridRectangle& samples) const;
   template <typename Texel>
-  bool UploadHeights(Store<Texel>& store);
+  HeightfieldView<Texel> TexelView(const Texels<Texel>& texels) const;
   template <typename Texel>
-  bool UploadPyramid(vtkOpenGLRenderWindow* window, Store<Texel>& store);
+  bool UploadWhole(
+    vtkOpenGLRenderWindow* window, MinMaxPyramid<Texel>& pyramid, bool heights, bool withPyramid);
   template <typename Texel>
-  void UploadPart(Store<Texel>& store, const GridRectangle& samples);
+  void UploadPart(MinMaxPyramid<Texel>& pyramid, const GridRectangle& samples);
   template <typename Texel>
-  void SendTexels(const Store<Texel>& store, const GridRectangle& part);
+  void SendTexels(const Texels<Texel>& texels, const GridRectangle& part);
   std::string Prepare(vtkOpenGLRenderWindow* window);
 
   vtkWeakPointer<vtkImageData> Image;
@@ -153,7 +158,8 @@ private:
   HeightCodes Codes;
   GridGeometry Geometry;
   glm::ivec2 Size{ 0, 0 };
-  std::variant<Store<unsigned short>, Store<float>> Data;
+  /// Kept so that parts can be brought up to date.
+  std::variant<MinMaxPyramid<unsigned short>, MinMaxPyramid<float>> Pyramid;
   glm::ivec2 PyramidSize{ 0, 0 };
   int PyramidTop = 0;
   struct Surface

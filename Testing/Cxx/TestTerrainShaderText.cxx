@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What makes the text of shaders: the features that they are built for, how VTK's text is edited,
+// and the ways of the driver.
+#include "vtkTerrainTesting.h"
+
+#include "render/Driver.h"
+#include "render/Features.h"
+#include "render/ShaderText.h"
+#include "render/UniformPasser.h"
+
+#include "vtkNew.h"
+#include "vtkShader.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+using terrain::Driver;
+using terrain::Features;
+
+bool has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+/// Features that differ from those of no way in one member each.
+std::vector<Features> singleFeatures()
+{
+  std::vector<Features> all;
+  const auto add = [&all](auto member, auto value)
+  {
+    Features features;
+    features.*member = value;
+    all.push_back(features);
+  };
+  for (const auto way : { Features::Ways::Mesh, Features::Ways::Linear, Features::Ways::Exponential,
+         Features::Ways::Equidistant, Features::Ways::Pyramid })
+  {
+    add(&Features::Way, way);
+  }
+  for (const auto member :
+    { &Features::IntegerHeights, &Features::BuffersPyramid, &Features::Gathers, &Features::Detail,
+      &Features::Columns, &Features::Within, &Features::Block, &Features::BelowBox,
+      &Features::ReadsSightings, &Features::ShiftsDepth, &Features::Textured, &Features::Paints })
+  {
+    add(member, true);
+  }
+  for (const auto member :
+    { &Features::ClipPlanes, &Features::BeamPixels, &Features::DrapeComponents })
+  {
+    add(member, 3);
+  }
+  return all;
+}
+
+// A program built for one of them is another one than that for any other, by its text and by its
+// key.
+TEST(TerrainFeatures, AreDefinesAndKey)
+{
+  const std::vector<Features> all = singleFeatures();
+  std::set<std::string> texts{ Features().Defines() };
+  for (const Features& features : all)
+  {
+    EXPECT_EQ(features, Features(features));
+    EXPECT_NE(features, Features()) << features.Defines();
+    texts.insert(features.Defines());
+  }
+  EXPECT_EQ(texts.size(), all.size() + 1);
+}
+
+// Names of conditions in our GLSL are those that features define, or it is a typing error.
+TEST(TerrainFeatures, DefineEveryNameThatShadersAskFor)
+{
+  std::string defined = Features::Constants();
+  for (const Features& features : singleFeatures())
+  {
+    defined += features.Defines();
+  }
+  const std::string name = "TERRAIN_";
+  for (const char* shader : { "Beam", "BeamCS", "Cast", "Color", "Columns", "Gradient", "Heights",
+         "Pyramid", "Ray", "Search", "Sighting", "SightingCS", "Surface", "Trace", "View" })
+  {
+    const std::string text = vtkTerrainTesting::ReadShader(std::string("vtkTerrain") + shader);
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
+    {
+      const std::string found =
+        text.substr(at, text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", at) - at);
+      EXPECT_TRUE(found == "TERRAIN_VISIT" || has(defined, "#define " + found)) << found;
+    }
+  }
+}
+
+// The hit lies behind the proxy only where nothing shifts its depth.
+TEST(TerrainFeatures, ShiftedDepthIsNotDeclaredGreater)
+{
+  Features features;
+  features.Way = Features::Ways::Linear;
+  features.BelowBox = true;
+  EXPECT_FALSE(has(features.Defines(), "TERRAIN_DEPTH_OFFSET"));
+  features.ShiftsDepth = true;
+  EXPECT_TRUE(has(features.Defines(), "#define TERRAIN_DEPTH_OFFSET\n"));
+}
+
+TEST(TerrainShaderText, EditsOutsideItsMarks)
+{
+  vtkNew<vtkShader> shader;
+  shader->SetSource("//VTK::Depth::Impl\nx = gl_FragCoord.z + gl_FragCoord.z;\n");
+  std::string problem;
+  terrain::ShaderText text(shader, problem);
+  text.Before("//VTK::Depth::Impl", "y = gl_FragCoord.z;");
+  text.Behind("//VTK::Depth::Impl", "z = gl_FragCoord.z;\n");
+  EXPECT_TRUE(text.Follow("gl_FragCoord.z", "gl_FragDepth"));
+  text.Forbid("gl_FragCoord", "nothing");
+  const std::string source = shader->GetSource();
+  EXPECT_TRUE(has(source, "x = gl_FragDepth + gl_FragDepth;")) << source;
+  EXPECT_TRUE(has(source, "\ny = gl_FragCoord.z;\n")) << source;
+  EXPECT_TRUE(has(source, "\nz = gl_FragCoord.z;\n")) << source;
+  EXPECT_LT(source.find("y ="), source.find("//VTK::Depth::Impl"));
+  EXPECT_LT(source.find("//VTK::Depth::Impl"), source.find("z ="));
+  EXPECT_EQ(problem, "");
+  text.Replace("//VTK::Depth::Impl", "w = 0.0;");
+  EXPECT_FALSE(has(shader->GetSource(), "//VTK::Depth::Impl"));
+  EXPECT_FALSE(text.Follow("gl_FragCoord.z", "gl_FragDepth"));
+  EXPECT_EQ(problem, "");
+}
+
+TEST(TerrainShaderText, KeepsTheFirstProblem)
+{
+  vtkNew<vtkShader> shader;
+  shader->SetSource("void main() { gl_FrontFacing; }\n");
+  std::string problem;
+  terrain::ShaderText text(shader, problem);
+  text.Require("texture(a)", "b", "there would be none");
+  EXPECT_EQ(problem, "there is no \"texture(a)\": there would be none");
+  text.Replace("//VTK::Depth::Impl", "w = 0.0;");
+  text.Forbid("gl_FrontFacing", "sides");
+  EXPECT_EQ(problem, "there is no \"texture(a)\": there would be none");
+  EXPECT_EQ(shader->GetSource(), "void main() { gl_FrontFacing; }\n");
+  for (const auto& [breakIt, words] :
+    std::vector<std::pair<std::function<void(terrain::ShaderText&)>, std::string>>{
+      { [](auto& broken) { broken.Behind("//VTK::Gone::Dec", "a"); }, "//VTK::Gone::Dec" },
+      { [](auto& broken) { broken.Forbid("gl_FrontFacing", "sides"); }, "gl_FrontFacing" } })
+  {
+    std::string other;
+    terrain::ShaderText broken(shader, other);
+    breakIt(broken);
+    EXPECT_TRUE(has(other, words)) << other;
+  }
+}
+
+TEST(TerrainUniformPasser, PassesWhatIsRead)
+{
+  std::string vertex = "uniform float shared;\nvoid main()\n{\n}\n";
+  std::string fragment =
+    "#define TERRAIN_A\nuniform float shared;\nuniform vec3 first;\n"
+    "#ifdef TERRAIN_A\nuniform int second; // of A\n#else\nuniform int third;\n"
+    "#endif\n#ifndef TERRAIN_AB\nuniform mat3 fourth;\n#endif\n"
+    "#ifdef OTHER\nuniform vec2 fifth;\n#endif\nuniform vec4 array[2];\n"
+    "uniform sampler2D texture;\nvoid main() { }\n";
+  terrain::PassUniforms(vertex, fragment);
+  for (const std::string passed : { "vec3 first", "int second", "mat3 fourth", "vec2 fifth" })
+  {
+    EXPECT_TRUE(has(fragment, "flat in " + passed + "VSOutput;")) << passed;
+    EXPECT_TRUE(has(vertex, "uniform " + passed + ";\nflat out " + passed + "VSOutput;")) << passed;
+  }
+  for (const std::string kept :
+    { "float shared", "int third", "vec4 array[2]", "sampler2D texture" })
+  {
+    EXPECT_TRUE(has(fragment, "uniform " + kept + ";")) << kept;
+  }
+  EXPECT_TRUE(has(vertex, "{\n  firstVSOutput = first;\n"));
+}
+
+TEST(TerrainUniformPasser, LeavesStrangeShadersAlone)
+{
+  for (const std::string source : { "", "void main();", "int main(void) { }", "#endif\n#else\n" })
+  {
+    std::string vertex = source;
+    std::string fragment = "#endif\n#else\n#elif\nuniform float a;\n#ifdef\n";
+    terrain::PassUniforms(vertex, fragment);
+    EXPECT_EQ(vertex, source);
+    EXPECT_TRUE(has(fragment, "uniform float a;"));
+  }
+  // more than there is room for
+  std::string vertex = "void main() {}";
+  std::string fragment;
+  for (int i = 0; i < 40; ++i)
+  {
+    fragment += "uniform vec4 u" + std::to_string(i) + "x;\n";
+  }
+  terrain::PassUniforms(vertex, fragment);
+  EXPECT_TRUE(has(fragment, "flat in vec4 u29x"));
+  EXPECT_TRUE(has(fragment, "uniform vec4 u30x;"));
+}
+
+TEST(TerrainDriver, TakesWordsFromLeftToRight)
+{
+  Driver driver = Driver::Software();
+  EXPECT_EQ(driver.Apply("levels,plain,compute,fetch,anisotropic"), "");
+  EXPECT_FALSE(driver.BuffersPyramid || driver.PassesUniforms || driver.Gathers);
+  EXPECT_TRUE(driver.ComputesSightings);
+  EXPECT_EQ(driver.Anisotropy, 16.0f);
+  EXPECT_EQ(driver.Apply("graphics,buffer,passed,fragment,isotropic"), "");
+  EXPECT_TRUE(driver.BuffersPyramid && driver.PassesUniforms && driver.Gathers);
+  EXPECT_FALSE(driver.ComputesSightings);
+  EXPECT_EQ(driver.Anisotropy, 1.0f);
+  EXPECT_EQ(driver.Apply("software"), "");
+  EXPECT_TRUE(driver.BuffersPyramid);
+  EXPECT_EQ(driver.Apply(""), "");
+  EXPECT_EQ(driver.Apply("gather,llvmpipe,fetch"), "llvmpipe");
+}
+}

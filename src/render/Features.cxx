@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/Features.h"
+
+#include "core/rays/PyramidBeam.h"
+#include "core/surface/Columns.h"
+#include "core/surface/HeightSlopes.h"
+
+#include <array>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+#include <tuple>
+
+namespace terrain
+{
+namespace
+{
+template <typename Value>
+std::string define(const char* name, Value value)
+{
+  std::ostringstream line;
+  line.imbue(std::locale::classic());
+  line << "#define " << name << " (" << std::scientific << std::setprecision(9) << value << ")\n";
+  return line.str();
+}
+
+std::string defineIf(const char* name, bool is)
+{
+  return is ? std::string("#define ") + name + "\n" : std::string();
+}
+
+/// A number that #if may compare; nothing for 0.
+std::string defineNumber(const char* name, int number)
+{
+  return number != 0 ? std::string("#define ") + name + " " + std::to_string(number) + "\n"
+                     : std::string();
+}
+
+/// Every feature.
+auto membersOf(const Features& features)
+{
+  return std::tie(features.Way, features.IntegerHeights, features.BuffersPyramid, features.Gathers,
+    features.Detail, features.Columns, features.Within, features.Block, features.BelowBox,
+    features.ReadsSightings, features.ShiftsDepth, features.Textured, features.Paints,
+    features.ClipPlanes, features.BeamPixels, features.DrapeComponents);
+}
+}
+
+//------------------------------------------------------------------------------
+bool Features::operator==(const Features& other) const
+{
+  return membersOf(*this) == membersOf(other);
+}
+
+//------------------------------------------------------------------------------
+std::string Features::Defines() const
+{
+  static constexpr std::array<const char*, 6> ways{ "TERRAIN_NONE", "TERRAIN_MESH",
+    "TERRAIN_LINEAR", "TERRAIN_EXPONENTIAL", "TERRAIN_EQUIDISTANT", "TERRAIN_PYRAMID" };
+  std::string lines = "#extension GL_ARB_gpu_shader_fp64 : enable\n";
+  if (this->Gathers)
+  {
+    lines += "#extension GL_ARB_texture_gather : enable\n"
+             "#ifdef GL_ARB_texture_gather\n"
+             "#define TERRAIN_GATHER\n"
+             "#endif\n";
+  }
+  return lines + defineIf(ways[static_cast<std::size_t>(this->Way)], true) +
+    defineIf("TERRAIN_CAST", this->CastsRays()) +
+    defineIf("TERRAIN_HEIGHTS_INTEGER", this->IntegerHeights) +
+    defineIf("TERRAIN_PYRAMID_BUFFER", this->BuffersPyramid) +
+    defineIf("TERRAIN_DETAIL", this->Detail) + defineIf("TERRAIN_COLUMNS", this->Columns) +
+    defineIf("TERRAIN_WITHIN", this->Within) + defineIf("TERRAIN_BLOCK", this->Block) +
+    defineIf("TERRAIN_BELOW_BOX", this->BelowBox) +
+    defineIf("TERRAIN_READ_SIGHTINGS", this->ReadsSightings) +
+    defineIf("TERRAIN_DEPTH_OFFSET", this->ShiftsDepth) +
+    defineIf("TERRAIN_TEXTURED", this->Textured) + defineIf("TERRAIN_PAINT", this->Paints) +
+    defineNumber("TERRAIN_CLIP_PLANES", this->ClipPlanes) +
+    defineNumber("TERRAIN_BEAM_PIXELS", this->BeamPixels) +
+    defineNumber("TERRAIN_DRAPE", this->DrapeComponents);
+}
+
+//------------------------------------------------------------------------------
+std::string Features::Constants()
+{
+  static constexpr std::array<const char*, 7> kinds{ "terrainOfMaterial", "terrainOfHeight",
+    "terrainOfSlope", "terrainOfAspect", "terrainOfValues", "terrainOfColors",
+    "terrainOfCrossings" };
+  std::string lines = define("terrainBeamSteps", BeamSteps) +
+    define("terrainBeamMargin", BeamMargin) + define("terrainBeamReach", BeamReach) +
+    define("terrainColumnReach", ColumnReach) +
+    define("terrainFirstSlopeLevel", 1.0 * kFirstSlopeLevel) +
+    define("terrainNotANumber", kNotANumber) + define("terrainColorMapSize", kColorMapSize) +
+    defineNumber("TERRAIN_GROUP_SIZE", kGroupSize);
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+  {
+    lines += define(kinds[kind], kind);
+  }
+  return lines;
+}
+}

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a shader of a terrain is built for: one value makes its defines, and tells whether another
+ * program is needed. And the constants that GLSL shares with C++. Private to the module.
+ */
+#ifndef vtkTerrain_render_Features_h
+#define vtkTerrain_render_Features_h
+
+#include <string>
+
+namespace terrain
+{
+/// What the colour of a place is made from; terrainOf... in shaders/vtkTerrainColor.glsl.
+enum class PaintKinds
+{
+  Material,
+  Height,
+  Slope,
+  Aspect,
+  Values,
+  Colors,
+  Crossings
+};
+/// Texels of the colour map.
+constexpr int kColorMapSize = 4096;
+/// In textures of values, for what is no number.
+constexpr float kNotANumber = -3e38f;
+/// Invocations of a compute shader's group, each way.
+constexpr int kGroupSize = 8;
+/// Side of the tiles of pixels whose rays begin at a common start.
+constexpr int kBeamPixels = 8;
+
+struct Features
+{
+  /// How the surface is found: not at all, as in VTK's own program; below the polygons of a mesh;
+  /// by rays.
+  enum class Ways
+  {
+    None,
+    Mesh,
+    Linear,
+    Exponential,
+    Equidistant,
+    Pyramid
+  };
+  Ways Way = Ways::None;
+  bool IntegerHeights = false; ///< texels are 16-bit integers, else floats
+  bool BuffersPyramid = false; ///< the pyramid is a buffer, else a texture with mip levels
+  bool Gathers = false;        ///< textureGather() is used where the driver has it
+  bool Detail = false;         ///< the heights are a sum with repeated detail
+  bool Columns = false;        ///< columns of constant height, else bilinear patches
+  bool Within = false;         ///< a pixel tolerance ends searches
+  bool Block = false;          ///< clipping planes cut a block
+  bool BelowBox = false;       ///< rays begin at the box, else at the near plane
+  bool ReadsSightings = false; ///< a compute shader has cast the rays
+  bool ShiftsDepth = false;    ///< coincident topology moves depths
+  bool Textured = false;       ///< textures of VTK
+  bool Paints = false;         ///< the surface has, or has had, colours of its own
+  int ClipPlanes = 0;          ///< most clipping planes
+  int BeamPixels = 0;          ///< kBeamPixels if starts of tiles are known
+  int DrapeComponents = 0;     ///< of the draped picture
+
+  bool FindsSurface() const
+  {
+    return this->Way != Ways::None;
+  }
+  bool CastsRays() const
+  {
+    return this->Way > Ways::Mesh;
+  }
+  bool operator==(const Features& other) const;
+  bool operator!=(const Features& other) const
+  {
+    return !(*this == other);
+  }
+
+  /// Lines that enable extensions, then one #define line for each feature.
+  std::string Defines() const;
+  /// The #define lines of the constants: the same for all features.
+  static std::string Constants();
+};
+}
+#endif

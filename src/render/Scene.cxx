@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/Scene.h"
+
+#include "core/surface/DetailHeights.h"
+#include "render/Driver.h"
+#include "render/Uniforms.h"
+#include "vtkTerrainLook.h"
+
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+namespace terrain
+{
+//------------------------------------------------------------------------------
+bool Scene::IsFound(vtkActor* actor) const
+{
+  return this->Why.empty() && this->Surface.HasSurface() &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+}
+
+//------------------------------------------------------------------------------
+bool Scene::CastsRays(vtkActor* actor) const
+{
+  return this->GetTechnique().CastsRays() && this->Why.empty() &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+}
+
+//------------------------------------------------------------------------------
+GridGeometry Scene::Geometry() const
+{
+  GridGeometry geometry = this->Surface.GetGeometry();
+  geometry.Exaggeration = this->Look->GetVerticalExaggeration();
+  return geometry;
+}
+
+//------------------------------------------------------------------------------
+SampleRectangle Scene::Drawn() const
+{
+  return this->Cutting.Drawn(
+    this->Surface.GetSize(), this->Surface.HasDetail() ? this->Look->GetDetailCells() : 1);
+}
+
+//------------------------------------------------------------------------------
+bool Scene::Update(vtkImageData* heights, vtkImageData* detail)
+{
+  this->Cutting.Block = this->Look->GetBlock();
+  this->Cutting.BlockBase = this->Look->GetBlockBase();
+  this->Why = this->Surface.SetImage(heights);
+  if (this->Why.empty())
+  {
+    this->Why = this->Surface.SetDetail(
+      detail, LevelOfCells(this->Look->GetDetailCells()), this->Look->GetDetailScale());
+  }
+  if (!this->Why.empty())
+  {
+    this->Proxy.Clear();
+    return false;
+  }
+  const HeightCodes& codes = this->Surface.GetCodes();
+  this->Proxy.Update(this->Surface.GetGeometry(), codes, this->Surface.GetSize(),
+    this->Cutting.Lowest(codes.ToHeight(0.0)));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Scene::GetBounds(double bounds[6]) const
+{
+  const GridGeometry geometry = this->Geometry();
+  const HeightCodes& codes = this->Surface.GetCodes();
+  const SampleRectangle drawn = this->Drawn();
+  const glm::dvec3 low = geometry.ToModel(drawn.First, this->Cutting.Lowest(codes.ToHeight(0.0)));
+  const glm::dvec3 high = geometry.ToModel(drawn.Last, codes.ToHeight(codes.MaximumCode));
+  vtkBoundingBox box;
+  box.AddPoint(low.x, low.y, low.z);
+  box.AddPoint(high.x, high.y, high.z);
+  box.GetBounds(bounds);
+}
+
+//------------------------------------------------------------------------------
+std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->Why = this->Surface.Upload(window, this->CastsRays(actor));
+  if (!this->Why.empty())
+  {
+    return "Cannot draw the terrain: " + this->Why;
+  }
+  std::string words =
+    this->Surface.Colors.Update(this->Mapper, this->Surface.GetImage(), this->Look, window);
+  this->Surface.Activate();
+  const HeightCodes& codes = this->Surface.GetCodes();
+  this->View.Update(
+    renderer, actor, ModelFromGrid(this->Geometry(), codes), this->Proxy.GetBounds());
+  this->View.SetClippingPlanes(this->Mapper, actor,
+    this->Cutting.PlanesGC(this->Drawn(), codes.ToCode(this->Cutting.BlockBase)));
+  const int planes = this->Mapper->GetNumberOfClippingPlanes();
+  return !words.empty() || planes <= View::MostMapperPlanes
+    ? words
+    : "At most " + std::to_string(View::MostMapperPlanes) +
+      " clipping planes cut the terrain, not " + std::to_string(planes);
+}
+
+//------------------------------------------------------------------------------
+PrepassFrame Scene::MakeFrame(vtkRenderer* renderer, vtkActor* actor, const Features& features)
+{
+  PrepassFrame frame;
+  frame.Window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  frame.Size = this->View.GetSize();
+  frame.Features = features;
+  frame.SetUniforms = [this, actor](Uniforms& uniforms) { this->SetUniforms(uniforms, actor); };
+  return frame;
+}
+
+//------------------------------------------------------------------------------
+std::string Scene::PrepareBeams(vtkRenderer* renderer, vtkActor* actor, const Features& features)
+{
+  const bool uses = this->Look->GetUseBeams() && features.CastsRays() && !features.Columns &&
+    !features.Block && // walls may lie before the start
+    ComputeProgram::IsSupported();
+  return uses ? this->Prepass.ComputeBeams(this->MakeFrame(renderer, actor, features))
+              : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string Scene::BeginLayer(
+  int layer, vtkRenderer* renderer, vtkActor* actor, const Features& features)
+{
+  this->Layer = layer;
+  this->Prepass.ForgetSightings();
+  const vtkTerrainLook::ComputeModes mode = this->Look->GetComputeMode();
+  const bool uses = features.CastsRays() && mode != vtkTerrainLook::ComputeModes::Off &&
+    (mode == vtkTerrainLook::ComputeModes::On || Driver::Current().ComputesSightings) &&
+    !this->Look->GetSampleShading() && // sightings are one a pixel
+    ComputeProgram::IsSupported();
+  return uses ? this->Prepass.ComputeSightings(this->MakeFrame(renderer, actor, features))
+              : std::string();
+}
+
+//------------------------------------------------------------------------------
+void Scene::Finish()
+{
+  this->Surface.Deactivate();
+  this->Prepass.Finish();
+}
+
+//------------------------------------------------------------------------------
+void Scene::AddFeatures(Features& features) const
+{
+  const Technique technique = this->GetTechnique();
+  features.Way = technique.GetWay();
+  features.Gathers = Driver::Current().Gathers;
+  features.Block = this->Look->GetBlock();
+  // planes that cut the surface are a tenth of a frame on processors that run both sides of a
+  // branch
+  const bool cuts = this->Mapper->GetNumberOfClippingPlanes() > 0 || this->Cutting.Cuts();
+  features.ClipPlanes = cuts ? MaximumClipPlanes : 0;
+  this->Surface.AddFeatures(features);
+  if (technique.CastsRays())
+  {
+    features.BelowBox = !this->View.IsEyeInBox();
+    this->Prepass.AddFeatures(features);
+  }
+  if (technique.IsExact())
+  {
+    features.Columns = this->Look->GetSurface() == vtkTerrainLook::Surfaces::Columns;
+    features.Within = this->Look->GetPixelTolerance() > 0.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Scene::SetUniforms(Uniforms& uniforms, vtkActor* actor)
+{
+  this->Surface.SetUniforms(uniforms, this->Look);
+  this->View.SetUniforms(uniforms);
+  this->View.SetTolerance(uniforms, this->Look->GetPixelTolerance());
+  this->GetTechnique().SetSearchUniforms(uniforms, this->Look, this->Surface);
+  this->Prepass.SetUniforms(uniforms, this->Surface);
+  vtkProperty* property = actor->GetProperty();
+  uniforms.Set("terrainLayer", this->Layer);
+  uniforms.Set(
+    "terrainCulled", glm::ivec2(property->GetFrontfaceCulling(), property->GetBackfaceCulling()));
+  uniforms.Set("terrainFlat", property->GetInterpolation() == VTK_FLAT ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+// In double precision: the heights that are drawn may be far larger than those in the buffer.
+void Scene::ExaggerateVertices(Uniforms& uniforms, vtkRenderer* renderer, vtkActor* actor,
+  vtkOpenGLVertexBufferObjectGroup* buffers) const
+{
+  if (this->Why.empty() && this->Look->GetVerticalExaggeration() != 1.0)
+  {
+    const CameraMatrices camera(renderer);
+    const glm::dmat4 viewFromBuffer = camera.ViewFromWorld * ToGlm(actor->GetMatrix()) *
+      ExaggeratedModel(this->Geometry()) * ModelFromBuffer(buffers);
+    uniforms.Set("MCVCMatrix", glm::mat4(viewFromBuffer));
+    uniforms.Set("MCDCMatrix", glm::mat4(camera.DisplayFromView * viewFromBuffer));
+  }
+}
+
+//------------------------------------------------------------------------------
+void Scene::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Surface.ReleaseGraphicsResources(window);
+  this->Prepass.ReleaseGraphicsResources(window);
+}
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A surface with a look as one mapper draws it: what the recipe of vtkOpenGLTerrainMapper works
+ * with. Private to the module.
+ *
+ * Three life times are in it: Surface, Cutting and Proxy follow the inputs, View and Prepass a
+ * view, Layer one drawing of it.
+ */
+#ifndef vtkTerrain_render_Scene_h
+#define vtkTerrain_render_Scene_h
+
+#include "core/surface/Cutting.h"
+#include "render/Prepass.h"
+#include "render/Proxy.h"
+#include "render/SurfaceTextures.h"
+#include "render/Technique.h"
+#include "render/View.h"
+
+#include <string>
+
+class vtkActor;
+class vtkImageData;
+class vtkMapper;
+class vtkRenderer;
+class vtkTerrainLook;
+
+namespace terrain
+{
+class Scene
+{
+public:
+  /// Both outlive the scene.
+  Scene(vtkMapper* mapper, vtkTerrainLook* look)
+    : Mapper(mapper)
+    , Look(look)
+  {
+  }
+
+  ///@{
+  /// Update: takes over heights and detail (null for none). False if they cannot be used; Why is
+  /// then one sentence that says why, else empty.
+  bool Update(vtkImageData* heights, vtkImageData* detail);
+  std::string Why;
+  ///@}
+
+  /// Bounds of what is drawn, exaggerated, in model coordinates; there must be a surface.
+  void GetBounds(double bounds[6]) const;
+
+  /// Prepare: brings what the graphics card holds up to date, the pyramid if rays are
+  /// cast, and looks at it through the renderer's camera. Returns an empty string, or what cannot
+  /// be drawn; nothing at all if there is a Why.
+  std::string Prepare(vtkRenderer* renderer, vtkActor* actor);
+  /// Prepare: computes where rays begin, if the look and the driver want that. Returns the
+  /// compiler's words, or an empty string.
+  std::string PrepareBeams(vtkRenderer* renderer, vtkActor* actor, const Features& features);
+  /// Draw: begins a layer: casts its rays ahead, if the look and the driver want that. Returns the
+  /// compiler's words, or an empty string.
+  std::string BeginLayer(
+    int layer, vtkRenderer* renderer, vtkActor* actor, const Features& features);
+  void Finish();
+
+  /// True if an actor shows the surface, not the lines and points of the mapper's port 0.
+  bool IsFound(vtkActor* actor) const;
+  /// True if the technique casts rays for it.
+  bool CastsRays(vtkActor* actor) const;
+  /// The technique in use.
+  Technique GetTechnique() const
+  {
+    return Technique(this->Look->GetTechnique());
+  }
+  /// Adds what programs have to know of the technique, the surface, the view and the prepass.
+  void AddFeatures(Features& features) const;
+  /// The uniforms of all programs that have to do with the surface.
+  void SetUniforms(Uniforms& uniforms, vtkActor* actor);
+  /// The matrices of vertices, which the superclass has set for what is not exaggerated.
+  void ExaggerateVertices(Uniforms& uniforms, vtkRenderer* renderer, vtkActor* actor,
+    vtkOpenGLVertexBufferObjectGroup* buffers) const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  SurfaceTextures Surface;
+  terrain::Cutting Cutting;
+  terrain::Proxy Proxy;
+  terrain::View View;
+  terrain::Prepass Prepass;
+
+private:
+  GridGeometry Geometry() const;
+  SampleRectangle Drawn() const;
+  PrepassFrame MakeFrame(vtkRenderer* renderer, vtkActor* actor, const Features& features);
+
+  vtkMapper* Mapper;
+  vtkTerrainLook* Look;
+  /// Surfaces that rays pass by.
+  int Layer = 0;
+};
+}
+#endif

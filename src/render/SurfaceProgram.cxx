@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/SurfaceProgram.h"
+
+#include "render/Driver.h"
+#include "render/ShaderText.h"
+#include "render/Technique.h"
+#include "render/UniformPasser.h"
+
+namespace terrain
+{
+//------------------------------------------------------------------------------
+void SurfaceProgram::Begin(const terrain::Features& features, Shaders& shaders)
+{
+  this->Features = features;
+  this->Problem.clear();
+  if (features.FindsSurface())
+  {
+    ShaderText fragment(shaders[vtkShader::Fragment], this->Problem);
+    fragment.Behind(
+      "//VTK::System::Dec", "#extension GL_ARB_conservative_depth : enable\n" + features.Defines());
+    fragment.Behind("//VTK::Camera::Dec", Technique::FragmentFunctions(features));
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceProgram::PlaceVertices(Shaders& shaders)
+{
+  ShaderText vertex(shaders[vtkShader::Vertex], this->Problem);
+  vertex.Replace("//VTK::Camera::Dec", "uniform mat4 MCDCMatrix;\nuniform mat4 MCVCMatrix;\n");
+  vertex.Replace("//VTK::PositionVC::Dec", "out vec4 vertexVCVSOutput;\n");
+  vertex.Replace("//VTK::PositionVC::Impl",
+    "  vertexVCVSOutput = MCVCMatrix * vertexMC;\n  gl_Position = MCDCMatrix * vertexMC;\n");
+  ShaderText fragment(shaders[vtkShader::Fragment], this->Problem);
+  fragment.Replace("//VTK::PositionVC::Dec", "in vec4 vertexVCVSOutput;\n");
+  fragment.Replace("//VTK::PositionVC::Impl", "  vec4 vertexVC = vertexVCVSOutput;\n");
+}
+
+//------------------------------------------------------------------------------
+void SurfaceProgram::FindSurface(Shaders& shaders)
+{
+  if (!this->Features.FindsSurface())
+  {
+    return;
+  }
+  std::string code = this->Features.CastsRays()
+    ? "  TerrainSurface terrainPoint = terrainSeen(gl_FragCoord.xy, vertexVC);\n"
+      "  if (!terrainPoint.found) { discard; }\n"
+      "  vertexVC = terrainPoint.positionVC;\n"
+      "  gl_FragDepth = terrainFragmentDepth(vertexVC, gl_FragCoord.z);\n"
+    : "  TerrainSurface terrainPoint = terrainBelow(vertexVC, gl_FrontFacing);\n";
+  if (this->Features.Textured)
+  {
+    code += "  tcoordVCVSOutput = terrainTexturePosition(terrainPoint);\n"
+            "  mat2 terrainTextureMove = terrainTextureFootprint(gl_FragCoord.xy, terrainPoint);\n";
+  }
+  ShaderText(shaders[vtkShader::Fragment], this->Problem).Before("//VTK::Depth::Impl", code);
+}
+
+//------------------------------------------------------------------------------
+void SurfaceProgram::ShiftDepth(Shaders& shaders)
+{
+  if (this->Features.ShiftsDepth)
+  {
+    ShaderText fragment(shaders[vtkShader::Fragment], this->Problem);
+    fragment.Replace("//VTK::Coincident::Dec",
+      "uniform float cOffset;\nuniform float cFactor; // stays 0 before VTK 9.3\n");
+    fragment.Behind("//VTK::Depth::Impl",
+      "  gl_FragDepth =\n"
+      "    terrainShiftedDepth(gl_FragCoord.xy, terrainPoint, cFactor, cOffset);\n");
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceProgram::ReplaceNormal(Shaders& shaders, bool hasCoat)
+{
+  std::string normals = "  vec3 normalVCVSOutput = terrainPoint.normalVC;\n";
+  normals += hasCoat ? "  vec3 coatNormalVCVSOutput = terrainPoint.normalVC;\n" : "";
+  ShaderText(shaders[vtkShader::Fragment], this->Problem).Replace("//VTK::Normal::Impl", normals);
+}
+
+//------------------------------------------------------------------------------
+void SurfaceProgram::PaintColors(Shaders& shaders)
+{
+  if (this->Features.Paints)
+  {
+    ShaderText(shaders[vtkShader::Fragment], this->Problem)
+      .Behind("//VTK::Color::Impl",
+        "  terrainPaintMaterial(gl_FragCoord.xy, terrainPoint, ambientIntensity,\n"
+        "    diffuseIntensity, ambientColor, diffuseColor, opacity);\n");
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceProgram::FollowTextures(Shaders& shaders, bool isActorTextured)
+{
+  if (!this->Features.Textured)
+  {
+    return;
+  }
+  ShaderText fragment(shaders[vtkShader::Fragment], this->Problem);
+  fragment.Require(
+    "in vec2 tcoordVCVSOutput;", "vec2 tcoordVCVSOutput;", "textures would lie on the proxy");
+  if (isActorTextured)
+  {
+    // neighbouring pixels may show far places: the surface tells how its texture changes
+    fragment.Require("texture(actortexture, tcoordVCVSOutput)",
+      "textureGrad(actortexture, tcoordVCVSOutput, terrainTextureMove[0], terrainTextureMove[1])",
+      "the texture would be blurred along silhouettes");
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceProgram::ClipMesh(Shaders& shaders)
+{
+  if (!this->Features.CastsRays())
+  {
+    ShaderText(shaders[vtkShader::Fragment], this->Problem)
+      .Replace("//VTK::Clip::Impl", "  if (terrainIsClipped(vertexVC)) { discard; }\n");
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceProgram::ReplaceIds(Shaders& shaders, bool ofCells, bool highBits)
+{
+  ShaderText(shaders[vtkShader::Fragment], this->Problem)
+    .Replace("//VTK::Picking::Impl",
+      std::string("  int terrainId = ") +
+        (ofCells ? "terrainCellId(terrainPoint);\n" : "terrainSampleId(terrainPoint);\n") +
+        "  gl_FragData[0] = terrainIdColor(terrainId" + (highBits ? " >> 24);\n" : ");\n"));
+}
+
+//------------------------------------------------------------------------------
+std::string SurfaceProgram::End(Shaders& shaders)
+{
+  if (!this->Features.FindsSurface())
+  {
+    return this->Problem;
+  }
+  ShaderText fragment(shaders[vtkShader::Fragment], this->Problem);
+  // the surface that is hit decides what is its front, not the proxy
+  fragment.Follow("gl_FrontFacing == false", "!terrainPoint.front");
+  fragment.Follow("gl_FrontFacing == true", "terrainPoint.front");
+  fragment.Forbid("gl_FrontFacing", "sides would be those of the proxy");
+  if (this->Features.CastsRays())
+  {
+    fragment.Follow("gl_FragCoord.z", "gl_FragDepth");
+    fragment.Follow("gl_FragCoord.w", "(1.0 / dot(terrainWeightRow, vertexVC))");
+  }
+  // vtkValuePass in its floating-point mode, of points or of cells
+  if (this->Features.Paints && fragment.Follow("in float dataValue;", "float dataValue;") &&
+    !fragment.Follow(
+      "vec4(vec3(dataValue), 1.0)", "vec4(vec3(terrainShownValue(terrainPoint)), 1.0)"))
+  {
+    fragment.Require("texelFetchBuffer(textureF, gl_PrimitiveID +\n    PrimitiveIDOffset)",
+      "vec4(terrainShownValue(terrainPoint))", "the values of vtkValuePass would be the proxy's");
+  }
+  // the vertices of a box are few: to pass uniforms costs nothing
+  if (this->Features.CastsRays() && Driver::Current().PassesUniforms)
+  {
+    std::string vertexSource = shaders[vtkShader::Vertex]->GetSource();
+    std::string fragmentSource = shaders[vtkShader::Fragment]->GetSource();
+    PassUniforms(vertexSource, fragmentSource);
+    shaders[vtkShader::Vertex]->SetSource(vertexSource);
+    shaders[vtkShader::Fragment]->SetSource(fragmentSource);
+  }
+  return this->Problem;
+}
+}

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/Technique.h"
+
+#include "core/rays/HeightSearch.h"
+#include "render/SurfaceTextures.h"
+#include "render/Uniforms.h"
+
+#include "vtkTerrainBeam.h"
+#include "vtkTerrainBeamCS.h"
+#include "vtkTerrainCast.h"
+#include "vtkTerrainColor.h"
+#include "vtkTerrainColumns.h"
+#include "vtkTerrainGradient.h"
+#include "vtkTerrainHeights.h"
+#include "vtkTerrainPyramid.h"
+#include "vtkTerrainRay.h"
+#include "vtkTerrainSearch.h"
+#include "vtkTerrainSighting.h"
+#include "vtkTerrainSightingCS.h"
+#include "vtkTerrainSurface.h"
+#include "vtkTerrainTrace.h"
+#include "vtkTerrainView.h"
+
+#include <cmath>
+
+namespace terrain
+{
+namespace
+{
+Features::Ways wayOf(vtkTerrainLook::Techniques technique)
+{
+  switch (technique)
+  {
+    case vtkTerrainLook::Techniques::Linear:
+      return Features::Ways::Linear;
+    case vtkTerrainLook::Techniques::Exponential:
+      return Features::Ways::Exponential;
+    case vtkTerrainLook::Techniques::Equidistant:
+      return Features::Ways::Equidistant;
+    case vtkTerrainLook::Techniques::Pyramid:
+      return Features::Ways::Pyramid;
+    default:
+      return Features::Ways::Mesh; // strips, too
+  }
+}
+
+SearchKind searchKind(Features::Ways way)
+{
+  switch (way)
+  {
+    case Features::Ways::Linear:
+      return SearchKind::Linear;
+    case Features::Ways::Exponential:
+      return SearchKind::Exponential;
+    default:
+      return SearchKind::Equidistant;
+  }
+}
+
+/// What all programs begin with, after their defines.
+std::string commonFunctions()
+{
+  return Features::Constants() + vtkTerrainHeights + vtkTerrainColumns + vtkTerrainRay +
+    vtkTerrainView;
+}
+
+std::string castFunctions(const Features& features)
+{
+  return std::string(vtkTerrainPyramid) +
+    (features.Way == Features::Ways::Pyramid ? "" : vtkTerrainSearch) + vtkTerrainTrace +
+    vtkTerrainSighting + vtkTerrainCast;
+}
+}
+
+//------------------------------------------------------------------------------
+Technique::Technique(vtkTerrainLook::Techniques technique)
+  : Way(wayOf(technique))
+{
+}
+
+//------------------------------------------------------------------------------
+std::string Technique::FragmentFunctions(const Features& features)
+{
+  std::string functions = commonFunctions();
+  if (features.CastsRays())
+  {
+    functions += features.ReadsSightings ? vtkTerrainSighting : castFunctions(features);
+  }
+  return functions + vtkTerrainGradient + vtkTerrainSurface + vtkTerrainColor;
+}
+
+//------------------------------------------------------------------------------
+std::string Technique::BeamSource(const Features& features)
+{
+  return features.Defines() + commonFunctions() + vtkTerrainPyramid + vtkTerrainBeam +
+    vtkTerrainBeamCS;
+}
+
+//------------------------------------------------------------------------------
+std::string Technique::SightingSource(const Features& features)
+{
+  return features.Defines() + commonFunctions() + castFunctions(features) + vtkTerrainSightingCS;
+}
+
+//------------------------------------------------------------------------------
+void Technique::SetSearchUniforms(
+  Uniforms& uniforms, const vtkTerrainLook* look, const SurfaceTextures& surface) const
+{
+  if (!uniforms.Uses("terrainSecantSteps"))
+  {
+    return;
+  }
+  const HeightCodes& codes = surface.GetCodes();
+  const glm::dvec2 spacing = surface.GetGeometry().Spacing;
+  SearchScene scene;
+  scene.Width = surface.GetSize().x;
+  scene.Height = surface.GetSize().y;
+  scene.MaximumCode = codes.MaximumCode;
+  scene.CodesPerCell =
+    std::sqrt(spacing.x * spacing.y) / (look->GetVerticalExaggeration() * codes.Scale);
+
+  const SearchKind kind = searchKind(this->Way);
+  SearchParameters search = ChooseSearchParameters(scene, kind);
+  search.Steps = look->GetSteps() > 0 ? look->GetSteps() : search.Steps;
+  search.LongSteps = look->GetLongSteps() > 0 ? look->GetLongSteps() : search.LongSteps;
+  search.SecantSteps = look->GetSecantSteps() > 0 ? look->GetSecantSteps() : search.SecantSteps;
+  search.StepLength =
+    look->GetStepLength() > 0.0 ? static_cast<float>(look->GetStepLength()) : search.StepLength;
+  search = BoundSearchParameters(search, kind);
+  uniforms.Set("terrainSteps", search.Steps);
+  uniforms.Set("terrainLongSteps", search.LongSteps);
+  uniforms.Set("terrainSecantSteps", search.SecantSteps);
+  uniforms.Set("terrainStepLength", search.StepLength);
+  uniforms.Set("terrainStepRelief", search.StepRelief);
+  uniforms.Set("terrainStepLevel", search.StepLevel());
+}
+}
