@@ -4,13 +4,19 @@
 // A terrain among other actors: what hides what, and what is seen through what.
 #include "vtkTerrainTestingScene.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkProperty.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 using vtkTerrainTesting::Demands;
 using vtkTerrainTesting::DrawsAsTheMesh;
@@ -153,7 +159,38 @@ TEST(OpenGLTerrainMapperDepth, CoincidentSurfacesAreShifted)
     other.Mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -8.0);
   };
   EXPECT_TRUE(DrawsAsTheMesh(shift));
+  Demands search;
+  search.Technique = Techniques::Equidistant;
+  EXPECT_TRUE(DrawsAsTheMesh(shift, search));
   vtkMapper::SetResolveCoincidentTopology(VTK_RESOLVE_OFF);
+}
+
+// A depth that is shifted to the eye may lie before the box: early depth tests must not rely on it.
+TEST(OpenGLTerrainMapperDepth, ShiftedDepthsAreNotDeclaredGreater)
+{
+  for (const double offset : { 0.0, -8.0 })
+  {
+    std::string source;
+    auto shift = [&](TerrainScene&, const TerrainProp& terrain)
+    {
+      terrain.Mapper->SetResolveCoincidentTopologyToPolygonOffset();
+      terrain.Mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, offset);
+      vtkNew<vtkCallbackCommand> read;
+      read->SetClientData(&source);
+      read->SetCallback(
+        [](vtkObject*, unsigned long, void* text, void* program)
+        {
+          *static_cast<std::string*>(text) =
+            static_cast<vtkShaderProgram*>(program)->GetFragmentShader()->GetSource();
+        });
+      terrain.Mapper->AddObserver(vtkCommand::UpdateShaderEvent, read);
+    };
+    vtkTerrainTesting::DrawScene(shift);
+    vtkMapper::SetResolveCoincidentTopology(VTK_RESOLVE_OFF);
+    const bool shifted = source.find("#define TERRAIN_DEPTH_OFFSET\n") != std::string::npos;
+    EXPECT_NE(source.find("#define TERRAIN_BELOW_BOX\n"), std::string::npos);
+    EXPECT_EQ(shifted, offset != 0.0);
+  }
 }
 
 TEST(OpenGLTerrainMapperDepth, ParallelProjection)

@@ -116,7 +116,6 @@ TEST(TerrainShaderText, EditsOutsideItsMarks)
   text.Before("//VTK::Depth::Impl", "y = gl_FragCoord.z;");
   text.Behind("//VTK::Depth::Impl", "z = gl_FragCoord.z;\n");
   EXPECT_TRUE(text.Follow("gl_FragCoord.z", "gl_FragDepth"));
-  text.Forbid("gl_FragCoord", "nothing");
   const std::string source = shader->GetSource();
   EXPECT_TRUE(has(source, "x = gl_FragDepth + gl_FragDepth;")) << source;
   EXPECT_TRUE(has(source, "\ny = gl_FragCoord.z;\n")) << source;
@@ -139,19 +138,11 @@ TEST(TerrainShaderText, KeepsTheFirstProblem)
   text.Require("texture(a)", "b", "there would be none");
   EXPECT_EQ(problem, "there is no \"texture(a)\": there would be none");
   text.Replace("//VTK::Depth::Impl", "w = 0.0;");
-  text.Forbid("gl_FrontFacing", "sides");
   EXPECT_EQ(problem, "there is no \"texture(a)\": there would be none");
   EXPECT_EQ(shader->GetSource(), "void main() { gl_FrontFacing; }\n");
-  for (const auto& [breakIt, words] :
-    std::vector<std::pair<std::function<void(terrain::ShaderText&)>, std::string>>{
-      { [](auto& broken) { broken.Behind("//VTK::Gone::Dec", "a"); }, "//VTK::Gone::Dec" },
-      { [](auto& broken) { broken.Forbid("gl_FrontFacing", "sides"); }, "gl_FrontFacing" } })
-  {
-    std::string other;
-    terrain::ShaderText broken(shader, other);
-    breakIt(broken);
-    EXPECT_TRUE(has(other, words)) << other;
-  }
+  std::string other;
+  terrain::ShaderText(shader, other).Behind("//VTK::Gone::Dec", "a");
+  EXPECT_EQ(other, "there is no tag //VTK::Gone::Dec");
 }
 
 TEST(TerrainUniformPasser, PassesWhatIsRead)

@@ -32,7 +32,7 @@ if (VTK_VERSION VERSION_LESS 9.4) # Since then the functions of OpenGL come with
 endif ()
 
 function (vtkterrain_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "CORE;IMAGE;DATA;OPTIMIZED" "" "WINDOWS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "CORE;IMAGE;DATA;OPTIMIZED;DRIVER" "" "WINDOWS")
   add_executable(${name} ${name}.cxx)
   target_link_libraries(${name} PRIVATE
     vtkTerrainTestSupport vtkTerrainWarnings
@@ -67,4 +67,10 @@ function (vtkterrain_add_test name)
       LABELS image SKIP_RETURN_CODE 77 TIMEOUT 300
       ENVIRONMENT "${environment};VTK_DEFAULT_OPENGL_WINDOW=${class_${window}}")
   endforeach ()
+  if (arg_DRIVER) # llvmpipe's filter takes wrong texels where it is anisotropic
+    add_test(NAME ${name}-driver COMMAND ${name})
+    set_tests_properties(${name}-driver PROPERTIES
+      LABELS driver SKIP_RETURN_CODE 77 TIMEOUT 300
+      ENVIRONMENT "${environment};VTK_DEFAULT_OPENGL_WINDOW=${class_egl};VTKTERRAIN_DRIVER=graphics,isotropic,fetch")
+  endif ()
 endfunction ()

@@ -97,13 +97,4 @@ void ShaderText::Require(
     this->Note("there is no \"" + pattern + "\": " + what);
   }
 }
-
-//------------------------------------------------------------------------------
-void ShaderText::Forbid(const std::string& word, const std::string& what)
-{
-  if (findOutside(this->Shader->GetSource(), word, 0) != std::string::npos)
-  {
-    this->Note("there is an unknown use of \"" + word + "\": " + what);
-  }
-}
 }

@@ -39,8 +39,6 @@ public:
   bool Follow(const std::string& pattern, const std::string& text);
   /// The same where it must be there; what: the terrain's part that would be wrong without.
   void Require(const std::string& pattern, const std::string& text, const std::string& what);
-  /// Says that VTK's own text must not have a word (any more).
-  void Forbid(const std::string& word, const std::string& what);
 
 private:
   void Insert(const std::string& tag, const std::string& before, const std::string& behind,

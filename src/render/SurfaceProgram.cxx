@@ -139,9 +139,7 @@ std::string SurfaceProgram::End(Shaders& shaders)
   }
   ShaderText fragment(shaders[vtkShader::Fragment], this->Problem);
   // the surface that is hit decides what is its front, not the proxy
-  fragment.Follow("gl_FrontFacing == false", "!terrainPoint.front");
-  fragment.Follow("gl_FrontFacing == true", "terrainPoint.front");
-  fragment.Forbid("gl_FrontFacing", "sides would be those of the proxy");
+  fragment.Follow("gl_FrontFacing", "terrainPoint.front");
   if (this->Features.CastsRays())
   {
     fragment.Follow("gl_FragCoord.z", "gl_FragDepth");
