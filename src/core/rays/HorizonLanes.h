@@ -91,22 +91,36 @@ struct HorizonLanes
     return this->Way.Drop - this->Way.Twist * twist;
   }
 
-  /// Raises the horizons to the highest tangent within a cell, where that is not at its border.
-  TERRAIN_LANES_INLINE void RaiseWithin(
-    const WayStep<Real>& step, Value curvature, Value enter, Value exit, Value border)
+  /// The part of rise = b t - curvature t^2 - deficit over a cell.
+  TERRAIN_LANES_INLINE static Value DeficitOf(
+    const WayStep<Real>& step, Value curvature, Value enter, Value exit)
   {
-    const Value most = border + curvature * step.Bulge;
-    const Value deficit =
-      exit * step.EnterShare - enter * step.ExitShare + curvature * step.EnterExit;
-    const Mask within = (most > this->Best) & (deficit > curvature * step.EnterEnter) &
-      (deficit < curvature * step.ExitExit);
-    if (L::Any(within))
-    {
-      const Value root = L::Root(within ? deficit * step.Inverse : Value{}) -
-        L::Root(within ? curvature * step.Exit : Value{});
-      const Value summit = exit * step.Inverse + root * root;
-      this->Best = within & (summit > this->Best) ? summit : this->Best;
-    }
+    return exit * step.EnterShare - enter * step.ExitShare + curvature * step.EnterExit;
+  }
+
+  /// Lanes in which the highest tangent of a cell lies within it and may be above the horizon.
+  /// border: the higher one of the tangents at its border.
+  TERRAIN_LANES_INLINE Mask RisesWithin(
+    const WayStep<Real>& step, Value curvature, Value deficit, Value border) const
+  {
+    return (border + curvature * step.Bulge > this->Best) &
+      (deficit > curvature * step.EnterEnter) & (deficit < curvature * step.ExitExit);
+  }
+
+  /// Raises the horizons to the highest tangent within a cell, where there is one.
+  TERRAIN_LANES_INLINE void RaiseWithin(int k)
+  {
+    const WayStep<Real>& step = this->Way.Steps[k];
+    const Value enter = k > 0 ? this->RiseAtExit((&step)[-1]) : L::All(-this->EyeHeight);
+    const Value exit = this->RiseAtExit(step);
+    const Value curvature = this->CurvatureOf(step);
+    const Value deficit = DeficitOf(step, curvature, enter, exit);
+    const Mask within =
+      (deficit > curvature * step.EnterEnter) & (deficit < curvature * step.ExitExit);
+    const Value root = L::Root(within ? deficit * step.Inverse : Value{}) -
+      L::Root(within ? curvature * step.Exit : Value{});
+    const Value summit = exit * step.Inverse + root * root;
+    this->Best = within & (summit > this->Best) ? summit : this->Best;
   }
 
   /// Raises the horizons by the cells of a leaf.
@@ -122,17 +136,24 @@ struct HorizonLanes
       enter = this->RiseAtExit(step[-1]);
       enterSlope = enter * step[-1].Inverse;
     }
+    unsigned rising = 0; // a bit for each step that may rise within
     for (int k = first; k < end; ++k, ++step)
     {
       const Value exit = this->RiseAtExit(*step);
       const Value exitSlope = exit * step->Inverse;
       const Value curvature = this->CurvatureOf(*step);
-      const Value higher = enterSlope > exitSlope ? enterSlope : exitSlope;
-      const Mask valid = curvature == curvature;
-      this->Best = valid & (higher > this->Best) ? higher : this->Best;
-      this->RaiseWithin(*step, curvature, enter, exit, higher);
+      const Value border = enterSlope > exitSlope ? enterSlope : exitSlope;
+      const Mask higher = border > this->Best;
+      this->Best = higher & (curvature == curvature) ? border : this->Best;
+      const Value deficit = DeficitOf(*step, curvature, enter, exit);
+      rising |= unsigned(L::Any(this->RisesWithin(*step, curvature, deficit, border)))
+        << (k - first);
       enter = exit;
       enterSlope = exitSlope;
+    }
+    for (; rising != 0; rising &= rising - 1)
+    {
+      this->RaiseWithin(first + __builtin_ctz(rising));
     }
   }
 
@@ -231,8 +252,8 @@ struct HorizonLanes
 };
 
 template <typename Real, bool Along>
-TERRAIN_LANES_INLINE void CastHorizonRow(const LaneGrid<Real>& grid, const LaneWay<Real>& way,
-  Real eyeHeight, std::int64_t row, float* degrees)
+void CastHorizonRow(const LaneGrid<Real>& grid, const LaneWay<Real>& way, Real eyeHeight,
+  std::int64_t row, float* degrees)
 {
   constexpr int count = Lanes<Real>::Count;
   const int rowSteps = way.StepsOfRows[way.North ? grid.Height - 1 - row : row];
@@ -257,14 +278,8 @@ template <typename Real>
 void CastHorizons(const LaneGrid<Real>& grid, const LaneWay<Real>& way, Real eyeHeight,
   std::int64_t row, float* degrees)
 {
-  if (way.Twist == Real(0))
-  {
-    CastHorizonRow<Real, true>(grid, way, eyeHeight, row, degrees);
-  }
-  else
-  {
-    CastHorizonRow<Real, false>(grid, way, eyeHeight, row, degrees);
-  }
+  const auto cast = way.Twist == Real(0) ? CastHorizonRow<Real, true> : CastHorizonRow<Real, false>;
+  cast(grid, way, eyeHeight, row, degrees);
 }
 }
 }
