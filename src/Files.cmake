@@ -14,6 +14,7 @@ set(classes
   vtkTerrainGeoreference
   vtkTerrainGraticule
   vtkTerrainHierarchy
+  vtkTerrainHorizon
   vtkTerrainImageWarp
   vtkTerrainLook
   vtkTerrainMesh

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Raster.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkStringArray.h>
+#include <vtkTerrainGeoreference.h>
+#include <vtkTerrainRasterReader.h>
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <cpl_string.h>
+#include <gdal.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+
+#include <unistd.h>
+
+namespace
+{
+std::atomic<bool> Interrupted{ false };
+
+void OnInterrupt(int)
+{
+  Interrupted = true;
+}
+
+std::string GetText(vtkImageData* image, const char* name)
+{
+  auto* array = vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray(name));
+  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : std::string();
+}
+
+/// Numbers of a field array; empty if there is none.
+std::vector<double> GetNumbers(vtkImageData* image, const char* name)
+{
+  std::vector<double> numbers;
+  vtkDataArray* array = image->GetFieldData()->GetArray(name);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+  {
+    numbers.push_back(array->GetVariantValue(i).ToDouble());
+  }
+  return numbers;
+}
+}
+
+//------------------------------------------------------------------------------
+ProgressBar::ProgressBar(bool quiet)
+  : Shown(!quiet && isatty(STDERR_FILENO) != 0)
+{
+}
+
+ProgressBar::~ProgressBar()
+{
+  if (this->Percent >= 0)
+  {
+    std::fprintf(stderr, "\r\033[K");
+  }
+}
+
+void ProgressBar::Show(double part)
+{
+  if (Interrupted)
+  {
+    throw Failure("interrupted");
+  }
+  const int percent = static_cast<int>(100.0 * part);
+  if (this->Shown && percent != this->Percent)
+  {
+    this->Percent = percent;
+    const std::string bar(static_cast<std::size_t>(percent) * 40 / 100, '#');
+    std::fprintf(stderr, "\r[%-40s] %3d %%", bar.c_str(), percent);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CatchInterrupts()
+{
+  std::signal(SIGINT, OnInterrupt);
+  std::signal(SIGTERM, OnInterrupt);
+  // A limit on file sizes is an error like a full disk, not the end of the process.
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ReadHeights(const RasterOptions& options)
+{
+  vtkNew<vtkTerrainRasterReader> reader;
+  reader->SetFileName(options.Heights);
+  reader->SetBand(options.Band);
+  reader->SetCoordinateSystem(options.CoordinateSystem);
+  reader->Update();
+  const std::string error = reader->GetErrorMessage();
+  if (!error.empty())
+  {
+    throw Failure(error);
+  }
+  const std::string warning = reader->GetWarningMessage();
+  if (!options.Quiet && !warning.empty())
+  {
+    std::cerr << "terrain-analyze: " << warning << "\n";
+  }
+  return reader->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> EastSpacings(vtkImageData* heights)
+{
+  const auto rows = static_cast<std::size_t>(heights->GetDimensions()[1]);
+  std::vector<double> spacings(rows, heights->GetSpacing()[0]);
+  vtkNew<vtkTerrainGeoreference> georeference;
+  georeference->SetFromHeights(heights);
+  const std::vector<double> scale = GetNumbers(heights, "LayoutScale");
+  const std::vector<double> origin = GetNumbers(heights, "LayoutOrigin");
+  if (!georeference->IsGeographic() || scale.size() < 2 || origin.size() < 2)
+  {
+    return spacings;
+  }
+  const auto radius = [](double latitude)
+  {
+    constexpr double eccentricity2 = 0.00669438; // of WGS84
+    const double phi = std::clamp(latitude, -89.9, 89.9) * 3.14159265358979 / 180.0;
+    return std::cos(phi) / std::sqrt(1.0 - eccentricity2 * std::sin(phi) * std::sin(phi));
+  };
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    const double y = heights->GetOrigin()[1] + static_cast<double>(row) * heights->GetSpacing()[1];
+    spacings[row] *= radius(origin[1] + y / scale[1]) / radius(origin[1]);
+  }
+  return spacings;
+}
+
+//------------------------------------------------------------------------------
+ResultWriter::ResultWriter(const RasterOptions& options, vtkImageData* heights, int bands)
+  : Options(options)
+  , Width(heights->GetDimensions()[0])
+  , Height(heights->GetDimensions()[1])
+{
+  GDALAllRegister();
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  this->Dataset = GDALCreate(
+    GDALGetDriverByName("MEM"), "", this->Width, this->Height, bands, GDT_Float32, nullptr);
+  this->Check(this->Dataset != nullptr, "there is not enough memory");
+  std::vector<double> transform = GetNumbers(heights, "GeoTransform");
+  if (transform.size() == 6)
+  {
+    this->NorthFirst = transform[5] < 0.0;
+    this->EastFirst = transform[1] < 0.0;
+    GDALSetGeoTransform(this->Dataset, transform.data());
+  }
+  const std::string crs = GetText(heights, "CRS");
+  if (!crs.empty())
+  {
+    OGRSpatialReferenceH srs = OSRNewSpatialReference(nullptr);
+    if (OSRSetFromUserInput(srs, crs.c_str()) == OGRERR_NONE)
+    {
+      OSRSetAxisMappingStrategy(srs, OAMS_TRADITIONAL_GIS_ORDER);
+      GDALSetSpatialRef(this->Dataset, srs);
+    }
+    OSRDestroySpatialReference(srs);
+  }
+}
+
+ResultWriter::~ResultWriter()
+{
+  if (this->Dataset)
+  {
+    GDALClose(this->Dataset);
+  }
+  CPLPopErrorHandler();
+}
+
+void ResultWriter::Check(bool done, const std::string& what) const
+{
+  if (!done)
+  {
+    const std::string reason = CPLGetLastErrorMsg();
+    std::string line = this->Options.Output + ": " + (reason.empty() ? what : reason);
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    throw Failure(line);
+  }
+}
+
+void ResultWriter::SetBand(int band, const std::string& description, const float* values)
+{
+  GDALRasterBandH to = GDALGetRasterBand(this->Dataset, band);
+  GDALSetDescription(to, description.c_str());
+  GDALSetRasterNoDataValue(to, std::numeric_limits<double>::quiet_NaN());
+  std::vector<float> line(static_cast<std::size_t>(this->Width));
+  for (int row = 0; row < this->Height; ++row)
+  {
+    const int from = this->NorthFirst ? this->Height - 1 - row : row;
+    const float* begin = values + static_cast<std::ptrdiff_t>(from) * this->Width;
+    std::copy(begin, begin + this->Width, line.begin());
+    if (this->EastFirst)
+    {
+      std::reverse(line.begin(), line.end());
+    }
+    this->Check(GDALRasterIO(to, GF_Write, 0, row, this->Width, 1, line.data(), this->Width, 1,
+                  GDT_Float32, 0, 0) == CE_None,
+      "there is not enough memory");
+  }
+}
+
+void ResultWriter::Write()
+{
+  const std::string partial = this->Options.Output + ".partial.tif";
+  GDALDriverH driver = GDALGetDriverByName("COG");
+  this->Check(driver != nullptr, "this GDAL writes no cloud-optimized GeoTIFF");
+  char** creation = nullptr;
+  creation = CSLSetNameValue(creation, "COMPRESS", this->Options.Compression.c_str());
+  creation = CSLSetNameValue(creation, "BIGTIFF", "IF_SAFER");
+  creation = CSLSetNameValue(creation, "OVERVIEW_RESAMPLING", "AVERAGE");
+  if (this->Options.Compression != "NONE")
+  {
+    creation = CSLSetNameValue(creation, "PREDICTOR", "YES");
+  }
+  CPLErrorReset();
+  GDALDatasetH written =
+    GDALCreateCopy(driver, partial.c_str(), this->Dataset, FALSE, creation, nullptr, nullptr);
+  CSLDestroy(creation);
+  const std::string failure = CPLGetLastErrorType() >= CE_Failure ? CPLGetLastErrorMsg() : "";
+  if (written)
+  {
+    GDALClose(written);
+  }
+  std::error_code error;
+  if (written && failure.empty() && CPLGetLastErrorType() < CE_Failure)
+  {
+    std::filesystem::rename(partial, this->Options.Output, error);
+    if (!error)
+    {
+      return;
+    }
+  }
+  const std::string reason = error ? error.message() : failure;
+  std::error_code ignored;
+  std::filesystem::remove(partial, ignored);
+  CPLErrorReset();
+  this->Check(false, reason.empty() ? "it cannot be written" : reason);
+}

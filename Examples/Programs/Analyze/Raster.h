@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What terrain-analyze reads and writes: heights of any raster that GDAL opens, results on the same
+ * grid.
+ */
+#ifndef terrain_analyze_Raster_h
+#define terrain_analyze_Raster_h
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// What ends the program with status 1: one sentence that names a file, or what else failed.
+class Failure : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A bar on stderr, drawn only if that is a terminal, erased when it is destroyed.
+class ProgressBar
+{
+public:
+  explicit ProgressBar(bool quiet);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  void operator=(const ProgressBar&) = delete;
+
+  /// Fills the bar up to a part in [0, 1]. Throws if the user has asked to stop.
+  void Show(double part);
+
+private:
+  bool Shown;
+  int Percent = -1;
+};
+
+/// Stops the program at the next step of its progress when it is interrupted.
+void CatchInterrupts();
+
+/// How the command line has rasters read and written.
+struct RasterOptions
+{
+  std::string Heights;
+  std::string Output;
+  std::string CoordinateSystem;
+  std::string Compression = "NONE";
+  int Band = 0;
+  bool Quiet = false;
+};
+
+/// Heights in metres, row 0 in the south (vtkTerrainRasterReader). Throws Failure.
+vtkSmartPointer<vtkImageData> ReadHeights(const RasterOptions& options);
+
+/// Results on the grid of heights, written as a cloud-optimized GeoTIFF of floats with NaN for no
+/// data. Nothing is left behind if that fails.
+class ResultWriter
+{
+public:
+  ResultWriter(const RasterOptions& options, vtkImageData* heights, int bands);
+  ~ResultWriter();
+  ResultWriter(const ResultWriter&) = delete;
+  void operator=(const ResultWriter&) = delete;
+
+  /// Takes one value a sample, in the order of the heights, as band 1 and following.
+  void SetBand(int band, const std::string& description, const float* values);
+  /// Writes the file.
+  void Write();
+
+private:
+  void Check(bool done, const std::string& what) const;
+
+  const RasterOptions& Options;
+  int Width;
+  int Height;
+  bool NorthFirst = true;
+  bool EastFirst = false;
+  void* Dataset = nullptr;
+};
+
+/// Metres between neighbouring samples of a row, east; by latitude if the heights are in degrees.
+std::vector<double> EastSpacings(vtkImageData* heights);
+
+#endif

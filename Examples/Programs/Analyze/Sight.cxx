@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sight.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTerrainGeoreference.h>
+#include <vtkTerrainReproject.h>
+#include <vtkTerrainViewpoint.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace
+{
+/// Heights in a metric scene, with the two places of a sight in it.
+struct Scene
+{
+  vtkNew<vtkTerrainGeoreference> Georeference;
+  vtkNew<vtkTerrainViewpoint> Viewpoint;
+  double From[3];
+  double To[3];
+
+  Scene(const RasterOptions& raster, const SightOptions& sight)
+  {
+    vtkSmartPointer<vtkImageData> heights = ReadHeights(raster);
+    this->Georeference->SetFromHeights(heights);
+    if (this->Georeference->IsGeographic())
+    {
+      vtkNew<vtkTerrainReproject> reproject;
+      reproject->SetGeoreference(this->Georeference);
+      reproject->SetInputData(heights);
+      reproject->Update();
+      Check(raster.Heights, reproject->GetErrorMessage());
+      heights = reproject->GetOutput();
+    }
+    else
+    {
+      this->Georeference->SetFrame(vtkTerrainGeoreference::FrameType::Grid);
+    }
+    Check(raster.Heights, this->Georeference->GetWhyNot());
+    this->Viewpoint->SetGeoreference(this->Georeference);
+    this->Viewpoint->SetHeights(heights);
+    this->Viewpoint->SetRefraction(sight.Refraction);
+    Check(sight.From, this->Viewpoint->FindPlace(sight.From, this->From));
+    Check(sight.To, this->Viewpoint->FindPlace(sight.To, this->To));
+  }
+
+  static void Check(const std::string& what, const std::string& whyNot)
+  {
+    if (!whyNot.empty())
+    {
+      throw Failure(what + ": " + whyNot);
+    }
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+void WriteProfile(const RasterOptions& raster, const SightOptions& sight)
+{
+  Scene scene(raster, sight);
+  vtkNew<vtkPolyData> profile;
+  Scene::Check(
+    raster.Heights, scene.Viewpoint->GetProfile(scene.From, scene.To, sight.Count, profile));
+  vtkDataArray* distances = profile->GetPointData()->GetArray("Distance");
+  vtkDataArray* heights = profile->GetPointData()->GetArray("Height");
+  const std::string partial = raster.Output + ".partial";
+  std::ofstream file(partial);
+  file << "distance,height\n";
+  file.precision(10);
+  for (vtkIdType i = 0; i < profile->GetNumberOfPoints(); ++i)
+  {
+    const double height = heights->GetComponent(i, 0);
+    file << distances->GetComponent(i, 0) << ",";
+    if (!std::isnan(height))
+    {
+      file << height;
+    }
+    file << "\n";
+  }
+  file.close();
+  std::error_code error;
+  if (file)
+  {
+    std::filesystem::rename(partial, raster.Output, error);
+  }
+  if (!file || error)
+  {
+    std::error_code ignored;
+    std::filesystem::remove(partial, ignored);
+    throw Failure(raster.Output + ": it cannot be written");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PrintLineOfSight(const RasterOptions& raster, const SightOptions& sight)
+{
+  Scene scene(raster, sight);
+  double obstruction[3];
+  if (scene.Viewpoint->IsVisible(scene.From, scene.To, obstruction))
+  {
+    std::cout << "visible\n";
+    return;
+  }
+  double place[3];
+  scene.Georeference->SceneToPlaces(obstruction, place, 1);
+  std::printf("hidden by the terrain at %.6f,%.6f, %.0f m from the eye\n", place[0], place[1],
+    scene.Viewpoint->GetDistance(scene.From, obstruction));
+}

@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What terrain-analyze does: maps on the grid of the heights, or one sentence, status 1 and no
+// file.
+#include "TerrainRenderFixture.h"
+
+#include <gdal.h>
+#include <gdal_utils.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+/// A raster as GDAL reads it.
+struct Bands
+{
+  int Width = 0;
+  int Height = 0;
+  int Count = 0;
+  std::array<double, 6> Transform{};
+  bool NoDataIsNaN = false;
+  std::string Layout;
+  std::vector<float> Values;
+
+  explicit Bands(const std::string& path)
+  {
+    GDALAllRegister();
+    GDALDatasetH dataset = GDALOpen(path.c_str(), GA_ReadOnly);
+    EXPECT_NE(dataset, nullptr) << path;
+    if (!dataset)
+    {
+      return;
+    }
+    this->Width = GDALGetRasterXSize(dataset);
+    this->Height = GDALGetRasterYSize(dataset);
+    this->Count = GDALGetRasterCount(dataset);
+    GDALGetGeoTransform(dataset, this->Transform.data());
+    const char* layout = GDALGetMetadataItem(dataset, "LAYOUT", "IMAGE_STRUCTURE");
+    this->Layout = layout ? layout : "";
+    this->NoDataIsNaN =
+      std::isnan(GDALGetRasterNoDataValue(GDALGetRasterBand(dataset, 1), nullptr));
+    this->Values.resize(static_cast<std::size_t>(this->Width) *
+      static_cast<std::size_t>(this->Height) * static_cast<std::size_t>(this->Count));
+    EXPECT_EQ(
+      GDALDatasetRasterIO(dataset, GF_Read, 0, 0, this->Width, this->Height, this->Values.data(),
+        this->Width, this->Height, GDT_Float32, this->Count, nullptr, 0, 0, 0),
+      CE_None);
+    GDALClose(dataset);
+  }
+  /// Band from 1 on, row 0 in the north.
+  float At(int band, int column, int row) const
+  {
+    return this
+      ->Values[static_cast<std::size_t>(column + this->Width * (row + this->Height * (band - 1)))];
+  }
+};
+
+class TerrainAnalyze : public TerrainRenderFixture
+{
+protected:
+  RunResult Analyze(std::vector<std::string> arguments) const
+  {
+    arguments.insert(arguments.begin(), TERRAIN_ANALYZE_PROGRAM);
+    return this->RunCommand(arguments);
+  }
+  /// Runs a command that must succeed, and returns what it wrote.
+  Bands Map(std::vector<std::string> arguments) const
+  {
+    arguments.insert(arguments.end(), { "--output", "map.tif" });
+    const RunResult result = this->Analyze(arguments);
+    EXPECT_EQ(result.Status, 0) << result.Errors;
+    EXPECT_EQ(result.Errors, "");
+    return Bands(this->Path("map.tif"));
+  }
+  /// Half rises to the east, one metre a metre.
+  std::string WriteRamp(const std::string& crs = "EPSG:32632", double cell = 10.0) const
+  {
+    RasterDescription ramp;
+    ramp.Width = 20;
+    ramp.Height = 12;
+    ramp.Sample = [](int column, int) { return 5.0 * column; };
+    ramp.GeoTransform = { 500000.0, cell, 0.0, 5000000.0, 0.0, -cell };
+    ramp.CoordinateSystem = crs;
+    return this->WriteRaster("ramp.tif", ramp);
+  }
+};
+}
+
+TEST_F(TerrainAnalyze, HorizonBandsFollowTheCompass)
+{
+  const Bands map = this->Map({ "horizon", this->WriteRamp(), "--directions", "8" });
+  ASSERT_EQ(map.Count, 8);
+  EXPECT_EQ(map.Width, 20);
+  EXPECT_EQ(map.Height, 12);
+  EXPECT_EQ(map.Transform, (std::array<double, 6>{ 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 }));
+  EXPECT_TRUE(map.NoDataIsNaN);
+  EXPECT_EQ(map.Layout, "COG");
+  for (int band = 1; band <= 8; ++band)
+  {
+    const double azimuth = (band - 1) * 45.0 * 3.14159265358979 / 180.0;
+    const double angle = std::atan(0.5 * std::sin(azimuth)) * 180.0 / 3.14159265358979;
+    EXPECT_NEAR(map.At(band, 9, 6), angle, 1e-4) << band;
+  }
+  // Nothing lies ahead at the border.
+  EXPECT_EQ(map.At(3, 19, 6), -90.0f);
+  EXPECT_EQ(map.At(1, 9, 0), -90.0f);
+  EXPECT_EQ(map.At(5, 9, 11), -90.0f);
+}
+
+TEST_F(TerrainAnalyze, HorizonOfANorthernTower)
+{
+  RasterDescription tower;
+  tower.Width = 21;
+  tower.Height = 21;
+  tower.Sample = [](int column, int row) { return column == 10 && row == 2 ? 80.0 : 0.0; };
+  const Bands map =
+    this->Map({ "horizon", this->WriteRaster("tower.tif", tower), "--directions", "4" });
+  // From 8 cells south of it.
+  EXPECT_NEAR(map.At(1, 10, 10), std::atan2(80.0, 8.0) * 180.0 / 3.14159265358979, 1e-3);
+  EXPECT_NEAR(map.At(2, 10, 10), 0.0, 1e-6);
+  EXPECT_NEAR(map.At(2, 3, 2), std::atan2(80.0, 7.0) * 180.0 / 3.14159265358979, 1e-3);
+}
+
+TEST_F(TerrainAnalyze, NoDataIsNoDataAndHidesNothing)
+{
+  RasterDescription holes;
+  holes.Width = 30;
+  holes.Height = 9;
+  holes.HasNoData = true;
+  holes.NoData = 9999.0;
+  holes.Sample = [](int column, int) { return column == 15 ? 9999.0 : column == 29 ? 40.0 : 0.0; };
+  const Bands map =
+    this->Map({ "horizon", this->WriteRaster("holes.tif", holes), "--directions", "4" });
+  EXPECT_TRUE(std::isnan(map.At(2, 15, 4)));
+  EXPECT_NEAR(map.At(2, 9, 4), std::atan2(40.0, 20.0) * 180.0 / 3.14159265358979, 1e-3);
+}
+
+TEST_F(TerrainAnalyze, FeetAndDegreesBecomeMetres)
+{
+  RasterDescription feet;
+  feet.Width = 12;
+  feet.Height = 12;
+  feet.Unit = "ft";
+  feet.Sample = [](int column, int) { return 10.0 * column; };
+  const Bands inFeet =
+    this->Map({ "horizon", this->WriteRaster("feet.tif", feet), "--directions", "4" });
+  EXPECT_NEAR(inFeet.At(2, 5, 5), std::atan(3.048) * 180.0 / 3.14159265358979, 1e-3);
+  // A tenth of a degree a cell at latitude 60: a degree of longitude is half as wide as at 0.
+  RasterDescription degrees;
+  degrees.Width = 40;
+  degrees.Height = 400;
+  degrees.CoordinateSystem = "EPSG:4326";
+  degrees.GeoTransform = { 10.0, 0.1, 0.0, 65.0, 0.0, -0.1 };
+  degrees.Sample = [](int column, int) { return 1000.0 * column; };
+  const Bands map =
+    this->Map({ "horizon", this->WriteRaster("degrees.tif", degrees), "--directions", "4" });
+  for (const int row : { 20, 120, 350 })
+  {
+    const double phi = (65.0 - 0.1 * (row + 0.5)) * 3.14159265358979 / 180.0;
+    const double radius =
+      6378137.0 * std::cos(phi) / std::sqrt(1.0 - 0.00669438 * std::pow(std::sin(phi), 2.0));
+    const double cell = radius * 0.1 * 3.14159265358979 / 180.0;
+    EXPECT_NEAR(map.At(2, 5, row), std::atan(1000.0 / cell) * 180.0 / 3.14159265358979, 0.01)
+      << row;
+  }
+}
+
+TEST_F(TerrainAnalyze, CurvatureLowersWhatIsFar)
+{
+  RasterDescription wall;
+  wall.Width = 201;
+  wall.Height = 5;
+  wall.GeoTransform = { 0.0, 1000.0, 0.0, 0.0, 0.0, -1000.0 };
+  wall.Sample = [](int column, int) { return column == 200 ? 5000.0 : 0.0; };
+  const std::string path = this->WriteRaster("wall.tif", wall);
+  const auto angle = [&](double radius, double refraction)
+  {
+    const double d = 100e3;
+    return std::atan((5000.0 - (1.0 - refraction) * d * d / (2.0 * radius)) / d) * 180.0 /
+      3.14159265358979;
+  };
+  EXPECT_NEAR(this->Map({ "horizon", path, "--directions", "4", "--curvature" }).At(2, 100, 2),
+    angle(6371008.8, 0.13), 1e-3);
+  EXPECT_NEAR(this
+                ->Map({ "horizon", path, "--directions", "4", "--curvature", "--radius", "3389500",
+                  "--refraction", "0" })
+                .At(2, 100, 2),
+    angle(3389500.0, 0.0), 1e-3);
+  EXPECT_NEAR(this->Map({ "horizon", path, "--directions", "4" }).At(2, 100, 2),
+    std::atan(0.05) * 57.29577951, 1e-3);
+}
+
+TEST_F(TerrainAnalyze, SkyOverAPlainAndInAWell)
+{
+  RasterDescription well;
+  well.Width = 31;
+  well.Height = 31;
+  well.Sample = [](int column, int row)
+  { return std::hypot(column - 15, row - 15) > 8.0 ? 1000.0 : 0.0; };
+  const Bands map = this->Map({ "skyview", this->WriteRaster("well.tif", well) });
+  EXPECT_LT(map.At(1, 15, 15), 0.001f);
+  EXPECT_NEAR(map.At(1, 1, 1), 1.0, 1e-6);
+}
+
+TEST_F(TerrainAnalyze, SunOnAPlainLastsTheDay)
+{
+  RasterDescription plain;
+  plain.Width = 5;
+  plain.Height = 5;
+  plain.CoordinateSystem = "EPSG:4326";
+  plain.GeoTransform = { 10.0, 0.001, 0.0, 0.0025, 0.0, -0.001 };
+  const Bands map =
+    this->Map({ "sunlight", this->WriteRaster("plain.tif", plain), "--date", "2024-03-20" });
+  ASSERT_EQ(map.Count, 4);
+  EXPECT_NEAR(map.At(1, 2, 2), 12.0, 0.2); // equinox
+  EXPECT_NEAR(map.At(2, 2, 2), 6.0 - 10.0 / 15.0 + 0.12, 0.2);
+  EXPECT_NEAR(map.At(3, 2, 2), 18.0 - 10.0 / 15.0 + 0.12, 0.2);
+  EXPECT_GT(map.At(4, 2, 2), 5000.0f);
+  EXPECT_LT(map.At(4, 2, 2), 9000.0f);
+}
+
+TEST_F(TerrainAnalyze, SlopeAspectAndRuggednessAsGDAL)
+{
+  const std::string hill = this->WriteHill();
+  for (const char* command : { "slope", "aspect", "ruggedness" })
+  {
+    const Bands map = this->Map({ command, hill });
+    GDALAllRegister();
+    GDALDatasetH source = GDALOpen(hill.c_str(), GA_ReadOnly);
+    const std::string path = this->Path("gdal.tif");
+    const std::string mode = std::string(command) == "ruggedness" ? "TRI" : command;
+    char riley[] = "-alg";
+    char name[] = "Riley";
+    char* arguments[] = { riley, name, nullptr };
+    GDALDEMProcessingOptions* options =
+      GDALDEMProcessingOptionsNew(mode == "TRI" ? arguments : nullptr, nullptr);
+    GDALClose(GDALDEMProcessing(path.c_str(), source, mode.c_str(), nullptr, options, nullptr));
+    GDALDEMProcessingOptionsFree(options);
+    GDALClose(source);
+    const Bands reference(path);
+    for (int row = 1; row < map.Height - 1; ++row)
+    {
+      for (int column = 1; column < map.Width - 1; ++column)
+      {
+        const float expected = reference.At(1, column, row);
+        if (expected != -9999.0f)
+        {
+          ASSERT_NEAR(map.At(1, column, row), expected, 1e-3) << command << column << " " << row;
+        }
+      }
+    }
+    EXPECT_TRUE(std::isnan(map.At(1, 0, 0)));
+  }
+}
+
+TEST_F(TerrainAnalyze, CurvatureOfAParaboloid)
+{
+  RasterDescription bowl;
+  bowl.Width = 21;
+  bowl.Height = 21;
+  bowl.Sample = [](int column, int row)
+  { return 0.01 * ((column - 10) * (column - 10) + (row - 10) * (row - 10)); };
+  const Bands map = this->Map({ "curvature", this->WriteRaster("bowl.tif", bowl) });
+  EXPECT_NEAR(map.At(1, 14, 6), 0.02, 1e-6);
+  EXPECT_NEAR(map.At(2, 14, 6), 0.02, 1e-6);
+}
+
+TEST_F(TerrainAnalyze, ProfileAndLineOfSight)
+{
+  RasterDescription ridge;
+  ridge.Width = 101;
+  ridge.Height = 21;
+  ridge.CoordinateSystem = "EPSG:32632";
+  ridge.GeoTransform = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
+  ridge.Sample = [](int column, int) { return column == 50 ? 100.0 : 0.0; };
+  const std::string path = this->WriteRaster("ridge.tif", ridge);
+  const std::string west = "32N 500100 4999900";
+  const std::string east = "32N 500900 4999900";
+  const RunResult hidden = this->Analyze({ "line-of-sight", path, "--from", west, "--to", east });
+  EXPECT_EQ(hidden.Status, 0) << hidden.Errors;
+  EXPECT_EQ(hidden.Output.rfind("hidden", 0), 0u) << hidden.Output;
+  const RunResult seen =
+    this->Analyze({ "line-of-sight", path, "--from", west + ",300", "--to", east + ",300" });
+  EXPECT_EQ(seen.Output, "visible\n") << seen.Errors;
+  const RunResult profile = this->Analyze(
+    { "profile", path, "--from", west, "--to", east, "--count", "81", "--output", "profile.csv" });
+  EXPECT_EQ(profile.Status, 0) << profile.Errors;
+  EXPECT_EQ(this->ReadText("profile.csv").rfind("distance,height\n", 0), 0u);
+}
+
+TEST_F(TerrainAnalyze, RefusesInOneLineAndLeavesNothing)
+{
+  const std::string ramp = this->WriteRamp();
+  const std::vector<std::string> before = this->ListFiles();
+  const auto refuse = [&](std::vector<std::string> arguments, const std::string& mention)
+  {
+    arguments.insert(arguments.end(), { "--output", "map.tif" });
+    ExpectRefused(this->Analyze(arguments), 1, mention);
+    EXPECT_EQ(this->ListFiles(), before);
+  };
+  refuse({ "horizon", "nowhere.tif" }, "nowhere.tif");
+  refuse({ "horizon", ramp, "--directions", "0" }, "1 to 3600");
+  refuse({ "horizon", ramp, "--directions", "1000000" }, "1 to 3600");
+  refuse({ "sunlight", ramp, "--date", "tomorrow" }, "tomorrow");
+  ExpectRefused(this->Analyze({ "horizon", ramp, "--output", "/nowhere/map.tif" }), 1, "/nowhere");
+  EXPECT_EQ(this->Analyze({ "horizon", ramp }).Status, 2);
+  EXPECT_EQ(this->Analyze({ "fly", ramp, "--output", "map.tif" }).Status, 2);
+  EXPECT_EQ(this->Analyze({ "horizon", ramp, "--radius", "-1", "--output", "map.tif" }).Status, 2);
+  EXPECT_EQ(this->ListFiles(), before);
+}
