@@ -54,7 +54,7 @@ run_bare()
     mount --bind "$source" "$root/source" && mount -o remount,bind,ro "$root/source"
     mount --bind "$dist" "$root/dist"
     mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev"
-    exec env -u DISPLAY -u PIP_FIND_LINKS PATH=/usr/bin:/bin HOME=/root \
+    exec env -u DISPLAY -u PIP_FIND_LINKS PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root \
       chroot "$root" bash /source/Testing/Wheel/inside.sh /usr/bin/python3 /room "/dist/$4" /source "$5"' \
     run "$rooms/bare" "$source_dir" "$dist" "$(basename "$wheel")" "$packages"
 }
