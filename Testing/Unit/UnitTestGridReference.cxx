@@ -80,6 +80,8 @@ TEST(GridReference, RefusesWhatDoesNotLookLikeAPlace)
   glm::dvec3 place(0.0);
   std::string message;
   EXPECT_FALSE(terrain::PlaceFromText(std::string(100000, '1'), place, message));
+  const std::string withNull("45n 493004\0 5460", 16);
+  EXPECT_FALSE(terrain::PlaceFromText(withNull, place, message));
   EXPECT_FALSE(terrain::PlaceFromText("86.925" + std::string(100, ' ') + "27.988", place, message));
 }
 

@@ -34,6 +34,12 @@ bool IsLetter(char c)
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/// Not so of the end of `characters`, which std::strchr finds, too.
+bool IsOneOf(char c, const char* characters)
+{
+  return c != '\0' && std::strchr(characters, c);
+}
+
 /// Reads a word from left to right by what it may consist of.
 class WordReader
 {
@@ -53,7 +59,7 @@ public:
   /// Takes the next character if it is one of these.
   bool Take(const char* characters)
   {
-    const bool is = !this->IsAtEnd() && std::strchr(characters, this->Word[this->Position]);
+    const bool is = !this->IsAtEnd() && IsOneOf(this->Word[this->Position], characters);
     this->Position += is ? 1 : 0;
     return is;
   }
@@ -81,7 +87,7 @@ std::vector<std::string> SplitWords(const std::string& text)
   bool inWord = false;
   for (const char c : text)
   {
-    const bool between = std::strchr(" \t\n\r,", c) != nullptr;
+    const bool between = IsOneOf(c, " \t\n\r,");
     if (!between && !inWord)
     {
       words.emplace_back();
