@@ -381,3 +381,16 @@ TEST_F(TerrainRenderOutput, SignalsLeaveNothingBehind)
     EXPECT_EQ(this->ListFiles(), std::vector<std::string>{ "hill.tif" });
   }
 }
+
+// OpenGL 3.2 does not promise timers; Mesa can be told to have none.
+TEST_F(TerrainRenderOutput, DriversWithoutTimersDraw)
+{
+  const std::vector<std::string> line{ Program(), this->WriteHill(), "--size", "32x32", "--output",
+    "picture.png", "--stats", "stats.json" };
+  setenv("MESA_EXTENSION_OVERRIDE", "-GL_ARB_timer_query", 1);
+  const RunResult result = this->RunCommand(line);
+  unsetenv("MESA_EXTENSION_OVERRIDE");
+  ASSERT_EQ(result.Status, 0) << result.Errors;
+  EXPECT_EQ(this->ReadText("stats.json").find("frame_gpu"), std::string::npos);
+  EXPECT_NE(this->ReadText("stats.json").find("frame_cpu"), std::string::npos);
+}

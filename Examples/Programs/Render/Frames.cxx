@@ -15,6 +15,7 @@
 #include "vtkRenderer.h"
 #include "vtkTerrainDepthPass.h"
 
+#include <optional>
 #include <string>
 
 namespace
@@ -53,7 +54,14 @@ public:
 private:
   void OnStart()
   {
-    if (vtkOpenGLRenderTimer::IsSupported())
+    // VTK asks nobody whether the driver has timers, which OpenGL 3.2 does not promise.
+    if (!this->IsSupported)
+    {
+      const std::string report = this->Renderer->GetRenderWindow()->ReportCapabilities();
+      this->IsSupported = vtkOpenGLRenderTimer::IsSupported() &&
+        report.find("GL_ARB_timer_query") != std::string::npos;
+    }
+    if (*this->IsSupported)
     {
       this->Timer.Reset();
       this->Timer.Start();
@@ -70,6 +78,8 @@ private:
   vtkRenderer* Renderer;
   unsigned long Observers[2] = { 0, 0 };
   vtkOpenGLRenderTimer Timer;
+  /// Known with the first frame.
+  std::optional<bool> IsSupported;
 };
 
 /// The value of one line of the window's report, such as "OpenGL renderer string:".
