@@ -10,9 +10,9 @@
  *           the box of the heights, which is there by default.
  *   port 1  vtkImageData, the heights: W x H x 1 points whose active point scalars have one
  *           component of any numeric type. Rows run south to north; spacing and origin are in the
- *           unit of the heights. NaN, infinite and hidden samples (HIDDENPOINT of
- *           vtkDataSetAttributes) have no height; a cell that touches one has no surface. Optional
- *           for the technique Mesh, which then has the normals of the mesh.
+ *           unit of the heights. NaN, magnitudes from 1e30 on and hidden samples
+ *           (HIDDENPOINT of vtkDataSetAttributes) have no height; a cell that touches one has no
+ *           surface. Optional for the technique Mesh, which then has the normals of the mesh.
  *
  * The fragment shader finds the hit where VTK sets the depth and hands VTK its position, normal and
  * depth; lights, materials, clipping planes, translucency and render passes then work on the hit.

@@ -5,7 +5,7 @@
  * @brief   makes a low-resolution mesh that lies nowhere below a heightfield
  *
  * Input: vtkImageData of W x H x 1 points whose scalars are heights (one component, any numeric
- * type). No height have NaN, infinities, and hidden points (vtkGhostType).
+ * type). No height have NaN, magnitudes from 1e30 on, and hidden points (vtkGhostType).
  *
  * Output: vtkPolyData of triangles, counterclockwise seen from outside, with
  *   - points in model coordinates: x, y of the samples that are vertices, z = origin.z + height;

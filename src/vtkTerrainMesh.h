@@ -8,7 +8,7 @@
  * terrain, vtkTerrainActor needs no mesh.
  *
  * Input: vtkImageData of W x H x 1 points whose scalars are heights (one component, any numeric
- * type). NaN, infinite and hidden samples (vtkGhostType) have no height.
+ * type). NaN, magnitudes from 1e30 on and hidden samples (vtkGhostType) have no height.
  *
  * Output: vtkPolyData of triangles, counterclockwise seen from above, with
  *   - points: samples of the input, z = origin.z + Exaggeration * height;

@@ -394,3 +394,30 @@ TEST_F(TerrainRenderOutput, DriversWithoutTimersDraw)
   EXPECT_EQ(this->ReadText("stats.json").find("frame_gpu"), std::string::npos);
   EXPECT_NE(this->ReadText("stats.json").find("frame_cpu"), std::string::npos);
 }
+
+// Mesa's softpipe fetches the texels of four pixels from one level.
+TEST_F(TerrainRenderOutput, SoftpipeDrawsNoHoles)
+{
+  const std::string hill = this->WriteHill();
+  const std::vector<std::string> line{ Program(), hill, "--size", "64x48", "--window", "egl",
+    "--output" };
+  const auto draw = [&](const char* driver, const char* name)
+  {
+    std::vector<std::string> command = line;
+    command.emplace_back(name);
+    setenv("GALLIUM_DRIVER", driver, 1);
+    const RunResult result = this->RunCommand(command);
+    unsetenv("GALLIUM_DRIVER");
+    EXPECT_EQ(result.Status, 0) << result.Errors;
+    return this->ReadPicture(name);
+  };
+  const Picture reference = draw("llvmpipe", "llvmpipe.png");
+  const Picture picture = draw("softpipe", "softpipe.png");
+  ASSERT_EQ(picture.Values.size(), reference.Values.size());
+  int different = 0;
+  for (std::size_t i = 0; i < picture.Values.size(); ++i)
+  {
+    different += std::abs(int{ picture.Values[i] } - int{ reference.Values[i] }) > 8 ? 1 : 0;
+  }
+  EXPECT_LE(different, 30);
+}

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "raster/RasterPiece.h"
 
+#include "core/grid/Heightfield.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -17,8 +19,6 @@ namespace
 constexpr std::int64_t kStripePixels = std::int64_t{ 1 } << 22;
 // A reduced sample has a height where at least this share of its area has.
 constexpr double kLeastShare = 0.5 - 1e-9;
-// Floating-point values beyond this are fill, declared or not.
-constexpr double kLimit = 1e30;
 
 template <typename T>
 constexpr GDALDataType TypeOf(const RasterFile& file)
@@ -160,8 +160,7 @@ private:
       for (std::int64_t k = index; k < index + count; ++k)
       {
         const T value = this->Samples[k];
-        const bool height = value < static_cast<T>(kLimit) && value > -static_cast<T>(kLimit);
-        this->Samples[k] = height ? value : std::numeric_limits<T>::quiet_NaN();
+        this->Samples[k] = IsHeight(value) ? value : std::numeric_limits<T>::quiet_NaN();
       }
     }
   }

@@ -19,11 +19,13 @@
 
 namespace terrain
 {
-/// True if the current context draws on the processor, with Mesa's llvmpipe.
+/// True if the current context draws on the processor, with Mesa's llvmpipe or softpipe. The latter
+/// fetches texels of all pixels of a square of four from the level that the first one asks for
+/// (sp_get_texels of Mesa 22.3): where levels differ by pixel they must be in a buffer.
 inline bool IsSoftware()
 {
   const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return renderer && std::strstr(renderer, "llvmpipe");
+  return renderer && (std::strstr(renderer, "llvmpipe") || std::strstr(renderer, "softpipe"));
 }
 
 /// Switches a capability on that vtkOpenGLState does not keep, and back to what it was.

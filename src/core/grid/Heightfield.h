@@ -14,6 +14,21 @@
 
 namespace terrain
 {
+/// Magnitudes from this one on are no heights but fill: sums and products of those below it are
+/// finite in double, sums of a few in float.
+constexpr double kHeightLimit = 1e30;
+
+/// False for what is no height whatever else is known: NaN, infinities, and kHeightLimit or more.
+template <typename T>
+constexpr bool IsHeight(T value)
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    return value < static_cast<T>(kHeightLimit) && value > -static_cast<T>(kHeightLimit);
+  }
+  return true;
+}
+
 /// View of W x H samples of arithmetic type T, row by row from the south; never owns them.
 template <typename T>
 struct HeightfieldView
@@ -35,7 +50,7 @@ struct HeightfieldView
     return i + this->Width * j;
   }
 
-  /// True where there is a height: not masked, not NoData, not NaN, not infinite.
+  /// True where there is a height: not masked, not NoData, and IsHeight().
   bool IsValid(std::int64_t index) const
   {
     if (this->Mask && (this->Mask[index] & this->MaskBits))
@@ -46,11 +61,7 @@ struct HeightfieldView
     {
       return false;
     }
-    if constexpr (std::is_floating_point_v<T>)
-    {
-      return std::isfinite(this->Samples[index]);
-    }
-    return true;
+    return IsHeight(this->Samples[index]);
   }
 
   /// Height of sample (i, j) in height units, NaN for no data; 0 <= i < Width, 0 <= j < Height.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/strips/HierarchyBands.h"
 
+#include "core/grid/Heightfield.h"
 #include "core/strips/HierarchyNesting.h"
 
 #include <algorithm>
@@ -123,7 +124,11 @@ std::string HierarchyBands::LoadRows(std::int64_t band)
   this->Rows.swap(rows);
   const std::int64_t fresh = high - low + 1 - kept;
   this->LowRow = low;
-  return fresh > 0 ? this->Source(low, fresh, this->Rows.data()) : std::string();
+  std::string error = fresh > 0 ? this->Source(low, fresh, this->Rows.data()) : std::string();
+  std::replace_if(
+    this->Rows.begin(), this->Rows.begin() + fresh * width,
+    [](float height) { return !IsHeight(height); }, std::numeric_limits<float>::quiet_NaN());
+  return error;
 }
 
 /// Copies the tile's heights and computes its errors.
@@ -143,8 +148,7 @@ void HierarchyBands::PrepareTile(std::int64_t band, std::int64_t column)
       const std::int64_t i = std::min(left + x, this->Layout.Width() - 1);
       const float height =
         i < 0 || row < 0 ? std::numeric_limits<float>::quiet_NaN() : this->SampleAt(i, row);
-      tile.Errors.HeightAt(x, y) =
-        std::isfinite(height) ? height : std::numeric_limits<float>::quiet_NaN();
+      tile.Errors.HeightAt(x, y) = height;
     }
   }
   for (int y = 0; y <= this->Side; ++y)

@@ -36,10 +36,9 @@ void MarkInvalid(const HeightfieldView<T>& view, std::int64_t first, std::int64_
   T* out = invalid.data();
   if constexpr (std::is_floating_point_v<T>)
   {
-    constexpr T largest = std::numeric_limits<T>::max();
     for (std::int64_t k = 0; k < count; ++k)
     {
-      out[k] = samples[k] <= largest && samples[k] >= -largest ? T{ 0 } : T{ 1 };
+      out[k] = IsHeight(samples[k]) ? T{ 0 } : T{ 1 };
     }
   }
   if (view.HasNoData)

@@ -9,6 +9,7 @@
 #ifndef terrain_TileReduction_h
 #define terrain_TileReduction_h
 
+#include "core/grid/Heightfield.h"
 #include "core/surface/TileSource.h"
 
 #include <cmath>
@@ -37,7 +38,7 @@ bool IsStoredHeight(T value)
 {
   if constexpr (std::is_same_v<T, float>)
   {
-    return std::isfinite(value);
+    return IsHeight(value);
   }
   return value != NoStoredHeight<T>();
 }
