@@ -10,8 +10,8 @@
  * without holding the raster (PrepareFile).
  *
  * Heights: vtkImageData of W x H x 1 points, 1 <= W, H <= 32769, point scalars of one component and
- * any type; NaN, magnitudes from 1e30 on and hidden points are no data. They are kept as float32. Model
- * coordinates are those of the image: x and y of its points, z = origin z + height.
+ * any type; NaN, magnitudes from 1e30 on and hidden points are no data. They are kept as float32.
+ * Model coordinates are those of the image: x and y of its points, z = origin z + height.
  *
  * Memory: 12 bytes a sample, sides rounded up to 64 samples at each depth. A file keeps the same
  * bytes, checksums included 12 + 1e-5. A file that loses pages while it is open, because it was

@@ -5,10 +5,13 @@ list(TRANSFORM vtkTerrain_test_modules PREPEND "VTK::")
 # What tests share: the header vtkTerrainTesting.h, and main.
 add_library(vtkTerrainTestSupport STATIC
   vtkTerrainTesting.cxx
+  vtkTerrainTestingGL.cxx
   vtkTerrainTestingMain.cxx
   vtkTerrainTestingScene.cxx
   vtkTerrainTestingShader.cxx)
-target_include_directories(vtkTerrainTestSupport PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
+target_include_directories(vtkTerrainTestSupport
+  PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}"
+  PRIVATE "${PROJECT_SOURCE_DIR}/src")
 target_compile_definitions(vtkTerrainTestSupport PUBLIC # as all that is precompiled
   VTKTERRAIN_SHADER_DIR="${PROJECT_SOURCE_DIR}/shaders")
 target_link_libraries(vtkTerrainTestSupport

@@ -81,6 +81,7 @@ Scene MakeScene(int width, int height)
   scene.Window->SetMultiSamples(0);
   scene.Window->SetSize(width, height);
   scene.Window->AddRenderer(scene.Renderer);
+  WatchGL(scene.Renderer);
   return scene;
 }
 

@@ -32,8 +32,46 @@ struct Scene
   vtkSmartPointer<vtkRenderer> Renderer;
 };
 
-/// A scene of width x height pixels in the window that VTK_DEFAULT_OPENGL_WINDOW names.
+/// A scene of width x height pixels in the window that VTK_DEFAULT_OPENGL_WINDOW names, watched by
+/// WatchGL().
 Scene MakeScene(int width, int height);
+
+/// From the renderer's next picture on, errors and undefined behaviour that the driver reports
+/// (KHR_debug) in its window's context are failures of the test; none where drivers do not report.
+void WatchGL(vtkRenderer* renderer);
+
+/// While it lives, what the driver reports is kept in place of being a failure.
+class ExpectedGLErrors
+{
+public:
+  ExpectedGLErrors();
+  ~ExpectedGLErrors();
+  ExpectedGLErrors(const ExpectedGLErrors&) = delete;
+  void operator=(const ExpectedGLErrors&) = delete;
+  const std::vector<std::string>& GetMessages() const
+  {
+    return this->Messages;
+  }
+
+private:
+  std::vector<std::string> Messages;
+};
+
+/// Objects that are alive in a context.
+struct GLObjects
+{
+  int Textures = 0;
+  int Buffers = 0;
+  int Framebuffers = 0;
+  int Renderbuffers = 0;
+  int VertexArrays = 0;
+  int Queries = 0;
+  int Programs = 0;
+  int Shaders = 0;
+};
+
+/// Those of the window's context, by their names up to a number that no test reaches.
+GLObjects CountGLObjects(vtkRenderWindow* window);
 
 /// Renders, and returns the picture.
 vtkSmartPointer<vtkImageData> Render(vtkRenderWindow* window);
