@@ -39,13 +39,28 @@ set(private_sources
   place/ReprojectPlan
   raster/CoordinateSystem
   raster/GDALTable
+  raster/GridCoordinates
+  raster/GridResample
   raster/InputFiles
+  raster/RasterArray
   raster/RasterFile
   raster/RasterHeights
-  raster/RasterLayout
+  raster/RasterHoles
+  raster/RasterIntake
+  raster/RasterMessages
+  raster/RasterOpen
   raster/RasterPiece
+  raster/RasterPlace
+  raster/RasterRecord
+  raster/RasterReference
+  raster/RasterRepairs
+  raster/RasterSamples
   raster/RasterTileSource
   raster/RasterTiles
+  raster/RasterUnits
+  raster/ReaderPlan
+  raster/SystemAxes
+  raster/Tile
   render/ComputeProgram
   render/ComputeTexture
   render/DetailTexture

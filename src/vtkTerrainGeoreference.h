@@ -107,6 +107,11 @@ public:
   /// kept if the heights name none.
   void SetFromHeights(vtkImageData* heights);
 
+  /// The frame that suits heights where nobody chooses one: Grid where their own grid is in metres
+  /// and true to scale in its middle (within 1 %), and where nothing is known of it, or where they
+  /// reach so far that no flat frame is of use (the earth falls by more than 200 km); else Plane.
+  static FrameType SuggestFrame(vtkImageData* heights);
+
   /// Frame of the scene; default Plane.
   void SetFrame(FrameType frame);
   FrameType GetFrame() const

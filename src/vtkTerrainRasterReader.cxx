@@ -4,6 +4,8 @@
 #include "vtkTerrainRasterReaderInternals.h"
 
 #include "data/Setting.h"
+#include "raster/GDALTable.h"
+#include "raster/RasterSamples.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -35,126 +37,6 @@
 
 namespace
 {
-/// The scalars' name where the file has none.
-constexpr const char* DefaultName = "Elevation";
-
-/// The window that four numbers mean, or an error.
-terrain::RasterWindow ResolveWindow(const terrain::RasterFile& file, const int window[4])
-{
-  terrain::RasterWindow resolved{ window[0], window[1], window[2], window[3] };
-  resolved.Width = window[2] == 0 ? file.GetWidth() - resolved.X : resolved.Width;
-  resolved.Height = window[3] == 0 ? file.GetHeight() - resolved.Y : resolved.Height;
-  if (resolved.X < 0 || resolved.Y < 0 || resolved.Width < 1 || resolved.Height < 1 ||
-    resolved.X + resolved.Width > file.GetWidth() ||
-    resolved.Y + resolved.Height > file.GetHeight())
-  {
-    std::ostringstream text;
-    text << "the window of " << resolved.Width << " x " << resolved.Height << " pixels at ("
-         << resolved.X << ", " << resolved.Y << ") is not within its " << file.GetWidth() << " x "
-         << file.GetHeight() << " pixels";
-    throw terrain::RasterError(text.str());
-  }
-  return resolved;
-}
-
-/// Samples of the window under the two limits; as many as there are pixels if none applies.
-void ReduceSize(terrain::RasterRequest& request, int maximumSize, vtkIdType maximumNumber)
-{
-  const auto width = static_cast<double>(request.Window.Width);
-  const auto height = static_cast<double>(request.Window.Height);
-  double reduction = 1.0;
-  if (maximumSize > 0)
-  {
-    reduction = std::max(reduction, std::max(width, height) / maximumSize);
-  }
-  if (maximumNumber > 0)
-  {
-    reduction = std::max(reduction, std::sqrt(width * height / static_cast<double>(maximumNumber)));
-    // A single row or column: the other side alone can shrink.
-    const double shorter = std::min(width, height);
-    if (reduction > shorter)
-    {
-      reduction = std::max(width, height) / static_cast<double>(maximumNumber);
-    }
-  }
-  const auto shrink = [reduction](double size)
-  { return std::max<std::int64_t>(static_cast<std::int64_t>(size / reduction + 1e-9), 1); };
-  request.Width = shrink(width);
-  request.Height = shrink(height);
-}
-
-int ScalarTypeOf(const terrain::RasterFile& file)
-{
-  if (file.IsSignedByte())
-  {
-    return VTK_SIGNED_CHAR;
-  }
-  switch (file.GetType())
-  {
-    case GDT_Byte:
-      return VTK_UNSIGNED_CHAR;
-    case GDT_UInt16:
-      return VTK_UNSIGNED_SHORT;
-    case GDT_Int16:
-      return VTK_SHORT;
-    case GDT_UInt32:
-      return VTK_UNSIGNED_INT;
-    case GDT_Int32:
-      return VTK_INT;
-    case GDT_Float32:
-      return VTK_FLOAT;
-    default:
-      return VTK_DOUBLE;
-  }
-}
-
-/// Scale and offset from file values to metres, and the scalars' type under them.
-void ResolveHeights(vtkTerrainRasterPlan& plan)
-{
-  terrain::RasterRequest& request = plan.Request;
-  plan.File.GetScaleAndOffset(request.Scale, request.Offset);
-  plan.VerticalUnit = plan.File.GetVerticalUnit();
-  plan.VerticalScale = plan.File.GetMetresPerVerticalUnit();
-  request.Scale *= plan.VerticalScale;
-  request.Offset *= plan.VerticalScale;
-  plan.ScalarType = ScalarTypeOf(plan.File);
-  const bool scaled = request.Scale != 1.0 || request.Offset != 0.0;
-  if (scaled && plan.File.IsInteger())
-  {
-    const bool wide = plan.ScalarType == VTK_INT || plan.ScalarType == VTK_UNSIGNED_INT;
-    plan.ScalarType = wide ? VTK_DOUBLE : VTK_FLOAT;
-  }
-  plan.Name = plan.File.GetBandDescription();
-  plan.Name = plan.Name.empty() ? DefaultName : plan.Name;
-}
-
-/// Position of the south-western sample, and spacing.
-void PlaceSamples(vtkTerrainRasterPlan& plan)
-{
-  const terrain::RasterRequest& request = plan.Request;
-  const terrain::RasterWindow& window = request.Window;
-  std::array<double, 6> transform = plan.Layout.GeoTransform;
-  if (!plan.Layout.HasGeoTransform)
-  {
-    transform = { -0.5, 1.0, 0.0, static_cast<double>(plan.File.GetHeight()) - 0.5, 0.0, -1.0 };
-  }
-  const std::int64_t west = request.EastFirst ? window.X + window.Width : window.X;
-  const std::int64_t south = request.NorthFirst ? window.Y + window.Height : window.Y;
-  const double corner[2] = { transform[0] + transform[1] * static_cast<double>(west),
-    transform[3] + transform[5] * static_cast<double>(south) };
-  const double cell[2] = { std::fabs(transform[1]), std::fabs(transform[5]) };
-  const double reduction[2] = { static_cast<double>(window.Width) /
-      static_cast<double>(request.Width),
-    static_cast<double>(window.Height) / static_cast<double>(request.Height) };
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const auto a = static_cast<std::size_t>(axis);
-    plan.Spacing[axis] = cell[axis] * plan.Layout.Scale[a] * reduction[axis];
-    plan.Origin[axis] =
-      (corner[axis] - plan.Layout.Origin[a]) * plan.Layout.Scale[a] + 0.5 * plan.Spacing[axis];
-  }
-}
-
 /// Band of the time that is asked for: the last one that has begun, the first without a time.
 int BandAtTime(vtkInformation* info, int numberOfBands)
 {
@@ -182,7 +64,7 @@ terrain::RasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* samp
   const auto read = [&plan, samples](auto type)
   {
     using Sample = decltype(type);
-    return terrain::ReadRasterPiece(plan.File, plan.Request, static_cast<Sample*>(samples));
+    return terrain::ReadRasterPiece(*plan.File, plan.Request, static_cast<Sample*>(samples));
   };
   switch (plan.ScalarType)
   {
@@ -218,15 +100,24 @@ void CheckMemory(const int extent[6], int scalarType)
   }
 }
 
-void AddText(vtkFieldData* fields, const char* name, const std::string& text)
+void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
 {
-  if (!text.empty())
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& text : texts)
   {
-    vtkNew<vtkStringArray> array;
-    array->SetName(name);
     array->InsertNextValue(text);
+  }
+  if (array->GetNumberOfValues() > 0)
+  {
     fields->AddArray(array);
   }
+}
+
+void AddText(vtkFieldData* fields, const char* name, const std::string& text)
+{
+  AddTexts(
+    fields, name, text.empty() ? std::vector<std::string>() : std::vector<std::string>{ text });
 }
 
 void AddNumbers(vtkFieldData* fields, const char* name, std::initializer_list<double> numbers)
@@ -238,20 +129,13 @@ void AddNumbers(vtkFieldData* fields, const char* name, std::initializer_list<do
   fields->AddArray(array);
 }
 
-bool LooksLikeDegrees(const terrain::RasterLayout& layout, double width, double height)
-{
-  const std::array<double, 6>& t = layout.GeoTransform;
-  const auto within = [](double a, double b, double limit)
-  { return std::max(std::fabs(a), std::fabs(b)) <= limit; };
-  return layout.HasGeoTransform && layout.CRS.empty() && std::fabs(t[1]) < 0.5 &&
-    within(t[0], t[0] + width * t[1], 360.0) && within(t[3], t[3] + height * t[5], 90.01);
-}
 }
 
 vtkStandardNewMacro(vtkTerrainRasterReader);
 
 //------------------------------------------------------------------------------
 vtkTerrainRasterReader::vtkTerrainRasterReader()
+  : Internals(std::make_unique<vtkInternals>())
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -284,6 +168,31 @@ void vtkTerrainRasterReader::SetCoordinateSystem(const std::string& definition)
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainRasterReader::SetPart(const std::string& part)
+{
+  terrain::Setting::Set(this, this->Part, part);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRasterReader::SetHeightUnit(const std::string& unit)
+{
+  terrain::Setting::Set(this, this->HeightUnit, unit);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRasterReader::SetSamples(vtkFieldData* samples)
+{
+  this->Internals->Samples = samples;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkFieldData* vtkTerrainRasterReader::GetSamples() const
+{
+  return this->Internals->Samples;
+}
+
+//------------------------------------------------------------------------------
 const char* vtkTerrainRasterReader::GetErrorMessage() const
 {
   return this->ErrorMessage.c_str();
@@ -312,7 +221,7 @@ int vtkTerrainRasterReader::CanReadFile(const char* fileName)
 {
   try
   {
-    terrain::RasterFile file(fileName);
+    terrain::RasterFile file(fileName ? fileName : "");
     file.SelectBand(0);
     return 2;
   }
@@ -350,30 +259,116 @@ int vtkTerrainRasterReader::Fail(const std::string& reason)
 }
 
 //------------------------------------------------------------------------------
+// Each sentence is told once until the size is asked for again.
 void vtkTerrainRasterReader::Warn(const std::string& text)
 {
-  this->WarningMessage = "'" + this->FileName + "': " + text;
-  vtkWarningMacro(<< this->WarningMessage);
+  const std::string line = "'" + this->FileName + "': " + text;
+  if (("\n" + this->WarningMessage + "\n").find("\n" + line + "\n") != std::string::npos)
+  {
+    return;
+  }
+  this->WarningMessage += (this->WarningMessage.empty() ? "" : "\n") + line;
+  vtkWarningMacro(<< line);
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainRasterReader::Plan(vtkTerrainRasterPlan& plan, int band) const
+void vtkTerrainRasterReader::WarnOf(const vtkTerrainRasterPlan& plan)
 {
-  plan.File.SelectBand(band);
-  if (!this->CoordinateSystem.empty())
+  for (const std::string& warning : plan.File->GetRecord().GetWarnings())
   {
-    plan.File.SetCoordinateSystem(this->CoordinateSystem);
+    this->Warn(warning);
   }
-  plan.Layout = plan.File.GetLayout();
-  plan.Request.Window = ResolveWindow(plan.File, this->Window);
-  plan.Request.NorthFirst = plan.Layout.NorthFirst;
-  plan.Request.EastFirst = plan.Layout.EastFirst;
-  ReduceSize(plan.Request, this->MaximumSize, this->MaximumNumberOfSamples);
-  ResolveHeights(plan);
-  plan.Name = this->BandsAsTimeSteps ? DefaultName : plan.Name; // bands are described as times
+}
+
+//------------------------------------------------------------------------------
+terrain::RasterOptions vtkTerrainRasterReader::GetOptions() const
+{
+  return { this->CoordinateSystem, this->HeightUnit, this->Flip, this->UseNoDataValue,
+    this->NoDataValue, this->DetectNoData };
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<vtkTerrainRasterPlan> vtkTerrainRasterReader::Open() const
+{
+  auto plan = std::make_shared<vtkTerrainRasterPlan>();
+  plan->File = this->Internals->Samples
+    ? std::make_unique<terrain::RasterFile>(terrain::MemoryOf(this->Internals->Samples))
+    : std::make_unique<terrain::RasterFile>(this->FileName, this->Part);
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+// Samples of the window under the limits or at a level, and where they lie.
+void vtkTerrainRasterReader::Complete(vtkTerrainRasterPlan& plan) const
+{
+  terrain::CompletePlan(plan, this->Window, this->MaximumSize, this->MaximumNumberOfSamples);
+  if (this->BandsAsTimeSteps)
+  {
+    plan.Name = terrain::kDefaultName; // the bands' descriptions are of their times
+  }
   this->ChooseLevel(plan);
-  PlaceSamples(plan);
+  terrain::PlaceSamples(plan);
   this->PlaceLevel(plan);
+}
+
+//------------------------------------------------------------------------------
+// A file that an even raster in memory stands for is kept: it takes long to make.
+std::shared_ptr<vtkTerrainRasterPlan> vtkTerrainRasterReader::Plan(int band)
+{
+  vtkInternals& kept = *this->Internals;
+  const std::string stamp = vtkInternals::StampOf(this->FileName) + " " + std::to_string(band);
+  if (kept.Plan && kept.Time == this->GetMTime() && kept.Stamp == stamp)
+  {
+    kept.Plan->Request = terrain::RasterRequest();
+    this->Complete(*kept.Plan);
+    return kept.Plan;
+  }
+  kept.Plan = nullptr;
+  std::shared_ptr<vtkTerrainRasterPlan> plan = this->Open();
+  plan->File->SelectBand(band);
+  plan->File->TakeIn(this->GetOptions());
+  this->Complete(*plan);
+  if (plan->File->IsReplaced())
+  {
+    kept.Plan = plan;
+    kept.Time = this->GetMTime();
+    kept.Stamp = stamp;
+  }
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainRasterReader::Describe()
+{
+  try
+  {
+    return terrain::DescribePlan(*this->Plan(this->BandsAsTimeSteps ? 1 : this->Band));
+  }
+  catch (const std::exception& error)
+  {
+    return std::string("error: ") + error.what() + "\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainRasterReader::GetSamplesAreHeights()
+{
+  if (!this->Internals->Samples)
+  {
+    return false;
+  }
+  try
+  {
+    const std::shared_ptr<vtkTerrainRasterPlan> plan = this->Plan(this->Band);
+    const terrain::RasterHoles& holes = plan->File->GetHoles();
+    return !plan->File->IsReplaced() && !plan->File->IsTurned() && !this->Flip &&
+      plan->Request.Scale == 1.0 && plan->Request.Offset == 0.0 && !holes.UndeclaredOccurs &&
+      holes.Declared.empty() && !plan->Layout.IsGeographic && plan->Layout.Scale[0] == 1.0;
+  }
+  catch (const std::exception&)
+  {
+    return false;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -399,14 +394,17 @@ int vtkTerrainRasterReader::RequestInformation(vtkInformation* vtkNotUsed(reques
   vtkInformationVector** vtkNotUsed(inputs), vtkInformationVector* outputs)
 {
   this->ErrorMessage.clear();
+  this->WarningMessage.clear();
+  this->Internals->ToldFill.clear();
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
-    vtkTerrainRasterPlan plan(this->FileName.c_str());
-    this->Plan(plan, this->BandsAsTimeSteps ? 1 : this->Band);
+    const std::shared_ptr<vtkTerrainRasterPlan> planned =
+      this->Plan(this->BandsAsTimeSteps ? 1 : this->Band);
+    const vtkTerrainRasterPlan& plan = *planned;
     this->Level = plan.Level;
     vtkInformation* info = outputs->GetInformationObject(0);
-    this->DeclareTimeSteps(plan.File.GetNumberOfBands(), info);
+    this->DeclareTimeSteps(plan.File->GetNumberOfBands(), info);
     const int extent[6] = { 0, static_cast<int>(plan.Request.Width) - 1, 0,
       static_cast<int>(plan.Request.Height) - 1, 0, 0 };
     info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
@@ -427,7 +425,6 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputs), vtkInformationVector* outputs)
 {
   this->ErrorMessage.clear();
-  this->WarningMessage.clear();
   this->SetErrorCode(vtkErrorCode::NoError);
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
@@ -435,14 +432,17 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   try
   {
-    vtkTerrainRasterPlan plan(this->FileName.c_str());
     int band = this->Band;
     if (this->BandsAsTimeSteps)
     {
-      band = BandAtTime(info, plan.File.GetNumberOfBands());
+      using Pipeline = vtkStreamingDemandDrivenPipeline;
+      band = BandAtTime(
+        info, info->Has(Pipeline::TIME_STEPS()) ? info->Length(Pipeline::TIME_STEPS()) : 1);
       image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), band);
     }
-    this->Plan(plan, band);
+    const std::shared_ptr<vtkTerrainRasterPlan> planned = this->Plan(band);
+    vtkTerrainRasterPlan& plan = *planned;
+    this->WarnOf(plan);
     std::copy(extent, extent + 4, plan.Request.Extent);
     CheckWholeExtent(info, plan);
     CheckMemory(extent, plan.ScalarType);
@@ -480,18 +480,10 @@ void vtkTerrainRasterReader::Read(vtkTerrainRasterPlan& plan, vtkImageData* imag
   {
     return;
   }
-  request.NoData = plan.File.GetDeclaredNoData();
-  if (this->UseNoDataValue)
-  {
-    request.NoData.push_back(this->NoDataValue);
-    request.UseOverviews = false;
-  }
-  else if (request.NoData.empty() && this->DetectNoData)
-  {
-    bool occur = false;
-    request.UndeclaredNoData = plan.File.GetUndeclaredNoData(occur);
-    request.UseOverviews = !occur;
-  }
+  const terrain::RasterHoles& holes = plan.File->GetHoles();
+  request.NoData = holes.Declared;
+  request.UndeclaredNoData = holes.Undeclared;
+  request.UseOverviews = !this->UseNoDataValue && !holes.UndeclaredOccurs;
   double reported = 0.0;
   request.Progress = [this, &reported](double done)
   {
@@ -514,32 +506,31 @@ void vtkTerrainRasterReader::Read(vtkTerrainRasterPlan& plan, vtkImageData* imag
   };
   void* samples = image->GetPointData()->GetScalars()->GetVoidPointer(0);
   const terrain::RasterFindings findings = ReadSamples(plan, samples);
-  if (findings.Undeclared > 0)
+  for (const auto& [value, count] : findings.Undeclared)
   {
-    std::ostringstream text;
-    text << findings.Undeclared << " samples of " << findings.UndeclaredValue
-         << " are taken for no data, which the file does not declare";
-    this->Warn(text.str());
-  }
-  else if (LooksLikeDegrees(plan.Layout, static_cast<double>(plan.File.GetWidth()),
-             static_cast<double>(plan.File.GetHeight())))
-  {
-    this->Warn("it has no CRS and its coordinates look like degrees; they are taken for metres");
+    // Pieces count their own samples: the first one that has some speaks for all.
+    if (count > 0 && this->Internals->ToldFill.insert(value).second)
+    {
+      this->Warn(std::to_string(count) + " samples of " + terrain::NumberText(value) +
+        " are taken for no data, which the file does not declare (--nodata none if they are "
+        "heights)");
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainRasterReader::AddFieldData(
-  const vtkTerrainRasterPlan& plan, vtkImageData* image) const
+void vtkTerrainRasterReader::AddFieldData(vtkTerrainRasterPlan& plan, vtkImageData* image) const
 {
   vtkFieldData* fields = image->GetFieldData();
   const terrain::RasterWindow& window = plan.Request.Window;
   AddText(fields, "FileName", this->FileName);
   AddText(fields, "CRS", plan.Layout.CRS);
   AddText(fields, "VerticalUnit", plan.VerticalUnit);
+  AddTexts(fields, "Record", plan.File->GetRecord().GetLines());
+  AddTexts(fields, "Warnings", this->Internals->ListWarnings(this->WarningMessage));
   AddNumbers(fields, "VerticalScale", { plan.VerticalScale });
   AddNumbers(fields, "RasterSize",
-    { static_cast<double>(plan.File.GetWidth()), static_cast<double>(plan.File.GetHeight()) });
+    { static_cast<double>(plan.File->GetWidth()), static_cast<double>(plan.File->GetHeight()) });
   AddNumbers(fields, "RasterWindow",
     { static_cast<double>(window.X), static_cast<double>(window.Y),
       static_cast<double>(window.Width), static_cast<double>(window.Height) });
@@ -558,6 +549,9 @@ void vtkTerrainRasterReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << "\n"
      << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n"
+     << indent << "Part: " << this->Part << "\n"
+     << indent << "HeightUnit: " << this->HeightUnit << "\n"
+     << indent << "Flip: " << this->Flip << "\n"
      << indent << "Band: " << this->Band << "\n"
      << indent << "BandsAsTimeSteps: " << this->BandsAsTimeSteps << "\n"
      << indent << "Window: " << this->Window[0] << " " << this->Window[1] << " " << this->Window[2]

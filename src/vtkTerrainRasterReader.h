@@ -19,12 +19,21 @@
  * one file fit together, different files do not. A raster without georeference has spacing 1, and
  * the south-western sample of the file lies at the origin. Rotated and sheared rasters are refused.
  *
+ * Place, unit, sense and holes are found from all that the raster says: CRS, geotransform,
+ * variables of coordinates (CF; unevenly spaced and two-dimensional ones are resampled onto an even
+ * grid of longitude and latitude, near a pole onto a stereographic one), attributes, masks, names
+ * of bands. Heights that count down (a vertical axis down, positive = down, a depth by its standard
+ * name) are turned. Axes of a CRS that point west or south are turned too: x is east, y north.
+ * Describe tells what was taken from where. What contradicts or was guessed is a warning that names
+ * the remedy.
+ *
  * No data: NaN in floating-point scalars; in integers 0, and HIDDENPOINT set in the point array
  * vtkGhostType, which exists only if there is such a point. No data are the values that the band
  * declares, NoDataValue if it is used, NaN, infinities, magnitudes from 1e30 on, what a mask or
- * an alpha band hides (0), and, in bands that declare no value and unless DetectNoData is off, the
- * usual fill values -32768 and -32767, and -9999 unless the file reaches below 8,000 m of sea; a
- * warning says so when there are any.
+ * an alpha band hides (0), and, unless DetectNoData is off, fill values that nobody declares: usual
+ * ones (-999, 32767, 65535, 1e6, 1e20, ...) that lie far from all other samples, and in signed
+ * bands without NoData and scale -32768 and -32767, and -9999 unless the file reaches below 8,000 m
+ * of sea; a warning says so when there are any.
  *
  * Field data, where known:
  * | array         | type      | what                                                           |
@@ -37,12 +46,17 @@
  * | LayoutOrigin  | 2 doubles | place in the CRS that lies at x = 0, y = 0                     |
  * | LayoutScale   | 2 doubles | metres a unit: CRS = LayoutOrigin + (x, y) / LayoutScale       |
  * | VerticalUnit  | string    | name of the unit of the file's heights                         |
- * | VerticalScale | 1 double  | metres in that unit, already applied to the scalars; else 1    |
+ * | VerticalScale | 1 double  | metres in that unit, below 0 if they count down; applied to the |
+ * |               |           | scalars already; else 1                                        |
+ * | Record        | strings   | what was taken from where, "topic: value (source)"             |
+ * | Warnings      | strings   | sentences, each once                                           |
  *
- * A directory is read as one raster of the tiles in it (.tif .tiff .hgt .dem .asc .img .dt0 to .dt2
- * .bil .flt .grd .jp2), which must have one CRS; between them are no data, and within them where
- * the value says so that the first one with such a value declares. Where they overlap the last one
- * by name counts.
+ * A directory, or an archive of several rasters, is read as one raster of the tiles in it and in
+ * folders below (.tif .tiff .hgt .dem .asc .img .dt0 to .dt2 .bil .flt .grd .jp2 .sdat .nc .xyz).
+ * They must have one horizontal CRS, and lie near each other; unit, scale, sense and NoData are
+ * each tile's own, tiles on both sides of 180 degrees are joined, between tiles are no data. Where
+ * they overlap the finest counts, of equally fine ones the last by name. Pictures, masks and
+ * derivatives (hillshade, slope) are left out with a warning.
  *
  * Reading less: Band, Window, and MaximumSize or MaximumNumberOfSamples. Reduced samples are means
  * over their area (of what has data, where half of it has), taken from the smallest overview that
@@ -67,11 +81,14 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkTerrainModule.h" // For export macro
 
+#include <memory> // For what is kept of a file
 #include <string> // For texts
 
+class vtkFieldData;
 struct vtkTerrainRasterPlan;
 namespace terrain
 {
+struct RasterOptions;
 struct RasterTileSettings;
 }
 
@@ -100,6 +117,43 @@ public:
   {
     return this->CoordinateSystem;
   }
+
+  /// Samples in memory in place of a file, with what their owner knows of them; null (the default)
+  /// for the file. They are used in place, row by row as the owner has them. Arrays: "Samples" (one
+  /// component) and "Size" (columns, rows); strings "name=value": "Names" (name, crs), "Attributes"
+  /// (as CF and GDAL call them: units, scale_factor, add_offset, _FillValue, positive,
+  /// standard_name), "GridMapping"; coordinates "Rows", "Columns" (one value each) and "Field0",
+  /// "Field1" (one a sample) with their "RowsAttributes" and so on (name, units, standard_name).
+  void SetSamples(vtkFieldData* samples);
+  vtkFieldData* GetSamples() const;
+
+  ///@{
+  /// Part of a file of several rasters (netCDF, HDF5, GeoPackage): name of the variable or table,
+  /// or its number from 1 on; empty (the default) for the only one, or the only one that is called
+  /// as heights are.
+  void SetPart(const std::string& part);
+  const std::string& GetPart() const
+  {
+    return this->Part;
+  }
+  ///@}
+
+  ///@{
+  /// Unit of the heights in place of what the file says: a name ("ft", "us-ft", "fathom"; "-m" for
+  /// depths), or metres per unit ("0.3048", "-1" for depths); empty (the default) for the file's.
+  void SetHeightUnit(const std::string& unit);
+  const std::string& GetHeightUnit() const
+  {
+    return this->HeightUnit;
+  }
+  ///@}
+
+  ///@{
+  /// Whether the first row lies at the other side than the file says; default off.
+  vtkSetMacro(Flip, bool);
+  vtkGetMacro(Flip, bool);
+  vtkBooleanMacro(Flip, bool);
+  ///@}
 
   ///@{
   /// Band of heights, from 1 on. 0 (the default) is the first one, but refuses colour images: files
@@ -193,7 +247,7 @@ public:
 
   /// Why the last update failed, one line; empty if it did not.
   const char* GetErrorMessage() const;
-  /// What the last update warned of, one line; empty if nothing.
+  /// What was warned of since the size was last asked for, a line each; empty if nothing.
   const char* GetWarningMessage() const;
 
   ///@{
@@ -205,6 +259,14 @@ public:
   static void AddGDAL(VTK_FILEPATH const std::string& fileName);
   static std::string GetGDALFile();
   ///@}
+
+  /// What the raster is taken for: lines "topic: value (source)", sizes and place first, then
+  /// "warning: ..." for each warning. An error is the one line "error: ...". Reads no more than
+  /// some blocks of samples.
+  std::string Describe();
+  /// True if the samples that are given are heights as they are: in metres, upwards, all with data,
+  /// in an even grid of metres. False for files.
+  bool GetSamplesAreHeights();
 
   /// 0 if GDAL opens no raster under this name, 2 if it does.
   virtual int CanReadFile(VTK_FILEPATH const char* fileName);
@@ -222,20 +284,29 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  void Plan(vtkTerrainRasterPlan& plan, int band) const;
+  std::shared_ptr<vtkTerrainRasterPlan> Plan(int band);
+  std::shared_ptr<vtkTerrainRasterPlan> Open() const;
+  void Complete(vtkTerrainRasterPlan& plan) const;
   void DeclareTimeSteps(int numberOfBands, vtkInformation* info) const;
   void ChooseLevel(vtkTerrainRasterPlan& plan) const;
   void PlaceLevel(vtkTerrainRasterPlan& plan) const;
   void Read(vtkTerrainRasterPlan& plan, vtkImageData* image);
   void ReadTiles(vtkTerrainRasterPlan& plan, vtkImageData* image);
   terrain::RasterTileSettings GetTileSettings() const;
+  terrain::RasterOptions GetOptions() const;
   void WarnOfLevel(const vtkTerrainRasterPlan& plan, const std::string& message);
-  void AddFieldData(const vtkTerrainRasterPlan& plan, vtkImageData* image) const;
+  void AddFieldData(vtkTerrainRasterPlan& plan, vtkImageData* image) const;
   int Fail(const std::string& reason);
   void Warn(const std::string& text);
+  void WarnOf(const vtkTerrainRasterPlan& plan);
 
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
   std::string FileName;
   std::string CoordinateSystem;
+  std::string Part;
+  std::string HeightUnit;
+  bool Flip = false;
   int Band = 0;
   bool BandsAsTimeSteps = false;
   int Window[4] = { 0, 0, 0, 0 };

@@ -7,32 +7,53 @@
 #ifndef vtkTerrainRasterReaderInternals_h
 #define vtkTerrainRasterReaderInternals_h
 
-#include "raster/RasterFile.h"
-#include "raster/RasterPiece.h"
+#include "vtkTerrainRasterReader.h"
 
-#include "vtkType.h"
+#include "raster/ReaderPlan.h"
 
+#include "vtkFieldData.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
-/// An opened file and what becomes of it.
-struct vtkTerrainRasterPlan
+#include <sys/stat.h>
+
+/// What is kept between updates.
+class vtkTerrainRasterReader::vtkInternals
 {
-  terrain::RasterFile File;
-  terrain::RasterLayout Layout;
-  terrain::RasterRequest Request;
-  int ScalarType = VTK_FLOAT;
-  std::string Name;
-  std::string VerticalUnit;
-  double VerticalScale = 1.0;
-  double Origin[2] = { 0.0, 0.0 };
-  double Spacing[2] = { 1.0, 1.0 };
-  /// Level of tiles that is read in place of the samples themselves; 0: the samples.
-  int Level = 0;
-
-  explicit vtkTerrainRasterPlan(const char* fileName)
-    : File(fileName)
+public:
+  /// Changes with the file.
+  static std::string StampOf(const std::string& name)
   {
+    struct stat status = {};
+    return stat(name.c_str(), &status) == 0
+      ? std::to_string(status.st_mtime) + " " + std::to_string(status.st_size)
+      : std::string();
   }
+
+  /// Lines without the name of the file that they begin with.
+  static std::vector<std::string> ListWarnings(const std::string& message)
+  {
+    std::vector<std::string> list;
+    std::istringstream stream(message);
+    for (std::string line; std::getline(stream, line);)
+    {
+      const std::size_t cut = line.find("': ");
+      list.push_back(cut == std::string::npos ? line : line.substr(cut + 3));
+    }
+    return list;
+  }
+
+  vtkSmartPointer<vtkFieldData> Samples;
+  std::shared_ptr<vtkTerrainRasterPlan> Plan;
+  vtkMTimeType Time = 0;
+  std::string Stamp;
+  /// Fill values that were warned of.
+  std::set<double> ToldFill;
 };
 
 #endif

@@ -146,9 +146,10 @@ void vtkTerrainRasterReader::ChooseLevel(vtkTerrainRasterPlan& plan) const
   const terrain::RasterWindow& window = request.Window;
   const bool isReduced = request.Width < window.Width || request.Height < window.Height;
   const bool isWhole =
-    window.Width == plan.File.GetWidth() && window.Height == plan.File.GetHeight();
+    window.Width == plan.File->GetWidth() && window.Height == plan.File->GetHeight();
   plan.Level = 0;
-  if (!this->UseLevels || this->BandsAsTimeSteps || !isReduced || !isWhole)
+  if (!this->UseLevels || this->Internals->Samples || plan.File->IsReplaced() ||
+    this->BandsAsTimeSteps || !isReduced || !isWhole)
   {
     return;
   }
@@ -193,10 +194,9 @@ terrain::RasterTileSettings vtkTerrainRasterReader::GetTileSettings() const
 {
   terrain::RasterTileSettings settings;
   settings.Heights.FileName = this->FileName;
+  settings.Heights.Part = this->Part;
   settings.Heights.Band = this->Band;
-  settings.Heights.UseNoDataValue = this->UseNoDataValue;
-  settings.Heights.NoDataValue = this->NoDataValue;
-  settings.Heights.DetectNoData = this->DetectNoData;
+  settings.Heights.Options = this->GetOptions();
   settings.UseCache = this->UseCache;
   settings.For = terrain::SMPParallelFor;
   return settings;

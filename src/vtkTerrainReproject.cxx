@@ -59,6 +59,40 @@ double SampleTurned(
   return cubic ? terrain::SampleCubic(heights, x, y) : terrain::SampleBilinear(heights, x, y);
 }
 
+/// Height at grid coordinates that may lie up to `edge` cells beyond the outer samples: the line
+/// through the two nearest ones goes on there.
+template <typename T>
+double SampleBeyond(
+  const terrain::HeightfieldView<T>& heights, double x, double y, double edge, bool cubic)
+{
+  const double size[2] = { static_cast<double>(heights.Width) - 1.0,
+    static_cast<double>(heights.Height) - 1.0 };
+  const double inside[2] = { std::clamp(x, 0.0, size[0]), std::clamp(y, 0.0, size[1]) };
+  const double beyond[2] = { x - inside[0], y - inside[1] };
+  const double at = cubic ? terrain::SampleCubic(heights, inside[0], inside[1])
+                          : terrain::SampleBilinear(heights, inside[0], inside[1]);
+  if (beyond[0] == 0.0 && beyond[1] == 0.0)
+  {
+    return at;
+  }
+  if (!(std::max(std::abs(beyond[0]), std::abs(beyond[1])) <= edge))
+  {
+    return kNaN;
+  }
+  double rise = 0.0;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    double inner[2] = { inside[0], inside[1] };
+    const double step = std::min(1.0, size[axis]);
+    inner[axis] -= std::copysign(step, beyond[axis]);
+    const double before = terrain::SampleBilinear(heights, inner[0], inner[1]);
+    rise += beyond[axis] != 0.0 && step > 0.0 && std::isfinite(before)
+      ? (at - before) / step * std::abs(beyond[axis])
+      : 0.0;
+  }
+  return at + rise;
+}
+
 /// Copies heights to scalars of type float or double from an index on.
 void CopyHeights(const std::vector<double>& heights, vtkDataArray* scalars, vtkIdType first)
 {
@@ -209,7 +243,9 @@ void vtkTerrainReproject::SampleTiles(const std::vector<double>& scene,
               double x = 0.0;
               double y = 0.0;
               tile->ToGrid(file.data() + 3 * i, x, y);
-              found[static_cast<std::size_t>(i)] = SampleTurned(view, x, y, tile->Turn, cubic);
+              found[static_cast<std::size_t>(i)] = this->EdgeCells > 0.0 && tile->Turn == 0.0
+                ? SampleBeyond(view, x, y, this->EdgeCells, cubic)
+                : SampleTurned(view, x, y, tile->Turn, cubic);
             }
           });
       });
@@ -380,6 +416,7 @@ void vtkTerrainReproject::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "EdgeCells: " << this->EdgeCells << "\n";
   os << indent << "Interpolation: "
      << (this->Interpolation == InterpolationType::Cubic ? "cubic" : "bilinear") << "\n";
   os << indent << "MaximumNumberOfSamples: " << this->MaximumNumberOfSamples << "\n";

@@ -77,6 +77,13 @@ public:
   vtkGetMacro(Spacing, double);
   ///@}
 
+  ///@{
+  /// How far the surface of an input goes on beyond its outer samples, straight, in cells of the
+  /// input: 0 (the default) to 1. With 1 neighbouring tiles that are resampled one by one meet.
+  vtkSetClampMacro(EdgeCells, double, 0.0, 1.0);
+  vtkGetMacro(EdgeCells, double);
+  ///@}
+
   enum class InterpolationType
   {
     Bilinear,
@@ -147,6 +154,7 @@ private:
 
   std::string CoordinateSystem;
   double Spacing = 0.0;
+  double EdgeCells = 0.0;
   InterpolationType Interpolation = InterpolationType::Bilinear;
   vtkIdType MaximumNumberOfSamples = vtkIdType(1) << 28;
   std::string ErrorMessage;

@@ -67,9 +67,13 @@ class TestXarray(unittest.TestCase):
         self.assertTrue(np.isnan(heights[1, 1]))
         self.assertEqual(np.isnan(heights).sum(), 1)
 
+    def test_uneven_coordinates_are_resampled(self):
+        heights = array_from_heights(heights_from_dataarray(elevation([0.0, 1.0, 3.0], [0.0, 1.0])))
+        np.testing.assert_allclose(heights, [[0.0, 1.0, 1.5, 2.0], [100.0, 101.0, 101.5, 102.0]])
+
     def test_refusals(self):
-        with self.assertRaisesRegex(ValueError, "not evenly spaced"):
-            heights_from_dataarray(elevation([0.0, 1.0, 3.0], [0.0, 1.0]))
+        with self.assertRaisesRegex(ValueError, "neither rise nor fall"):
+            heights_from_dataarray(elevation([0.0, 3.0, 1.0], [0.0, 1.0]))
         with self.assertRaisesRegex(ValueError, "at least two"):
             heights_from_dataarray(elevation([0.0], [0.0, 1.0]))
         with self.assertRaisesRegex(ValueError, "no dimension"):

@@ -85,6 +85,40 @@ void vtkTerrainGeoreference::SetFromHeights(vtkImageData* heights)
   this->SetExtent(extent[0], extent[1], extent[2], extent[3]);
 }
 
+vtkTerrainGeoreference::FrameType vtkTerrainGeoreference::SuggestFrame(vtkImageData* heights)
+{
+  // How far the scale of an own grid may be from 1, and the largest drop for a flat frame, metres.
+  constexpr double kScaleError = 0.01;
+  constexpr double kDeepestDrop = 200e3;
+  const vtkNew<vtkTerrainGeoreference> ground;
+  ground->SetFromHeights(heights);
+  const int* dims = heights->GetDimensions();
+  const double* spacing = heights->GetSpacing();
+  if (!ground->GetWhyNot().empty())
+  {
+    return ground->IsGeographic() ? FrameType::Plane : FrameType::Grid;
+  }
+  if (!ground->IsGeographic())
+  {
+    const double* e = ground->GetExtent();
+    const double x = 0.5 * (e[0] + e[1]);
+    const double y = 0.5 * (e[2] + e[3]);
+    double p[9] = { x, y, 0.0, x + (e[1] - e[0]) / std::max(dims[0] - 1, 1), y, 0.0, x,
+      y + (e[3] - e[2]) / std::max(dims[1] - 1, 1), 0.0 };
+    ground->FileToScene(p, p, 3);
+    const double area = std::abs((p[3] - p[0]) * (p[7] - p[1]) - (p[4] - p[1]) * (p[6] - p[0]));
+    if (dims[0] < 2 || dims[1] < 2 ||
+      !(std::abs(std::sqrt(area / (spacing[0] * spacing[1])) - 1.0) >= kScaleError))
+    {
+      return FrameType::Grid;
+    }
+  }
+  double sideways = 0.0;
+  double drop = 0.0;
+  ground->GetFlatError(sideways, drop);
+  return drop < kDeepestDrop ? FrameType::Plane : FrameType::Grid;
+}
+
 void vtkTerrainGeoreference::Prepare()
 {
   vtkInternals& internals = *this->Internals;
@@ -224,6 +258,12 @@ void vtkTerrainGeoreference::PrepareFrame()
   {
     internals.WhyNot = "the coordinate system '" + system.GetName() +
       "' is tied to no place on earth: only the file's own grid can be kept";
+    return;
+  }
+  if (system.GetKind() == Kind::OtherWorld)
+  {
+    internals.WhyNot = "the coordinate system '" + system.GetName() +
+      "' is of another world than the earth: only the file's own grid can be kept";
     return;
   }
   double middle[3] = { kNaN, kNaN, 0.0 };

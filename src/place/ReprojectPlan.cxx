@@ -170,12 +170,16 @@ void vtkTerrainReproject::PlanSpacing(const Tile& tile)
 void vtkTerrainReproject::PlanBounds(Tile& tile)
 {
   std::vector<double> points;
-  const auto add = [&points, &tile](double u, double v)
+  const double edgeX =
+    tile.Turn > 0.0 ? 0.0 : this->EdgeCells * tile.Geometry.Spacing.x / tile.Layout.Scale[0];
+  const double edgeY =
+    tile.Turn > 0.0 ? 0.0 : this->EdgeCells * tile.Geometry.Spacing.y / tile.Layout.Scale[1];
+  const auto add = [&points, &tile, edgeX, edgeY](double u, double v)
   {
     for (double height : tile.Heights)
     {
-      points.push_back((1.0 - u) * tile.Extent[0] + u * tile.Extent[1]);
-      points.push_back((1.0 - v) * tile.Extent[2] + v * tile.Extent[3]);
+      points.push_back((1.0 - u) * (tile.Extent[0] - edgeX) + u * (tile.Extent[1] + edgeX));
+      points.push_back((1.0 - v) * (tile.Extent[2] - edgeY) + v * (tile.Extent[3] + edgeY));
       points.push_back(height);
     }
   };
@@ -273,7 +277,12 @@ void vtkTerrainReproject::CheckFlatness()
   double vertical = 0.0;
   scene->GetFlatError(horizontal, vertical);
   const double error = std::hypot(horizontal, vertical);
-  if (error > this->Internals->Spacing)
+  // A map of a degree falls by 0.6 % of its reach, which nobody sees.
+  constexpr double kSmallDrop = 0.01;
+  const int* e = this->Internals->Extent;
+  const double reach = 0.5 * this->Internals->Spacing * std::hypot(e[1] - e[0], e[3] - e[2]);
+  if (horizontal > this->Internals->Spacing ||
+    vertical > std::max(this->Internals->Spacing, kSmallDrop * reach))
   {
     this->WarningMessage += (this->WarningMessage.empty() ? "" : "; ") +
       std::string("the flat scene is wrong by up to ") + ShortText(error) + " m (" +

@@ -3,6 +3,7 @@
 #include "raster/CoordinateSystem.h"
 
 #include "raster/GDALTable.h"
+#include "raster/SystemAxes.h"
 
 #include <algorithm>
 #include <array>
@@ -71,6 +72,16 @@ std::string Attribute(OGRSpatialReferenceH reference, const char* name)
 {
   const char* value = OSRGetAttrValue(reference, name, 0);
   return value ? value : "";
+}
+
+/// True if the ellipsoid is none of the earth: a planet's or a moon's.
+bool IsOfOtherWorld(OGRSpatialReferenceH reference)
+{
+  constexpr double kEarth = 6378137.0;
+  constexpr double kSame = 0.01; // ellipsoids and spheres of the earth differ by 0.4 % at most
+  OGRErr error = OGRERR_NONE;
+  const double radius = OSRGetSemiMajor(reference, &error);
+  return error == OGRERR_NONE && std::abs(radius / kEarth - 1.0) > kSame;
 }
 
 /// The beginning of a long definition, for messages.
@@ -190,7 +201,7 @@ std::string CoordinateSystem::Read(const std::string& definition)
   {
     OSRStripVertical(flat.get());
   }
-  OSRSetAxisMappingStrategy(flat.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  TurnAxes(flat.get());
   const bool projected = OSRIsProjected(flat.get());
   if (!projected && !OSRIsGeographic(flat.get()))
   {
@@ -198,6 +209,12 @@ std::string CoordinateSystem::Read(const std::string& definition)
       "' is neither a map projection nor longitude and latitude";
   }
 
+  if (IsOfOtherWorld(flat.get()))
+  {
+    this->TheKind = Kind::OtherWorld;
+    this->Metres = projected ? OSRGetLinearUnits(flat.get(), nullptr) : 1.0;
+    return {};
+  }
   const Reference places = NewReference();
   if (OSRImportFromEPSG(places.get(), 4326) != OGRERR_NONE)
   {

@@ -5,7 +5,7 @@
  * A coordinate reference system (CRS), read and transformed by GDAL/OGR's C API over PROJ. Private
  * to the module.
  *
- * x is always east and y north (GIS order), whatever the order of axes in the definition. Places
+ * x is always east and y north, whatever the order and sense of axes in the definition. Places
  * are longitude, latitude in degrees on WGS84. Heights are not touched; what a compound system says
  * about them is only reported.
  *
@@ -33,7 +33,9 @@ public:
     /// A map projection.
     Projected,
     /// An engineering system, tied to no place on earth.
-    Engineering
+    Engineering,
+    /// Of a planet or moon.
+    OtherWorld
   };
 
   CoordinateSystem();
@@ -58,7 +60,7 @@ public:
   {
     return this->Name;
   }
-  /// Metres per unit of x and y (Projected, Engineering), 1 otherwise.
+  /// Metres per unit of x and y (Projected, Engineering, OtherWorld), 1 otherwise.
   double GetMetres() const
   {
     return this->Metres;

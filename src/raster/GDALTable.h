@@ -31,28 +31,35 @@
 /// The functions that the module calls: sorted, one line each.
 // clang-format off
 #define VTKTERRAIN_GDAL_FUNCTIONS(ENTRY)                                                           \
+  ENTRY(CPLAtof)                                                                                   \
   ENTRY(CPLErrorReset)                                                                             \
+  ENTRY(CPLEscapeString)                                                                           \
   ENTRY(CPLFormFilename)                                                                           \
   ENTRY(CPLGetErrorHandlerUserData)                                                                \
   ENTRY(CPLGetExtension)                                                                           \
+  ENTRY(CPLGetFilename)                                                                            \
   ENTRY(CPLGetLastErrorMsg)                                                                        \
   ENTRY(CPLMalloc)                                                                                 \
   ENTRY(CPLPopErrorHandler)                                                                        \
   ENTRY(CPLPushErrorHandler)                                                                       \
   ENTRY(CPLPushErrorHandlerEx)                                                                     \
   ENTRY(CPLQuietErrorHandler)                                                                      \
+  ENTRY(CPLResetExtension)                                                                         \
   ENTRY(CPLSPrintf)                                                                                \
   ENTRY(CPLSetConfigOption)                                                                        \
   ENTRY(CSLAddString)                                                                              \
   ENTRY(CSLDestroy)                                                                                \
   ENTRY(CSLFetchNameValue)                                                                         \
   ENTRY(CSLSetNameValue)                                                                           \
+  ENTRY(CSLTokenizeString2)                                                                        \
+  ENTRY(GDALAddBand)                                                                               \
   ENTRY(GDALAllRegister)                                                                           \
   ENTRY(GDALApplyGeoTransform)                                                                     \
   ENTRY(GDALApproxTransform)                                                                       \
-  ENTRY(GDALBuildVRT)                                                                              \
-  ENTRY(GDALBuildVRTOptionsFree)                                                                   \
-  ENTRY(GDALBuildVRTOptionsNew)                                                                    \
+  ENTRY(GDALAttributeGetName)                                                                      \
+  ENTRY(GDALAttributeReadAsDouble)                                                                 \
+  ENTRY(GDALAttributeReadAsString)                                                                 \
+  ENTRY(GDALAttributeRelease)                                                                      \
   ENTRY(GDALChunkAndWarpImage)                                                                     \
   ENTRY(GDALClose)                                                                                 \
   ENTRY(GDALCreate)                                                                                \
@@ -60,15 +67,28 @@
   ENTRY(GDALCreateWarpOperation)                                                                   \
   ENTRY(GDALCreateWarpOptions)                                                                     \
   ENTRY(GDALDataTypeIsComplex)                                                                     \
+  ENTRY(GDALDatasetGetRootGroup)                                                                   \
   ENTRY(GDALDatasetRasterIOEx)                                                                     \
+  ENTRY(GDALDeleteRasterNoDataValue)                                                               \
   ENTRY(GDALDestroyApproxTransformer)                                                              \
   ENTRY(GDALDestroyWarpOperation)                                                                  \
   ENTRY(GDALDestroyWarpOptions)                                                                    \
+  ENTRY(GDALDimensionGetIndexingVariable)                                                          \
+  ENTRY(GDALDimensionGetName)                                                                      \
+  ENTRY(GDALDimensionGetSize)                                                                      \
+  ENTRY(GDALExtendedDataTypeCreate)                                                                \
+  ENTRY(GDALExtendedDataTypeRelease)                                                               \
   ENTRY(GDALFlushRasterCache)                                                                      \
   ENTRY(GDALGetBlockSize)                                                                          \
+  ENTRY(GDALGetDataTypeName)                                                                       \
+  ENTRY(GDALGetDataTypeSizeBytes)                                                                  \
+  ENTRY(GDALGetDatasetDriver)                                                                      \
   ENTRY(GDALGetDescription)                                                                        \
   ENTRY(GDALGetDriverByName)                                                                       \
+  ENTRY(GDALGetDriverLongName)                                                                     \
+  ENTRY(GDALGetDriverShortName)                                                                    \
   ENTRY(GDALGetFileList)                                                                           \
+  ENTRY(GDALGetGCPCount)                                                                           \
   ENTRY(GDALGetGeoTransform)                                                                       \
   ENTRY(GDALGetMaskBand)                                                                           \
   ENTRY(GDALGetMaskFlags)                                                                          \
@@ -93,13 +113,44 @@
   ENTRY(GDALGetRasterXSize)                                                                        \
   ENTRY(GDALGetRasterYSize)                                                                        \
   ENTRY(GDALGetSpatialRef)                                                                         \
+  ENTRY(GDALGroupGetAttribute)                                                                     \
+  ENTRY(GDALGroupOpenGroupFromFullname)                                                            \
+  ENTRY(GDALGroupOpenMDArray)                                                                      \
+  ENTRY(GDALGroupOpenMDArrayFromFullname)                                                          \
+  ENTRY(GDALGroupRelease)                                                                          \
+  ENTRY(GDALGroupResolveMDArray)                                                                   \
   ENTRY(GDALInvGeoTransform)                                                                       \
+  ENTRY(GDALMDArrayAsClassicDataset)                                                               \
+  ENTRY(GDALMDArrayGetAttribute)                                                                   \
+  ENTRY(GDALMDArrayGetAttributes)                                                                  \
+  ENTRY(GDALMDArrayGetDimensionCount)                                                              \
+  ENTRY(GDALMDArrayGetDimensions)                                                                  \
+  ENTRY(GDALMDArrayGetOffset)                                                                      \
+  ENTRY(GDALMDArrayGetScale)                                                                       \
+  ENTRY(GDALMDArrayGetTotalElementsCount)                                                          \
+  ENTRY(GDALMDArrayGetUnit)                                                                        \
+  ENTRY(GDALMDArrayGetView)                                                                        \
+  ENTRY(GDALMDArrayRead)                                                                           \
+  ENTRY(GDALMDArrayRelease)                                                                        \
   ENTRY(GDALOpen)                                                                                  \
   ENTRY(GDALOpenEx)                                                                                \
+  ENTRY(GDALRasterIO)                                                                              \
   ENTRY(GDALRasterIOEx)                                                                            \
+  ENTRY(GDALReleaseAttributes)                                                                     \
+  ENTRY(GDALReleaseDimensions)                                                                     \
+  ENTRY(GDALSetDescription)                                                                        \
+  ENTRY(GDALSetGeoTransform)                                                                       \
+  ENTRY(GDALSetMetadata)                                                                           \
+  ENTRY(GDALSetMetadataItem)                                                                       \
+  ENTRY(GDALSetRasterNoDataValue)                                                                  \
+  ENTRY(GDALSetRasterOffset)                                                                       \
+  ENTRY(GDALSetRasterScale)                                                                        \
+  ENTRY(GDALSetRasterUnitType)                                                                     \
+  ENTRY(GDALSetSpatialRef)                                                                         \
   ENTRY(GDALTranslate)                                                                             \
   ENTRY(GDALTranslateOptionsFree)                                                                  \
   ENTRY(GDALTranslateOptionsNew)                                                                   \
+  ENTRY(GDALVersionInfo)                                                                           \
   ENTRY(OCTClone)                                                                                  \
   ENTRY(OCTDestroyCoordinateTransformation)                                                        \
   ENTRY(OCTNewCoordinateTransformation)                                                            \
@@ -108,8 +159,12 @@
   ENTRY(OSRDemoteTo2D)                                                                             \
   ENTRY(OSRExportToWktEx)                                                                          \
   ENTRY(OSRGetAngularUnits)                                                                        \
+  ENTRY(OSRGetAreaOfUse)                                                                           \
   ENTRY(OSRGetAttrValue)                                                                           \
+  ENTRY(OSRGetAuthorityCode)                                                                       \
   ENTRY(OSRGetAxesCount)                                                                           \
+  ENTRY(OSRGetAxis)                                                                                \
+  ENTRY(OSRGetDataAxisToSRSAxisMapping)                                                            \
   ENTRY(OSRGetInvFlattening)                                                                       \
   ENTRY(OSRGetLinearUnits)                                                                         \
   ENTRY(OSRGetName)                                                                                \
@@ -126,11 +181,17 @@
   ENTRY(OSRNewSpatialReference)                                                                    \
   ENTRY(OSRRelease)                                                                                \
   ENTRY(OSRSetAxisMappingStrategy)                                                                 \
+  ENTRY(OSRSetDataAxisToSRSAxisMapping)                                                            \
   ENTRY(OSRSetFromUserInput)                                                                       \
   ENTRY(OSRSetPROJSearchPaths)                                                                     \
   ENTRY(OSRStripVertical)                                                                          \
+  ENTRY(VSICloseDir)                                                                               \
+  ENTRY(VSIFCloseL)                                                                                \
+  ENTRY(VSIFOpenL)                                                                                 \
+  ENTRY(VSIFReadL)                                                                                 \
   ENTRY(VSIFree)                                                                                   \
-  ENTRY(VSIReadDir)                                                                                \
+  ENTRY(VSIGetNextDirEntry)                                                                        \
+  ENTRY(VSIOpenDir)                                                                                \
   ENTRY(VSIStatL)
 // clang-format on
 

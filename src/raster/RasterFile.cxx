@@ -2,92 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "raster/RasterFile.h"
 
-#include "core/files/OutputFile.h"
-#include "raster/RasterTiles.h"
+#include "raster/GDALTable.h"
+#include "raster/RasterArray.h"
+#include "raster/RasterOpen.h"
+#include "raster/RasterRepairs.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <mutex>
-
-#include <fcntl.h>
-#include <unistd.h>
+#include <utility>
 
 namespace terrain
 {
 namespace
 {
-// Fill values that many files hold without declaring them.
-constexpr std::array<double, 2> kImpossibleHeights{ { -32768.0, -32767.0 } };
-constexpr double kUnlikelyHeight = -9999.0;
-// Where heights reach below this, kUnlikelyHeight may be one.
-constexpr double kDeepSea = -8000.0;
-constexpr double kDeepestSea = -12000.0;
-// How much of a file is looked at to know that: blocks of the whole file, the same ones for each of
-// its pieces, and pixels of each.
-constexpr std::int64_t kSampledBlocks = 16;
-constexpr std::int64_t kSampledPixels = std::int64_t{ 1 } << 20;
-
 // GDAL >= 3.7 and >= 3.11; the numbers are part of its interface.
 constexpr int kTypeInt8 = 14;
 constexpr int kTypeFloat16 = 15;
-
-void RegisterDrivers()
-{
-  static std::once_flag once;
-  std::call_once(once, [] { GDALAllRegister(); });
-}
-
-std::string OneLine(const char* text)
-{
-  std::string line(text ? text : "");
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  while (!line.empty() && (line.back() == ' ' || line.back() == '.'))
-  {
-    line.pop_back();
-  }
-  return line;
-}
-
-/// Why a file could not be opened, GDAL's own reason coming last.
-std::string WhyNotOpened(const char* fileName, const std::string& failure)
-{
-  if (!fileName || !*fileName)
-  {
-    return "no file name is given";
-  }
-  VSIStatBufL status;
-  std::memset(&status, 0, sizeof(status));
-  errno = 0;
-  if (VSIStatL(fileName, &status) != 0)
-  {
-    if (errno == EACCES)
-    {
-      return "there is no permission to read it";
-    }
-    const bool plainName = std::strchr(fileName, ':') == nullptr && fileName[0] != '<';
-    return plainName || failure.empty() ? "there is no such file" : failure;
-  }
-  if (std::strncmp(fileName, "/vsi", 4) != 0 &&
-    faccessat(AT_FDCWD, fileName, R_OK, AT_EACCESS) != 0)
-  {
-    return "there is no permission to read it";
-  }
-  if (status.st_size == 0)
-  {
-    return "it is empty";
-  }
-  return "it is not a raster that GDAL can open" + (failure.empty() ? "" : " (" + failure + ")");
-}
-
-bool IsDirectory(const char* name)
-{
-  VSIStatBufL status;
-  std::memset(&status, 0, sizeof(status));
-  return VSIStatL(name, &status) == 0 && VSI_ISDIR(status.st_mode);
-}
 
 bool IsColor(GDALColorInterp color)
 {
@@ -97,70 +30,68 @@ bool IsColor(GDALColorInterp color)
 }
 
 //------------------------------------------------------------------------------
-GDALMessages::GDALMessages()
+RasterFile::RasterFile(const std::string& fileName, const std::string& part)
+  : Name(fileName)
 {
-  CPLPushErrorHandlerEx(&GDALMessages::Collect, this);
-  CPLErrorReset();
-}
-
-//------------------------------------------------------------------------------
-GDALMessages::~GDALMessages()
-{
-  CPLPopErrorHandler();
-  CPLErrorReset();
-}
-
-//------------------------------------------------------------------------------
-void CPL_STDCALL GDALMessages::Collect(CPLErr kind, CPLErrorNum /*number*/, const char* text)
-{
-  auto* self = static_cast<GDALMessages*>(CPLGetErrorHandlerUserData());
-  if ((kind == CE_Failure || kind == CE_Fatal) && self && self->Failure.empty())
+  this->Dataset = OpenRaster(this->Name, part, this->Record);
+  GDALDriverH driver = GDALGetDatasetDriver(this->Dataset);
+  if (driver && std::strcmp(GDALGetDriverShortName(driver), "MEM") != 0)
   {
-    self->Failure = OneLine(text);
+    this->Record.Take("format", GDALGetDriverLongName(driver), "GDAL");
   }
 }
 
 //------------------------------------------------------------------------------
-RasterFile::RasterFile(const char* fileName)
+RasterFile::RasterFile(const RasterMemory& memory)
+  : Name(memory.Name)
+  , Attributes(memory.Attributes)
+  , Coordinates(std::make_unique<GridCoordinates>(memory.Coordinates))
+  , CoordinatesSystem(memory.CoordinateSystem)
 {
-  if (!WhyNoGDAL().empty())
-  {
-    throw RasterError(WhyNoGDAL());
-  }
   RegisterDrivers();
   const GDALMessages messages;
-  const std::string whyNot = WhyNotInput(fileName ? fileName : "");
-  if (!whyNot.empty())
+  this->Dataset = MakeMemoryRaster(memory.Width, memory.Height, memory.Type, memory.Samples);
+  GDALRasterBandH band = GDALGetRasterBand(this->Dataset, 1);
+  GDALSetDescription(band, memory.Name.c_str());
+  const auto number = [&memory](const char* name, double& value)
   {
-    throw RasterError(whyNot);
-  }
-  if (fileName && *fileName)
+    const auto found = memory.Attributes.find(name);
+    char* end = nullptr;
+    value = found == memory.Attributes.end() ? 0.0 : std::strtod(found->second.c_str(), &end);
+    return found != memory.Attributes.end() && end != found->second.c_str();
+  };
+  double value = 0.0;
+  if (number("scale_factor", value))
   {
-    this->Dataset = GDALOpenEx(fileName, GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-      nullptr, nullptr, nullptr);
+    GDALSetRasterScale(band, value);
   }
-  if (!this->Dataset && fileName && IsDirectory(fileName)) // of no format that is a directory
+  if (number("add_offset", value))
   {
-    this->Dataset = OpenRasterTiles(fileName);
+    GDALSetRasterOffset(band, value);
   }
-  if (!this->Dataset)
+  for (const char* name : { "_FillValue", "missing_value", "nodatavals", "nodata" })
   {
-    throw RasterError(WhyNotOpened(fileName, messages.GetFailure()));
+    if (number(name, value))
+    {
+      this->MoreNoData.push_back(value);
+    }
   }
+  this->Record.Take("format", "samples in memory", "");
 }
 
 //------------------------------------------------------------------------------
 RasterFile::~RasterFile()
 {
-  if (this->GivenReference)
+  if (this->Reference)
   {
-    OSRRelease(this->GivenReference);
+    OSRRelease(this->Reference);
   }
+  const GDALMessages messages;
   if (this->Dataset)
   {
-    const GDALMessages messages;
     GDALClose(this->Dataset);
   }
+  this->Array.reset();
 }
 
 //------------------------------------------------------------------------------
@@ -168,19 +99,19 @@ void RasterFile::SelectBand(int band)
 {
   const GDALMessages messages;
   const int count = GDALGetRasterCount(this->Dataset);
-  if (count < 1)
-  {
-    const char* const* parts = GDALGetMetadata(this->Dataset, "SUBDATASETS");
-    const char* first = CSLFetchNameValue(parts, "SUBDATASET_1_NAME");
-    throw RasterError("it has no band of its own" +
-      (first ? ", open one of its parts, such as " + std::string(first) : std::string()));
-  }
   if (band < 0 || band > count)
   {
     throw RasterError(
       "it has no band " + std::to_string(band) + ", its bands are 1 to " + std::to_string(count));
   }
-  this->BandNumber = std::max(band, 1);
+  this->NumberOfBands = count;
+  while (this->NumberOfBands > 1 &&
+    GDALGetRasterColorInterpretation(GDALGetRasterBand(this->Dataset, this->NumberOfBands)) ==
+      GCI_AlphaBand)
+  {
+    --this->NumberOfBands;
+  }
+  this->BandNumber = this->FindColors(band);
   this->Band = GDALGetRasterBand(this->Dataset, this->BandNumber);
   if (!this->Band)
   {
@@ -195,47 +126,58 @@ void RasterFile::SelectBand(int band)
   {
     throw RasterError("it has no samples");
   }
-  if (band == 0)
+  if (count > 1)
   {
-    this->CheckColors();
+    const std::string description = GDALGetDescription(this->Band);
+    this->Record.Take("band",
+      std::to_string(this->BandNumber) + " of " + std::to_string(count) +
+        (description.empty() ? "" : ", " + description),
+      band > 0 ? "given" : "the first that is no colour");
   }
 }
 
 //------------------------------------------------------------------------------
-void RasterFile::CheckColors() const
+// The band to take for 0: throws for colour images, unless one band only is none of their colours.
+int RasterFile::FindColors(int band) const
 {
+  if (band > 0)
+  {
+    return band;
+  }
   const int count = GDALGetRasterCount(this->Dataset);
   int opaque = 0;
+  int plain = 0;
+  int plainBand = 1;
   bool bytes = true;
   bool colors = false;
   for (int k = 1; k <= count; ++k)
   {
-    GDALRasterBandH band = GDALGetRasterBand(this->Dataset, k);
-    const GDALColorInterp color = GDALGetRasterColorInterpretation(band);
-    if (color != GCI_AlphaBand)
+    GDALRasterBandH other = GDALGetRasterBand(this->Dataset, k);
+    const GDALColorInterp color = GDALGetRasterColorInterpretation(other);
+    if (color == GCI_AlphaBand)
     {
-      ++opaque;
-      bytes = bytes && GDALGetRasterDataType(band) == GDT_Byte;
-      colors = colors || IsColor(color);
+      continue;
     }
+    const bool isByte = GDALGetRasterDataType(other) == GDT_Byte;
+    ++opaque;
+    bytes = bytes && isByte;
+    colors = colors || IsColor(color);
+    plain += isByte || IsColor(color) ? 0 : 1;
+    plainBand = isByte || IsColor(color) ? plainBand : k;
+  }
+  if (colors && plain == 1)
+  {
+    return plainBand;
   }
   if (colors || (opaque > 2 && bytes))
   {
     throw RasterError("it looks like a colour image of " + std::to_string(count) +
-      (count == 1 ? " band" : " bands") + ", not like heights; choose a band to use it as heights");
+      (count == 1 ? " band" : " bands") +
+      ", not like heights; choose a band to use it as heights (--band 1), unless heights are "
+      "packed into "
+      "the colours (terrarium, terrain-RGB): unpack those first (gdal_calc.py)");
   }
-}
-
-//------------------------------------------------------------------------------
-int RasterFile::GetNumberOfBands() const
-{
-  int count = GDALGetRasterCount(this->Dataset);
-  while (count > 1 &&
-    GDALGetRasterColorInterpretation(GDALGetRasterBand(this->Dataset, count)) == GCI_AlphaBand)
-  {
-    --count;
-  }
-  return count;
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -278,6 +220,11 @@ bool RasterFile::IsSignedByte() const
   {
     return true;
   }
+  if (this->GetType() != GDT_Byte)
+  {
+    return false;
+  }
+  const GDALMessages messages; // later versions of GDAL complain about the question
   const char* sign = GDALGetMetadataItem(this->Band, "PIXELTYPE", "IMAGE_STRUCTURE");
   return this->GetType() == GDT_Byte && sign && std::strcmp(sign, "SIGNEDBYTE") == 0;
 }
@@ -304,103 +251,16 @@ void RasterFile::GetScaleAndOffset(double& scale, double& offset) const
   offset = GDALGetRasterOffset(this->Band, &hasOffset);
   scale = hasScale && std::isfinite(scale) && scale != 0.0 ? scale : 1.0;
   offset = hasOffset && std::isfinite(offset) ? offset : 0.0;
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> RasterFile::GetDeclaredNoData() const
-{
-  int declared = 0;
-  double value = 0.0;
-  const GDALDataType type = GDALGetRasterDataType(this->Band);
-  if (type == GDT_Int64)
-  {
-    value = static_cast<double>(GDALGetRasterNoDataValueAsInt64(this->Band, &declared));
-  }
-  else if (type == GDT_UInt64)
-  {
-    value = static_cast<double>(GDALGetRasterNoDataValueAsUInt64(this->Band, &declared));
-  }
-  else
-  {
-    value = GDALGetRasterNoDataValue(this->Band, &declared);
-  }
-  if (!declared || std::isnan(value))
-  {
-    return {};
-  }
-  switch (type)
-  {
-    case GDT_Byte:
-      return { this->IsSignedByte() && value > 127.0 ? value - 256.0 : value };
-    case GDT_Float32:
-      // The tag may be a decimal rounding of the value, beyond the type's range even.
-      return std::fabs(value) > std::numeric_limits<float>::max()
-        ? std::vector<double>{}
-        : std::vector<double>{ static_cast<double>(static_cast<float>(value)) };
-    default:
-      return { value }; // no sample equals one that the type cannot hold
-  }
-}
-
-//------------------------------------------------------------------------------
-// The lowest height in some blocks of the file, fill values left out, and whether there are any.
-void RasterFile::SampleHeights(double& lowest, bool& fillOccurs) const
-{
-  int blockWidth = 1;
-  int blockHeight = 1;
-  GDALGetBlockSize(this->Band, &blockWidth, &blockHeight);
-  const std::int64_t width = std::max(blockWidth, 1);
-  const std::int64_t height = std::max(blockHeight, 1);
-  const std::int64_t across = (this->GetWidth() + width - 1) / width;
-  const std::int64_t count = across * ((this->GetHeight() + height - 1) / height);
-  const std::int64_t samples = std::min(count, kSampledBlocks);
-  lowest = std::numeric_limits<double>::infinity();
-  fillOccurs = false;
-  std::vector<double> values;
-  for (std::int64_t k = 0; k < samples; ++k)
-  {
-    const std::int64_t block = (2 * k + 1) * count / (2 * samples);
-    RasterWindow window{ block % across * width, block / across * height, width, height };
-    window.Width = std::min(width, this->GetWidth() - window.X);
-    window.Height = std::min({ height, this->GetHeight() - window.Y,
-      std::max<std::int64_t>(kSampledPixels / window.Width, 1) });
-    values.resize(static_cast<std::size_t>(window.Width * window.Height));
-    this->Read(-1, window, values.data(), GDT_Float64, 8, 8 * window.Width);
-    for (const double value : values)
-    {
-      const bool fill = value == kUnlikelyHeight || value < kDeepestSea;
-      lowest = !fill && value < lowest ? value : lowest;
-      fillOccurs = fillOccurs || fill;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> RasterFile::GetUndeclaredNoData(bool& occur) const
-{
-  const GDALDataType type = this->GetType();
-  const bool isSigned =
-    type == GDT_Int16 || type == GDT_Int32 || type == GDT_Float32 || type == GDT_Float64;
-  occur = false;
-  if (!isSigned)
-  {
-    return {};
-  }
-  std::vector<double> values(kImpossibleHeights.begin(), kImpossibleHeights.end());
-  double lowest = 0.0;
-  this->SampleHeights(lowest, occur);
-  if (lowest > kDeepSea)
-  {
-    values.push_back(kUnlikelyHeight);
-  }
-  return values;
+  scale *= this->Heights.Factor;
+  offset *= this->Heights.Factor;
 }
 
 //------------------------------------------------------------------------------
 bool RasterFile::HasMask() const
 {
-  const int flags = GDALGetMaskFlags(this->Band);
-  return (flags & (GMF_PER_DATASET | GMF_ALPHA)) != 0;
+  // Neither all valid nor by one value: per dataset, an alpha band, or the special values of ISIS
+  // and PDS4, which have no flag.
+  return (GDALGetMaskFlags(this->Band) & (GMF_ALL_VALID | GMF_NODATA)) == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -432,7 +292,8 @@ void ReadWindow(GDALRasterBandH band, const RasterWindow& window, void* buffer, 
   if (result != CE_None || !messages.GetFailure().empty())
   {
     throw RasterError("its samples cannot be read" +
-      (messages.GetFailure().empty() ? "" : " (" + messages.GetFailure() + ")"));
+      (messages.GetFailure().empty() ? "" : " (" + messages.GetFailure() + ")") +
+      ": the file may be incomplete");
   }
 }
 

@@ -2,7 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One band of a raster file through GDAL's C API, without VTK. Private to the module.
+ * One band of heights through GDAL's C API, without VTK: of a file, of a folder of tiles, or of
+ * samples in memory with what their owner knows of them. All roads into the module end here.
+ * Private to the module.
+ *
+ * Use: construct, SelectBand, TakeIn; then read. TakeIn finds place, unit, sense, holes and
+ * orientation from all that the raster says, and where samples lie unevenly, along curved lines or
+ * with rows for columns, puts an even raster in memory in its place.
  *
  * Errors are exceptions of type RasterError, whose text is one sentence; GDAL itself
  * prints nothing while a RasterFile is at work.
@@ -10,42 +16,25 @@
 #ifndef vtkTerrain_raster_RasterFile_h
 #define vtkTerrain_raster_RasterFile_h
 
-#include "raster/GDALTable.h"
+#include "raster/GridCoordinates.h"
+#include "raster/RasterHoles.h"
+#include "raster/RasterMessages.h"
+#include "raster/RasterRecord.h"
+#include "raster/RasterUnits.h"
+
+#include <gdal.h>
+#include <ogr_srs_api.h>
 
 #include <array>
 #include <cstdint>
-#include <stdexcept>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace terrain
 {
-/// Why a raster cannot be used: one sentence without the file's name.
-class RasterError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Collects the failures that GDAL reports on this thread while it lives, instead of printing them.
-class GDALMessages
-{
-public:
-  GDALMessages();
-  ~GDALMessages();
-  GDALMessages(const GDALMessages&) = delete;
-  void operator=(const GDALMessages&) = delete;
-
-  /// The first failure reported so far, as one line; empty if there was none.
-  const std::string& GetFailure() const
-  {
-    return this->Failure;
-  }
-
-private:
-  static void CPL_STDCALL Collect(CPLErr kind, CPLErrorNum number, const char* text);
-  std::string Failure;
-};
+class RasterArray;
 
 /// Pixels of a raster file: columns from its first, rows from its first (as a rule the
 /// northernmost).
@@ -60,7 +49,8 @@ struct RasterWindow
 /// How the pixels of a raster lie on the ground, in metres.
 struct RasterLayout
 {
-  /// GDAL's affine transform from pixel corners to the CRS; the identity if there is none.
+  /// GDAL's affine transform from pixel corners to the CRS, x east and y north; the identity if
+  /// there is none.
   std::array<double, 6> GeoTransform{ { 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } };
   bool HasGeoTransform = false;
   /// WKT2:2019 of the CRS, empty if there is none.
@@ -74,36 +64,84 @@ struct RasterLayout
   bool EastFirst = false;
 };
 
-/// A raster file, one band of it; closed on destruction.
+/// What the caller says in place of what the raster tells.
+struct RasterOptions
+{
+  /// CRS: EPSG code, WKT or PROJ string; empty for the raster's own.
+  std::string CoordinateSystem;
+  /// Unit or metres per unit of heights (core/grid/HeightUnits.h); empty for the raster's own.
+  std::string HeightUnit;
+  /// True if the first row lies at the other side than the raster says.
+  bool Flip = false;
+  /// A value that is no height, besides those that the raster declares.
+  bool UseNoData = false;
+  double NoData = 0.0;
+  /// True to look for fill values that it does not declare.
+  bool DetectNoData = true;
+};
+
+/// Samples in memory and what their owner knows of them.
+struct RasterMemory
+{
+  /// Row by row; must outlive the RasterFile.
+  void* Samples = nullptr;
+  GDALDataType Type = GDT_Unknown;
+  int Width = 0;
+  int Height = 0;
+  std::string Name;
+  /// As CF and GDAL name them: "units", "scale_factor", "positive", "_FillValue", ...
+  std::map<std::string, std::string> Attributes;
+  /// CRS of the coordinates; empty if it is not known.
+  std::string CoordinateSystem;
+  GridCoordinates Coordinates;
+};
+
+/// Values that are no heights.
+struct RasterHoles
+{
+  std::vector<double> Declared;
+  /// Fill that nobody declares, and whether some of it was seen.
+  std::vector<double> Undeclared;
+  bool UndeclaredOccurs = false;
+  /// Lowest and highest of the samples that were looked at, before scale and offset; low > high if
+  /// all were fill.
+  double Low = 1.0;
+  double High = -1.0;
+  /// What else they showed.
+  FillFindings Seen;
+};
+
+/// A raster, one band of it; closed on destruction.
 class RasterFile
 {
 public:
-  /// Opens a file, or a directory of tiles as one, for reading. Throws RasterError.
-  explicit RasterFile(const char* fileName);
+  /// Opens what a name stands for (RasterOpen.h) for reading. Throws RasterError.
+  explicit RasterFile(const std::string& fileName, const std::string& part = std::string());
+  /// Takes samples in memory. Throws RasterError.
+  explicit RasterFile(const RasterMemory& memory);
   ~RasterFile();
   RasterFile(const RasterFile&) = delete;
   void operator=(const RasterFile&) = delete;
 
-  /// Names, as GDAL tells them, of the files that the raster is read from. Not told are those that
-  /// belong to the parts of a virtual raster or to the tiles of a directory.
-  std::vector<std::string> GetFileNames() const;
-
-  /// A CRS in place of the one that the file names: EPSG code, WKT or PROJ string. Throws if it is
-  /// not understood.
-  void SetCoordinateSystem(const std::string& definition);
-
-  /// Takes band 1 and following; 0 takes the first one unless the file is a colour image. Throws.
+  /// Takes band 1 and following; 0 takes the first one unless the file is a colour image, or the
+  /// only one of an image that is no colour. Throws.
   void SelectBand(int band);
+  /// Finds everything else; once, after SelectBand. Throws.
+  void TakeIn(const RasterOptions& options);
+
   int GetBand() const
   {
     return this->BandNumber;
   }
-
   /// Bands of samples: without an alpha band at the end.
-  int GetNumberOfBands() const;
-
+  int GetNumberOfBands() const
+  {
+    return this->NumberOfBands;
+  }
   std::int64_t GetWidth() const;
   std::int64_t GetHeight() const;
+  /// Files on disk that belong to it, as GDAL names them (InputFiles.cxx).
+  std::vector<std::string> GetFileNames() const;
 
   /// Type of the samples in memory: a real type of 8 to 64 bits; 64-bit integers become
   /// GDT_Float64.
@@ -111,23 +149,38 @@ public:
   /// True for GDT_Byte with the sign that old files declare beside the type.
   bool IsSignedByte() const;
   bool IsInteger() const;
+  /// True if an even raster in memory stands for the file.
+  bool IsReplaced() const
+  {
+    return this->Replaced;
+  }
+  /// True if x or y of the file were turned, for its CRS counts west or south.
+  bool IsTurned() const
+  {
+    return this->Turned;
+  }
 
   std::string GetBandDescription() const;
-  /// height = offset + scale * value, as the band declares it.
+  /// height in metres = offset + scale * value: of the band, its unit and its sense together.
   void GetScaleAndOffset(double& scale, double& offset) const;
-  /// Name of the heights' unit (of the band, else of the CRS's vertical axis), empty if unknown.
-  std::string GetVerticalUnit() const;
-  /// Metres in that unit; 1 if it is not a unit of length that is known.
-  double GetMetresPerVerticalUnit() const;
+  const HeightMeaning& GetHeights() const
+  {
+    return this->Heights;
+  }
+  const RasterLayout& GetLayout() const
+  {
+    return this->Layout;
+  }
+  const RasterHoles& GetHoles() const
+  {
+    return this->Holes;
+  }
+  /// What was taken from where, and warnings.
+  RasterRecord& GetRecord()
+  {
+    return this->Record;
+  }
 
-  /// Throws where the pixels do not lie along the axes, or contradict their CRS.
-  RasterLayout GetLayout() const;
-
-  /// The declared NoData value if it can occur in the band's type.
-  std::vector<double> GetDeclaredNoData() const;
-  /// Well-known fill values that can only be fill in this band; sets `occur` if some of the blocks
-  /// that are looked at hold one.
-  std::vector<double> GetUndeclaredNoData(bool& occur) const;
   /// True if a mask or an alpha band says which pixels have data.
   bool HasMask() const;
 
@@ -149,15 +202,58 @@ public:
   std::int64_t GetBlockColumns(int overview) const;
 
 private:
-  OGRSpatialReferenceH GetSpatialReference() const;
   GDALRasterBandH FindBand(int overview) const;
-  void CheckColors() const;
-  void SampleHeights(double& lowest, bool& fillOccurs) const;
+  int FindColors(int band) const;
 
+  // RasterPlace.cxx
+  void FindPlace(const RasterOptions& options);
+  void TakeGivenSystem(const std::string& definition);
+  void PlaceByArray(const std::string& given);
+  void PlaceByMemory(const std::string& given);
+  void PlaceByGeolocation();
+  void PlaceByText();
+  bool NeedsCoordinates() const;
+  void TakePlace(const GridPlace& place, const std::string& system);
+  void SetReference(const std::string& definition, const std::string& source);
+  void TurnFileAxes();
+  void WarnOfPlace();
+  void CheckSystem();
+  void MakeLayout();
+
+  // RasterIntake.cxx
+  void FindHoles(const RasterOptions& options);
+  std::vector<double> SampleBand() const;
+  std::vector<double> GetDeclaredNoData() const;
+  void FindHeights(const RasterOptions& options);
+  void Resample();
+  std::vector<double> ReadHeights();
+  void Replace(GDALDatasetH dataset);
+  void CheckSanity();
+
+  std::string Name;
   GDALDatasetH Dataset = nullptr;
-  OGRSpatialReferenceH GivenReference = nullptr;
   GDALRasterBandH Band = nullptr;
   int BandNumber = 0;
+  int NumberOfBands = 0;
+  bool Replaced = false;
+  bool Turned = false;
+  /// The array behind the dataset, where its variables say what GDAL's raster does not.
+  std::unique_ptr<RasterArray> Array;
+  std::map<std::string, std::string> Attributes;
+  /// Of samples in memory.
+  std::unique_ptr<GridCoordinates> Coordinates;
+  std::string CoordinatesSystem;
+  std::vector<double> MoreNoData;
+
+  OGRSpatialReferenceH Reference = nullptr;
+  std::array<double, 6> Transform{ { 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } };
+  bool HasTransform = false;
+  /// Coordinates of samples that are not evenly spaced.
+  GridPlace Uneven;
+  RasterLayout Layout;
+  RasterHoles Holes;
+  HeightMeaning Heights;
+  RasterRecord Record;
 };
 }
 #endif

@@ -116,19 +116,8 @@ RasterHeights::RasterHeights(RasterHeightsSettings settings)
   request.NorthFirst = layout.NorthFirst;
   request.EastFirst = layout.EastFirst;
   file->GetScaleAndOffset(request.Scale, request.Offset);
-  const double metres = file->GetMetresPerVerticalUnit();
-  request.Scale *= metres;
-  request.Offset *= metres;
-  request.NoData = file->GetDeclaredNoData();
-  if (this->Settings.UseNoDataValue)
-  {
-    request.NoData.push_back(this->Settings.NoDataValue);
-  }
-  else if (request.NoData.empty() && this->Settings.DetectNoData)
-  {
-    bool occur = false;
-    request.UndeclaredNoData = file->GetUndeclaredNoData(occur);
-  }
+  request.NoData = file->GetHoles().Declared;
+  request.UndeclaredNoData = file->GetHoles().Undeclared;
   request.Progress = [](double) { return true; };
   this->Type = StoredTypeFor(*file, request.Scale != 1.0 || request.Offset != 0.0);
   this->FileType = file->GetType();
@@ -141,8 +130,9 @@ RasterHeights::RasterHeights(RasterHeightsSettings settings)
 //------------------------------------------------------------------------------
 std::unique_ptr<RasterFile> RasterHeights::Open() const
 {
-  auto file = std::make_unique<RasterFile>(this->Settings.FileName.c_str());
+  auto file = std::make_unique<RasterFile>(this->Settings.FileName, this->Settings.Part);
   file->SelectBand(this->Settings.Band);
+  file->TakeIn(this->Settings.Options);
   if (this->Request.Width > 0 &&
     (file->GetWidth() != this->Request.Width || file->GetHeight() != this->Request.Height))
   {
@@ -173,9 +163,9 @@ TileFileKey RasterHeights::FindKey() const
   std::ostringstream text;
   text.precision(17);
   const RasterRequest& request = this->Request;
-  text << this->Settings.Band << ' ' << request.Scale << ' ' << request.Offset << ' '
-       << request.NorthFirst << request.EastFirst << ' ' << this->FileType << ' ' << whole.x << ' '
-       << whole.y;
+  text << this->Settings.Band << ' ' << this->Settings.Part << ' ' << request.Scale << ' '
+       << request.Offset << ' ' << request.NorthFirst << request.EastFirst << ' ' << this->FileType
+       << ' ' << whole.x << ' ' << whole.y;
   for (const std::vector<double>* values : { &request.NoData, &request.UndeclaredNoData })
   {
     text << " none";

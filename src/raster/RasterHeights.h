@@ -26,10 +26,9 @@ namespace terrain
 struct RasterHeightsSettings
 {
   std::string FileName;
+  std::string Part;
   int Band = 0;
-  bool UseNoDataValue = false;
-  double NoDataValue = 0.0;
-  bool DetectNoData = true;
+  RasterOptions Options;
 };
 
 /// Each thread that reads has a handle of its own, for GDAL's may be used by one at a time.

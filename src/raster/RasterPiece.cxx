@@ -91,8 +91,7 @@ public:
       const std::int64_t found = this->SetNoneWhere(index, count, value);
       if (found > 0)
       {
-        this->Findings.Undeclared += found;
-        this->Findings.UndeclaredValue = static_cast<double>(value);
+        this->Findings.Undeclared[static_cast<double>(value)] += found;
       }
     }
     this->SetNoneWhereNotFinite(index, count);
@@ -306,10 +305,9 @@ private:
     }
     Classifier<double> classifier(this->Request, this->Values.data());
     classifier.Classify(0, this->Columns * rows, masked ? this->Mask.data() : nullptr);
-    this->Findings.Undeclared += classifier.Findings.Undeclared;
-    if (classifier.Findings.Undeclared > 0)
+    for (const auto& [value, found] : classifier.Findings.Undeclared)
     {
-      this->Findings.UndeclaredValue = classifier.Findings.UndeclaredValue;
+      this->Findings.Undeclared[value] += found;
     }
   }
 

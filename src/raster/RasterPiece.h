@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <vector>
 
 namespace terrain
@@ -52,8 +53,8 @@ struct RasterRequest
 struct RasterFindings
 {
   bool Completed = true;
-  std::int64_t Undeclared = 0;
-  double UndeclaredValue = 0.0;
+  /// How many samples held each undeclared value.
+  std::map<double, std::int64_t> Undeclared;
 };
 
 /// Reads the extent to samples, row by row from the south. Hidden integer samples hold 0.

@@ -2,38 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "raster/RasterTiles.h"
 
-#include "raster/RasterFile.h"
+#include "raster/GDALTable.h"
+#include "raster/RasterMessages.h"
+#include "raster/RasterReference.h"
+#include "raster/Tile.h"
 
 #include <algorithm>
 #include <array>
-#include <memory>
-#include <string>
-#include <vector>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace terrain
 {
 namespace
 {
 // Pictures and virtual rasters, which lie beside tiles, are none.
-constexpr std::array<const char*, 13> kTileExtensions{ { "tif", "tiff", "hgt", "dem", "asc", "img",
-  "dt0", "dt1", "dt2", "bil", "flt", "grd", "jp2" } };
-
-struct FreeStrings
-{
-  void operator()(char** list) const
-  {
-    CSLDestroy(list);
-  }
-};
-using Strings = std::unique_ptr<char*, FreeStrings>;
-
-struct FreeOptions
-{
-  void operator()(GDALBuildVRTOptions* options) const
-  {
-    GDALBuildVRTOptionsFree(options);
-  }
-};
+constexpr std::array<const char*, 16> kTileExtensions{ { "tif", "tiff", "hgt", "dem", "asc", "img",
+  "dt0", "dt1", "dt2", "bil", "flt", "grd", "jp2", "sdat", "nc", "xyz" } };
+// Folders below each other that are looked into.
+constexpr int kDeepest = 6;
 
 bool IsTile(const char* name)
 {
@@ -42,84 +30,255 @@ bool IsTile(const char* name)
     [extension](const char* other) { return EQUAL(extension, other); });
 }
 
-/// Paths of the tiles, sorted. Throws RasterError.
-std::vector<std::string> FindTiles(const char* directory)
+std::string Escaped(const std::string& text)
 {
-  std::vector<std::string> tiles;
-  const Strings names(VSIReadDir(directory));
-  if (!names)
-  {
-    throw RasterError("it is a directory that cannot be listed, or an empty one");
-  }
-  for (char** name = names.get(); *name; ++name)
-  {
-    if (IsTile(*name))
-    {
-      tiles.emplace_back(CPLFormFilename(directory, *name, nullptr));
-    }
-  }
-  std::sort(tiles.begin(), tiles.end());
-  return tiles;
+  char* escaped = CPLEscapeString(text.c_str(), static_cast<int>(text.size()), CPLES_XML);
+  std::string result(escaped);
+  CPLFree(escaped);
+  return result;
 }
 
-/// How the virtual raster tells gaps, and what the tiles have no data for: by the value of the
-/// first tile that declares one, else by the tiles' masks, else by an alpha band.
-std::vector<std::string> GapOptions(const std::vector<std::string>& tiles)
+std::string Exact(double value)
 {
-  bool isMasked = false;
-  for (const std::string& tile : tiles)
-  {
-    GDALDatasetH dataset = GDALOpen(tile.c_str(), GA_ReadOnly);
-    GDALRasterBandH band = dataset ? GDALGetRasterBand(dataset, 1) : nullptr;
-    int isDeclared = 0;
-    const double value = band ? GDALGetRasterNoDataValue(band, &isDeclared) : 0.0;
-    isMasked = isMasked || (band && GDALGetMaskFlags(band) == GMF_PER_DATASET);
-    if (dataset)
-    {
-      GDALClose(dataset);
-    }
-    if (isDeclared != 0)
-    {
-      return { "-vrtnodata", CPLSPrintf("%.17g", value) };
-    }
-  }
-  return isMasked ? std::vector<std::string>() : std::vector<std::string>{ "-addalpha" };
+  return std::isnan(value) ? "nan" : CPLSPrintf("%.17g", value);
 }
 
-Strings MakeList(const std::vector<std::string>& texts)
+/// The raster that tiles make.
+struct Mosaic
 {
-  char** list = nullptr;
-  for (const std::string& text : texts)
+  std::vector<Tile> Tiles;
+  double West = 0.0;
+  double North = 0.0;
+  double StepX = 0.0;
+  double StepY = 0.0;
+  int Width = 0;
+  int Height = 0;
+  int Bands = 1;
+  /// True if samples stay as they are in the tiles: they all mean the same.
+  bool IsUniform = true;
+  GDALDataType Type = GDT_Float32;
+  double NoData = 0.0;
+};
+
+/// A type that holds the samples and one value besides, for gaps.
+GDALDataType TypeWithGaps(GDALDataType type, const std::vector<Tile>& tiles)
+{
+  const bool declared = std::all_of(tiles.begin(), tiles.end(),
+    [&tiles](const Tile& tile) { return tile.HasNoData && tile.NoData == tiles.front().NoData; });
+  if (declared && !std::isnan(tiles.front().NoData))
   {
-    list = CSLAddString(list, text.c_str());
+    return type;
   }
-  return Strings(list);
+  switch (type)
+  {
+    case GDT_Byte:
+      return GDT_Int16;
+    case GDT_UInt16:
+      return GDT_Int32;
+    case GDT_UInt32:
+      return GDT_Float64;
+    default:
+      return type;
+  }
+}
+
+double GapValue(GDALDataType type, const std::vector<Tile>& tiles)
+{
+  const bool declared = std::all_of(tiles.begin(), tiles.end(),
+    [&tiles](const Tile& tile) { return tile.HasNoData && tile.NoData == tiles.front().NoData; });
+  switch (type)
+  {
+    case GDT_Float32:
+    case GDT_Float64:
+      return std::numeric_limits<double>::quiet_NaN();
+    case GDT_Int16:
+      return declared ? tiles.front().NoData : -32768.0;
+    default:
+      return declared ? tiles.front().NoData : -2147483648.0;
+  }
+}
+
+Mosaic PlanMosaic(std::vector<Tile> tiles)
+{
+  Mosaic mosaic;
+  const Tile first = tiles.front();
+  double east = first.East();
+  double south = first.South();
+  mosaic.West = first.West();
+  mosaic.North = first.North();
+  mosaic.StepX = first.GeoTransform[1];
+  mosaic.StepY = -first.GeoTransform[5];
+  mosaic.Bands = first.Bands;
+  bool isWide = false;
+  for (const Tile& tile : tiles)
+  {
+    mosaic.West = std::min(mosaic.West, tile.West());
+    mosaic.North = std::max(mosaic.North, tile.North());
+    east = std::max(east, tile.East());
+    south = std::min(south, tile.South());
+    mosaic.StepX = std::min(mosaic.StepX, tile.GeoTransform[1]);
+    mosaic.StepY = std::min(mosaic.StepY, -tile.GeoTransform[5]);
+    mosaic.Bands = tile.Bands == first.Bands ? mosaic.Bands : 1;
+    mosaic.IsUniform = mosaic.IsUniform && tile.Scale == first.Scale &&
+      tile.Offset == first.Offset && tile.Type == first.Type;
+    isWide =
+      isWide || tile.Type == GDT_Float64 || tile.Type == GDT_Int32 || tile.Type == GDT_UInt32;
+  }
+  const double width = std::floor((east - mosaic.West) / mosaic.StepX + 0.5);
+  const double height = std::floor((mosaic.North - south) / mosaic.StepY + 0.5);
+  if (!(width * height < 1e13) || width > 2147483647.0 || height > 2147483647.0)
+  {
+    throw RasterError("its tiles make a raster of " + NumberText(width) + " x " +
+      NumberText(height) + " samples, which is too large: open fewer of them");
+  }
+  mosaic.Width = static_cast<int>(width);
+  mosaic.Height = static_cast<int>(height);
+  mosaic.Type = mosaic.IsUniform ? TypeWithGaps(first.Type, tiles)
+    : isWide                     ? GDT_Float64
+                                 : GDT_Float32;
+  mosaic.NoData = GapValue(mosaic.Type, tiles);
+  // The finest is drawn last, and so is what comes last by name of equally fine ones.
+  std::stable_sort(tiles.begin(), tiles.end(),
+    [](const Tile& a, const Tile& b) { return a.CellArea() > b.CellArea() * (1.0 + 1e-6); });
+  mosaic.Tiles = std::move(tiles);
+  return mosaic;
+}
+
+/// A tile as a source of the virtual raster (GDAL's VRT format).
+std::string DescribeSource(const Mosaic& mosaic, const Tile& tile, int band)
+{
+  const double x = (tile.West() - mosaic.West) / mosaic.StepX;
+  const double y = (mosaic.North - tile.North()) / mosaic.StepY;
+  const double width = tile.Width * tile.GeoTransform[1] / mosaic.StepX;
+  const double height = tile.Height * -tile.GeoTransform[5] / mosaic.StepY;
+  const auto snap = [](double value)
+  { return std::abs(value - std::round(value)) < 1e-3 ? std::round(value) : value; };
+  const bool isSame = snap(width) == tile.Width && snap(height) == tile.Height;
+  std::string text = isSame ? "<ComplexSource>" : "<ComplexSource resampling=\"bilinear\">";
+  text += "<SourceFilename relativeToVRT=\"0\">" + Escaped(tile.Path) +
+    "</SourceFilename><SourceBand>" + std::to_string(band) + "</SourceBand>";
+  text += CPLSPrintf("<SourceProperties RasterXSize=\"%d\" RasterYSize=\"%d\" DataType=\"%s\" "
+                     "BlockXSize=\"%d\" BlockYSize=\"%d\"/>",
+    tile.Width, tile.Height, GDALGetDataTypeName(tile.Type), tile.Block[0], tile.Block[1]);
+  text += CPLSPrintf(
+    "<SrcRect xOff=\"0\" yOff=\"0\" xSize=\"%d\" ySize=\"%d\"/>", tile.Width, tile.Height);
+  text += CPLSPrintf("<DstRect xOff=\"%.17g\" yOff=\"%.17g\" xSize=\"%.17g\" ySize=\"%.17g\"/>",
+    snap(x), snap(y), snap(width), snap(height));
+  if (tile.HasMask)
+  {
+    text += "<UseMaskBand>true</UseMaskBand>";
+  }
+  else if (tile.HasNoData)
+  {
+    text += "<NODATA>" + Exact(tile.NoData) + "</NODATA>";
+  }
+  if (!mosaic.IsUniform)
+  {
+    text += "<ScaleOffset>" + Exact(tile.Offset) + "</ScaleOffset><ScaleRatio>" +
+      Exact(tile.Scale) + "</ScaleRatio>";
+  }
+  return text + "</ComplexSource>";
+}
+
+std::string DescribeMosaic(const Mosaic& mosaic)
+{
+  const Tile& first = mosaic.Tiles.front();
+  std::string text = "<VRTDataset rasterXSize=\"" + std::to_string(mosaic.Width) +
+    "\" rasterYSize=\"" + std::to_string(mosaic.Height) + "\">";
+  text += "<GeoTransform>" + Exact(mosaic.West) + ", " + Exact(mosaic.StepX) + ", 0, " +
+    Exact(mosaic.North) + ", 0, " + Exact(-mosaic.StepY) + "</GeoTransform>";
+  for (int band = 1; band <= mosaic.Bands; ++band)
+  {
+    text += CPLSPrintf(
+      "<VRTRasterBand dataType=\"%s\" band=\"%d\">", GDALGetDataTypeName(mosaic.Type), band);
+    text += "<NoDataValue>" + Exact(mosaic.NoData) + "</NoDataValue>";
+    if (mosaic.IsUniform)
+    {
+      text += "<UnitType>" + Escaped(first.Unit) + "</UnitType><Offset>" + Exact(first.BandOffset) +
+        "</Offset><Scale>" + Exact(first.BandScale) + "</Scale>";
+      text += first.Scale * first.BandScale < 0.0
+        ? "<Metadata><MDI key=\"positive\">down</MDI></Metadata>"
+        : "";
+    }
+    else
+    {
+      text += "<UnitType>m</UnitType>";
+    }
+    for (const Tile& tile : mosaic.Tiles)
+    {
+      text += DescribeSource(mosaic, tile, band);
+    }
+    text += "</VRTRasterBand>";
+  }
+  return text + "</VRTDataset>";
 }
 }
 
 //------------------------------------------------------------------------------
-GDALDatasetH OpenRasterTiles(const char* directory)
+std::vector<std::string> FindRasters(const std::string& directory)
 {
-  const GDALMessages messages;
-  const std::vector<std::string> tiles = FindTiles(directory);
+  std::vector<std::string> tiles;
+  VSIDIR* entries = VSIOpenDir(directory.c_str(), kDeepest, nullptr);
+  if (!entries)
+  {
+    throw RasterError("it is a directory that cannot be listed, or an empty one");
+  }
+  while (const VSIDIREntry* entry = VSIGetNextDirEntry(entries))
+  {
+    if (IsTile(entry->pszName) && !VSI_ISDIR(entry->nMode))
+    {
+      tiles.emplace_back(CPLFormFilename(directory.c_str(), entry->pszName, nullptr));
+    }
+  }
+  VSICloseDir(entries);
+  std::sort(tiles.begin(), tiles.end());
+  return tiles;
+}
+
+//------------------------------------------------------------------------------
+GDALDatasetH OpenRasterTiles(const std::string& directory, RasterRecord& record)
+{
+  std::vector<Tile> tiles;
+  for (const std::string& path : FindRasters(directory))
+  {
+    tiles.push_back(ReadTile(path));
+  }
   if (tiles.empty())
   {
     throw RasterError("it is a directory without elevation tiles");
   }
-  const Strings names = MakeList(tiles);
-  std::vector<std::string> words{ "-strict", "-resolution", "highest", "-r", "bilinear" };
-  const std::vector<std::string> gaps = GapOptions(tiles);
-  words.insert(words.end(), gaps.begin(), gaps.end());
-  const Strings arguments = MakeList(words);
-  const std::unique_ptr<GDALBuildVRTOptions, FreeOptions> options(
-    GDALBuildVRTOptionsNew(arguments.get(), nullptr));
-  int misuse = 0;
-  GDALDatasetH terrain =
-    GDALBuildVRT("", static_cast<int>(tiles.size()), nullptr, names.get(), options.get(), &misuse);
+  const std::size_t found = tiles.size();
+  LeaveOutProducts(tiles, record);
+  CheckTiles(tiles);
+  for (const Tile& tile : tiles)
+  {
+    for (const std::string& warning : tile.Warnings)
+    {
+      record.Warn(warning);
+    }
+  }
+  JoinDateLine(tiles, record);
+  CheckSites(tiles);
+  const Mosaic mosaic = PlanMosaic(std::move(tiles));
+  record.Take("tiles",
+    std::to_string(mosaic.Tiles.size()) + " of " + std::to_string(found) + " files", "folder");
+  if (!mosaic.IsUniform)
+  {
+    record.Take("tiles' heights",
+      "brought to metres one by one: their units, scales or types differ", "each tile");
+  }
+  const GDALMessages messages;
+  GDALDatasetH terrain = GDALOpenEx(
+    DescribeMosaic(mosaic).c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
   if (!terrain)
   {
-    throw RasterError("its " + std::to_string(tiles.size()) + " tiles make no one raster" +
+    throw RasterError("its " + std::to_string(found) + " tiles make no one raster" +
       (messages.GetFailure().empty() ? "" : " (" + messages.GetFailure() + ")"));
+  }
+  if (OGRSpatialReferenceH reference = MakeReference(mosaic.Tiles.front().System))
+  {
+    GDALSetSpatialRef(terrain, reference);
+    OSRRelease(reference);
   }
   return terrain;
 }

@@ -7,14 +7,25 @@
 #ifndef vtkTerrain_raster_RasterTiles_h
 #define vtkTerrain_raster_RasterTiles_h
 
-#include "raster/GDALTable.h"
+#include "raster/RasterRecord.h"
+
+#include <gdal.h>
+
+#include <string>
+#include <vector>
 
 namespace terrain
 {
-/// Opens the rasters that lie in a directory (not in those below) as one virtual raster in memory:
-/// files with the extensions of usual elevation tiles, in one CRS, each with as many bands. Where
-/// tiles overlap the last one by name counts; where there is none is no data. Tiles of several
-/// resolutions take the finest. Throws RasterError. The caller closes the dataset.
-GDALDatasetH OpenRasterTiles(const char* directory);
+/// Paths of files with the extensions of usual elevation tiles in a directory or archive and in
+/// those below it, sorted; empty if there are none. Throws RasterError if it cannot be listed.
+std::vector<std::string> FindRasters(const std::string& directory);
+
+/// Opens the rasters of a directory as one virtual raster in memory, at the finest of their
+/// resolutions. They must have one horizontal CRS and lie near each other; tiles on both sides of
+/// 180 degrees are joined. Units, scales, vertical axes and NoData are those of each tile; where
+/// they differ the raster is in metres. Where tiles overlap, the finest counts, of equally fine
+/// ones the last by name, and nothing is blended. Pictures, masks and derivatives (hillshade,
+/// slope) are left out with a warning. Throws RasterError. The caller closes the dataset.
+GDALDatasetH OpenRasterTiles(const std::string& directory, RasterRecord& record);
 }
 #endif

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "raster/RasterOpen.h"
+
+#include "core/files/OutputFile.h"
+#include "raster/GDALTable.h"
+#include "raster/RasterMessages.h"
+#include "raster/RasterRepairs.h"
+#include "raster/RasterTiles.h"
+#include "raster/Words.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <initializer_list>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace terrain
+{
+namespace
+{
+// Names that are listed in a message.
+constexpr std::size_t kListedParts = 12;
+
+std::string Extension(const std::string& name)
+{
+  return LowerCase(CPLGetExtension(name.c_str()));
+}
+
+bool Exists(const std::string& name)
+{
+  VSIStatBufL status;
+  return VSIStatL(name.c_str(), &status) == 0;
+}
+
+bool IsDirectory(const std::string& name)
+{
+  VSIStatBufL status;
+  return VSIStatL(name.c_str(), &status) == 0 && VSI_ISDIR(status.st_mode);
+}
+
+GDALDatasetH OpenPlain(const std::string& name)
+{
+  return GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+    nullptr, nullptr, nullptr);
+}
+
+/// What to do about a file of another kind, by its extension; empty if nothing is known.
+std::string RemedyOf(const std::string& name)
+{
+  const std::string extension = Extension(name);
+  if (IsOneOf(extension, { "las", "laz", "e57", "copc", "pcd", "ply" }))
+  {
+    return "it holds points, not a raster: make a grid of them first (pdal's writers.gdal)";
+  }
+  if (IsOneOf(extension, { "geojson", "shp", "gpx", "kml", "kmz", "dxf", "gml", "osm" }))
+  {
+    return "it holds points or lines, not a raster: make a grid of them first (gdal_grid)";
+  }
+  if (IsOneOf(extension, { "obj", "stl", "glb", "gltf", "vtp", "vtk", "vti" }))
+  {
+    return "it holds a mesh or an image of VTK, which GDAL does not open: read it with VTK's "
+           "readers";
+  }
+  if (IsOneOf(extension, { "7z", "rar" }))
+  {
+    return "it is an archive of a kind that GDAL does not open: unpack it first";
+  }
+  if (IsOneOf(extension, { "zarr" }))
+  {
+    return "this GDAL (" + std::string(GDALVersionInfo("RELEASE_NAME")) +
+      ") opens no such Zarr; version 3 of the format needs GDAL 3.8 or later";
+  }
+  return {};
+}
+
+/// Why a file could not be opened, GDAL's own reason coming last.
+std::string WhyNotOpened(const std::string& name, const std::string& failure)
+{
+  if (name.empty())
+  {
+    return "no file name is given";
+  }
+  VSIStatBufL status;
+  std::memset(&status, 0, sizeof(status));
+  errno = 0;
+  if (VSIStatL(name.c_str(), &status) != 0)
+  {
+    if (errno == EACCES)
+    {
+      return "there is no permission to read it";
+    }
+    const bool plainName = name.find(':') == std::string::npos && name[0] != '<';
+    return plainName || failure.empty() ? "there is no such file" : failure;
+  }
+  if (name.compare(0, 4, "/vsi") != 0 && faccessat(AT_FDCWD, name.c_str(), R_OK, AT_EACCESS) != 0)
+  {
+    return "there is no permission to read it";
+  }
+  if (status.st_size == 0)
+  {
+    return "it is empty";
+  }
+  const std::string remedy = RemedyOf(name);
+  return remedy.empty()
+    ? "it is not a raster that GDAL can open" + (failure.empty() ? "" : " (" + failure + ")")
+    : remedy;
+}
+
+/// The archive as a folder of GDAL's virtual file systems; empty if it is none.
+std::string ArchiveFolder(const std::string& name)
+{
+  const std::string lower = LowerCase(name);
+  const auto ends = [&lower](const std::string& end)
+  {
+    return lower.size() > end.size() &&
+      lower.compare(lower.size() - end.size(), end.size(), end) == 0;
+  };
+  if (ends(".zip"))
+  {
+    return "/vsizip/{" + name + "}";
+  }
+  return ends(".tar") || ends(".tgz") || ends(".tar.gz") ? "/vsitar/{" + name + "}" : std::string();
+}
+
+GDALDatasetH OpenArchive(std::string& name, RasterRecord& record)
+{
+  if (Extension(name) == "gz" && ArchiveFolder(name).empty())
+  {
+    const std::string inside = "/vsigzip/" + name;
+    GDALDatasetH dataset = OpenPlain(inside);
+    if (dataset)
+    {
+      name = inside;
+      record.Take("file", inside, "unpacked");
+    }
+    return dataset;
+  }
+  const std::string folder = ArchiveFolder(name);
+  if (folder.empty() || !Exists(name))
+  {
+    return nullptr;
+  }
+  const std::vector<std::string> rasters = FindRasters(folder);
+  if (rasters.empty())
+  {
+    throw RasterError("it is an archive without a raster in it");
+  }
+  if (rasters.size() > 1)
+  {
+    GDALDatasetH dataset = OpenRasterTiles(folder, record);
+    name = folder;
+    return dataset;
+  }
+  name = rasters.front();
+  record.Take("file", name, "the one raster in the archive");
+  return OpenPlain(name);
+}
+
+/// Headers lie beside the file that GDAL opens.
+GDALDatasetH OpenBeside(std::string& name, RasterRecord& record)
+{
+  static const std::vector<std::pair<const char*, std::vector<const char*>>> kinds{ { "sgrd",
+                                                                                      { "sdat" } },
+    { "mgrd", { "sdat" } }, { "prj", { "sdat", "asc", "flt", "bil", "tif" } },
+    { "hdr", { "flt", "bil", "img", "dem", "bin", "dat", "raw", "gri" } }, { "gri", { "grd" } },
+    { "aux", { "img" } }, { "img", { "lbl", "xml" } }, { "dat", { "lbl", "xml" } },
+    { "tfw", { "tif" } }, { "ers", { "" } } };
+  const std::string extension = Extension(name);
+  for (const auto& [header, others] : kinds)
+  {
+    for (const char* other : others)
+    {
+      const std::string beside = CPLResetExtension(name.c_str(), other);
+      GDALDatasetH dataset =
+        extension == header && Exists(beside) && beside != name ? OpenPlain(beside) : nullptr;
+      if (dataset)
+      {
+        record.Take(
+          "file", beside, "the data that " + std::string(CPLGetFilename(name.c_str())) + " is for");
+        name = beside;
+        return dataset;
+      }
+    }
+  }
+  return nullptr;
+}
+
+/// One part of a file of several.
+struct Part
+{
+  std::string Name;
+  /// The last word of its name: that of a variable, a table, a layer.
+  std::string Label;
+};
+
+std::vector<Part> ListParts(GDALDatasetH dataset)
+{
+  std::vector<Part> parts;
+  const char* const* list = GDALGetMetadata(dataset, "SUBDATASETS");
+  for (int k = 1;; ++k)
+  {
+    const char* name = CSLFetchNameValue(list, CPLSPrintf("SUBDATASET_%d_NAME", k));
+    if (!name)
+    {
+      return parts;
+    }
+    const std::string whole = name;
+    const std::size_t cut = whole.find_last_of(":/");
+    parts.push_back({ whole, cut == std::string::npos ? whole : whole.substr(cut + 1) });
+  }
+}
+
+bool IsCalledHeights(const std::string& label)
+{
+  return IsOneOf(LowerCase(label),
+    { "z", "elevation", "height", "altitude", "topo", "topography", "dem", "dsm", "dtm", "orog",
+      "orography", "hgt", "hgt_m", "surface_altitude", "bathymetry", "depth", "bed", "rosetta",
+      "relief", "elev", "heights", "ter", "terrain", "band1", "z_surface", "hsurf", "bathy",
+      "deptho" });
+}
+
+std::string ListLabels(const std::vector<Part>& parts)
+{
+  std::vector<std::string> labels;
+  for (const Part& part : parts)
+  {
+    labels.push_back(part.Label);
+  }
+  return ListText(labels, kListedParts);
+}
+
+const Part& ChoosePart(
+  const std::vector<Part>& parts, const std::string& wanted, RasterRecord& record)
+{
+  if (!wanted.empty())
+  {
+    char* end = nullptr;
+    const long number = std::strtol(wanted.c_str(), &end, 10);
+    if (*end == '\0' && number >= 1 && number <= static_cast<long>(parts.size()))
+    {
+      return parts[static_cast<std::size_t>(number - 1)];
+    }
+    for (const Part& part : parts)
+    {
+      if (part.Label == wanted || part.Name == wanted)
+      {
+        return part;
+      }
+    }
+    throw RasterError(
+      "it has no part '" + wanted + "': its parts are " + ListLabels(parts) + " (--part NAME)");
+  }
+  const Part* found = nullptr;
+  int count = 0;
+  for (const Part& part : parts)
+  {
+    const bool fits = IsCalledHeights(part.Label);
+    found = fits ? &part : found;
+    count += fits ? 1 : 0;
+  }
+  if (parts.size() == 1)
+  {
+    return parts.front();
+  }
+  if (count != 1)
+  {
+    throw RasterError("it has no band of its own, but " + std::to_string(parts.size()) +
+      " parts: choose one (--part NAME) of " + ListLabels(parts));
+  }
+  record.Warn("of its " + std::to_string(parts.size()) + " parts '" + found->Label +
+    "' is taken, which is called as heights are (--part chooses another of " + ListLabels(parts) +
+    ")");
+  return *found;
+}
+
+/// Any dataset under this name, with or without bands.
+GDALDatasetH OpenAny(std::string& name, RasterRecord& record)
+{
+  const GDALMessages messages;
+  GDALDatasetH dataset = name.empty() ? nullptr : OpenPlain(name);
+  if (!dataset && IsDirectory(name)) // of no format that is a directory
+  {
+    return OpenRasterTiles(name, record);
+  }
+  if (!dataset && !name.empty())
+  {
+    dataset = OpenGMTGrid(name, record);
+  }
+  if (!dataset)
+  {
+    dataset = OpenArchive(name, record);
+  }
+  if (!dataset)
+  {
+    dataset = OpenBeside(name, record);
+  }
+  if (!dataset)
+  {
+    throw RasterError(WhyNotOpened(name, messages.GetFailure()));
+  }
+  for (const std::string& warning : messages.GetWarnings())
+  {
+    record.Warn("GDAL: " + warning);
+  }
+  return dataset;
+}
+}
+
+//------------------------------------------------------------------------------
+void RegisterDrivers()
+{
+  if (!WhyNoGDAL().empty())
+  {
+    throw RasterError(WhyNoGDAL());
+  }
+  static std::once_flag once;
+  std::call_once(once, [] { GDALAllRegister(); });
+}
+
+//------------------------------------------------------------------------------
+GDALDatasetH OpenRaster(std::string& name, const std::string& part, RasterRecord& record)
+{
+  RegisterDrivers();
+  const std::string whyNot = WhyNotInput(name);
+  if (!whyNot.empty())
+  {
+    throw RasterError(whyNot);
+  }
+  GDALDatasetH dataset = OpenAny(name, record);
+  const std::vector<Part> parts = ListParts(dataset);
+  if (GDALGetRasterCount(dataset) > 0 && (part.empty() || parts.empty()))
+  {
+    if (!part.empty())
+    {
+      GDALClose(dataset);
+      throw RasterError("it has no parts to choose from (--part)");
+    }
+    return dataset;
+  }
+  GDALClose(dataset);
+  if (parts.empty())
+  {
+    dataset = OpenS102(name, record);
+    if (!dataset)
+    {
+      throw RasterError("it has no band and no part that is a raster");
+    }
+    return dataset;
+  }
+  const Part& chosen = ChoosePart(parts, part, record);
+  const GDALMessages messages;
+  dataset = OpenPlain(chosen.Name);
+  if (!dataset || GDALGetRasterCount(dataset) < 1)
+  {
+    if (dataset)
+    {
+      GDALClose(dataset);
+    }
+    throw RasterError("its part '" + chosen.Label + "' is not a raster that GDAL can open" +
+      (messages.GetFailure().empty() ? "" : " (" + messages.GetFailure() + ")"));
+  }
+  for (const std::string& warning : messages.GetWarnings())
+  {
+    record.Warn("GDAL: " + warning);
+  }
+  name = chosen.Name;
+  record.Take("part", chosen.Label, part.empty() ? "chosen by its name" : "given");
+  return dataset;
+}
+}

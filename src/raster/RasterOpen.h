@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From the name that people give to a dataset: files, archives, folders of tiles, headers beside
+ * the data, one part of several. Private to the module.
+ */
+#ifndef vtkTerrain_raster_RasterOpen_h
+#define vtkTerrain_raster_RasterOpen_h
+
+#include "raster/RasterRecord.h"
+
+#include <gdal.h>
+
+#include <string>
+
+namespace terrain
+{
+/// Makes GDAL's drivers known, once.
+void RegisterDrivers();
+
+/// Opens a raster of at least one band: a name that GDAL opens, the one raster or the tiles in an
+/// archive (.zip, .tar, .tgz) or a folder, the data of a header (.sgrd, .hdr), the part of that
+/// name or number (from 1 on) of a file of several; without a name the only part that is called as
+/// heights are. `name` becomes that of what was opened. Warnings of GDAL go to the record. Throws
+/// RasterError. The caller closes it.
+GDALDatasetH OpenRaster(std::string& name, const std::string& part, RasterRecord& record);
+}
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a directory needs to know of each of its tiles, and how they lie to each other. Private to
+ * the module.
+ */
+#ifndef vtkTerrain_raster_Tile_h
+#define vtkTerrain_raster_Tile_h
+
+#include "raster/RasterRecord.h"
+
+#include <gdal.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace terrain
+{
+/// One raster file of a directory.
+struct Tile
+{
+  std::string Path;
+  int Width = 0;
+  int Height = 0;
+  int Bands = 0;
+  std::array<int, 2> Block{ { 0, 0 } };
+  GDALDataType Type = GDT_Unknown;
+  std::array<double, 6> GeoTransform{};
+  /// Horizontal CRS as WKT2; empty for none.
+  std::string System;
+  bool IsGeographic = false;
+  /// metres = Offset + Scale * sample, heights up; what the tile itself says stands apart.
+  double Scale = 1.0;
+  double Offset = 0.0;
+  double BandScale = 1.0;
+  double BandOffset = 0.0;
+  std::string Unit;
+  bool HasNoData = false;
+  double NoData = 0.0;
+  bool HasMask = false;
+  bool IsColour = false;
+  /// Of its unit and sense.
+  std::vector<std::string> Warnings;
+
+  double West() const
+  {
+    return this->GeoTransform[0];
+  }
+  double East() const
+  {
+    return this->GeoTransform[0] + this->Width * this->GeoTransform[1];
+  }
+  double North() const
+  {
+    return this->GeoTransform[3];
+  }
+  double South() const
+  {
+    return this->GeoTransform[3] + this->Height * this->GeoTransform[5];
+  }
+  double CellArea() const
+  {
+    return this->GeoTransform[1] * -this->GeoTransform[5];
+  }
+};
+
+/// True for names that hold a word of products that are no heights (hillshade, mask, slope, ...).
+bool IsNamedAsProduct(const std::string& path);
+
+/// Opens a tile and looks at what it says. Throws RasterError that names it.
+Tile ReadTile(const std::string& path);
+
+/// Leaves out what are no heights: by name, colours, and bytes beside wider types; warns of them.
+void LeaveOutProducts(std::vector<Tile>& tiles, RasterRecord& record);
+
+/// Throws RasterError that names the first tile of another CRS, or that is no grid from the north.
+void CheckTiles(const std::vector<Tile>& tiles);
+
+/// Moves tiles of degrees by a turn where that makes them lie nearer to each other.
+void JoinDateLine(std::vector<Tile>& tiles, RasterRecord& record);
+
+/// Throws RasterError if the tiles are several sites, most of the raster round them being empty.
+void CheckSites(const std::vector<Tile>& tiles);
+}
+#endif
