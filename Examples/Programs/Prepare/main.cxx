@@ -6,6 +6,7 @@
 // Exit status 0; 2 for a wrong command line; 1 otherwise, with one line on stderr that names the
 // file and the reason, and no output left behind.
 #include "Ending.h"
+#include "HeightOptions.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -29,6 +30,7 @@
 #include <exception>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -74,9 +76,10 @@ private:
 class RowReader
 {
 public:
-  explicit RowReader(const std::string& path)
+  RowReader(const std::string& path, const HeightOptions& options)
   {
     this->Reader->SetFileName(path);
+    options.Apply(this->Reader);
   }
 
   /// Empty, or why the raster cannot be read.
@@ -191,9 +194,10 @@ int Check(const std::string& path)
   return 0;
 }
 
-int Prepare(const std::string& heights, const std::string& out, bool quiet)
+int Prepare(
+  const std::string& heights, const std::string& out, const HeightOptions& input, bool quiet)
 {
-  RowReader reader(heights);
+  RowReader reader(heights, input);
   std::string error = reader.Open();
   if (!error.empty())
   {
@@ -225,9 +229,10 @@ int Prepare(const std::string& heights, const std::string& out, bool quiet)
   {
     return Fail(hierarchy->GetErrorMessage());
   }
-  if (!quiet && !reader.Warning().empty())
+  std::istringstream warnings(quiet ? std::string() : reader.Warning());
+  for (std::string line; std::getline(warnings, line);)
   {
-    std::cerr << "terrain-prepare: " << reader.Warning() << "\n";
+    std::cerr << "terrain-prepare: warning: " << line << "\n";
   }
   return 0;
 }
@@ -256,6 +261,8 @@ int Run(int argc, char** argv)
   app.add_option("OUT", out, "The prepared file");
   app.add_flag("--check", check, "Check all of a prepared file, write nothing");
   app.add_flag("--quiet", quiet, "No progress bar, no warnings");
+  HeightOptions input;
+  input.Declare(app);
   try
   {
     app.parse(argc, argv);
@@ -276,7 +283,7 @@ int Run(int argc, char** argv)
   }
   EndOnSignals("terrain-prepare: stopped on request\n");
   vtkObject::GlobalWarningDisplayOff();
-  return check ? Check(heights) : Prepare(heights, out, quiet);
+  return check ? Check(heights) : Prepare(heights, out, input, quiet);
 }
 }
 

@@ -7,6 +7,9 @@
 #include "vtkNew.h"
 #include "vtkTerrainOutputFile.h"
 
+#include "vtkNew.h"
+#include "vtkTerrainGeoreference.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -58,6 +61,18 @@ bool HasUpright(const Camera& camera)
   constexpr double kSmallestSine = 1e-9;
   return std::hypot(cross[0], cross[1], cross[2]) > kSmallestSine *
     std::hypot(up[0], up[1], up[2]) * std::hypot(direction[0], direction[1], direction[2]);
+}
+
+void CheckCoordinateSystem(const std::string& definition)
+{
+  const vtkNew<vtkTerrainGeoreference> reference;
+  reference->SetCoordinateSystem(definition);
+  reference->SetFrame(vtkTerrainGeoreference::FrameType::Geocentric);
+  const std::string why = reference->GetWhyNot();
+  if (!why.empty())
+  {
+    Refuse("--crs", why);
+  }
 }
 
 Camera ParseCamera(const std::string& text)
@@ -153,6 +168,9 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
     ->transform(CLI::CheckedTransformer(kWindows).description(""));
   add("--frames", texts.Frames, "N", "how often the picture is drawn; default 1");
   add("--stats", options.Stats, "FILE", "JSON of counts, sizes and times");
+  app.add_flag("--describe", options.Describe,
+    "print what HEIGHTS is taken for and what was taken from where, and draw nothing");
+  options.Input.Declare(app);
   texts.Place.Declare(app, options.Place);
   texts.Detail.Declare(app, options.Detail);
   app.set_version_flag("--version", TERRAIN_RENDER_VERSION);
@@ -227,6 +245,14 @@ void Interpret(const Texts& texts, Options& options)
   if (!texts.Memory.empty())
   {
     options.Memory = ParseInteger("--memory", texts.Memory, 1, kMostMemory);
+  }
+  if (!options.Input.CoordinateSystem.empty())
+  {
+    CheckCoordinateSystem(options.Input.CoordinateSystem);
+  }
+  if (options.Describe && options.Heights.empty())
+  {
+    Refuse("--describe", "needs a file of heights");
   }
   texts.Place.Interpret(options.Place);
   texts.Detail.Interpret(options.Detail);

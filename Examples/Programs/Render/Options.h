@@ -8,6 +8,7 @@
 #define terrain_render_Options_h
 
 #include "Detail.h"
+#include "HeightOptions.h"
 #include "PlaceOptions.h"
 
 #include <array>
@@ -93,6 +94,10 @@ struct Options
   int Frames = 1;
   /// File of statistics; empty for none.
   std::string Stats;
+  /// What the file of heights does not say.
+  HeightOptions Input;
+  /// True to tell what the heights are, and to draw nothing.
+  bool Describe = false;
   PlaceOptions Place;
   DetailOptions Detail;
 };

@@ -46,18 +46,6 @@ CLI::CheckedTransformer OneOf(const std::map<std::string, Value>& names)
   return transformer;
 }
 
-void CheckCoordinateSystem(const std::string& definition)
-{
-  const vtkNew<vtkTerrainGeoreference> reference;
-  reference->SetCoordinateSystem(definition);
-  reference->SetFrame(FrameType::Geocentric);
-  const std::string why = reference->GetWhyNot();
-  if (!why.empty())
-  {
-    Refuse("--crs", why);
-  }
-}
-
 std::array<double, 3> ParseOrigin(const std::string& text)
 {
   constexpr double kFarthest = 1e7;
@@ -151,8 +139,6 @@ void PlaceArguments::Declare(CLI::App& app, PlaceOptions& options)
   };
   const auto flag = [&app](const char* name, bool& value, const char* help)
   { app.add_flag(name, value, help)->group("Places on earth"); };
-  add("--crs", options.CoordinateSystem, "CRS",
-    "of HEIGHTS (EPSG:n, WKT, PROJ), in place of what the file names");
   add("--frame", options.Frame, "NAME",
     "scene: grid (of the file, where it is in metres and true to scale: the default there), plane "
     "(the default elsewhere: flat, east and north at its origin), local (the same, the earth "
@@ -192,10 +178,6 @@ void PlaceArguments::Declare(CLI::App& app, PlaceOptions& options)
 //------------------------------------------------------------------------------
 void PlaceArguments::Interpret(PlaceOptions& options) const
 {
-  if (!options.CoordinateSystem.empty())
-  {
-    CheckCoordinateSystem(options.CoordinateSystem);
-  }
   if (!this->Zone.empty())
   {
     ImplyFrame(options, "--utm-zone", FrameType::Zone);

@@ -25,8 +25,6 @@ class App;
 /// heights and modes are told where vtkTerrainGeoreference and vtkTerrainDrape are.
 struct PlaceOptions
 {
-  /// CRS of the heights, in place of the one their file names; empty for none.
-  std::string CoordinateSystem;
   /// None: chosen by the program.
   std::optional<vtkTerrainGeoreference::FrameType> Frame;
   /// Longitude, latitude, height.

@@ -25,11 +25,6 @@ namespace
 using FrameType = vtkTerrainGeoreference::FrameType;
 using HeightType = vtkTerrainGeoreference::HeightType;
 
-/// How far the scale of a file's own grid may be from 1.
-constexpr double kScaleError = 0.01;
-/// Largest drop of the earth, in metres, over an extent that the frame Plane is chosen for.
-constexpr double kDeepestDrop = 200e3;
-
 /// A scene as the options describe it, of the frame Grid unless they name one.
 vtkSmartPointer<vtkTerrainGeoreference> DescribeScene(
   vtkImageData* image, const PlaceOptions& options)
@@ -50,28 +45,6 @@ vtkSmartPointer<vtkTerrainGeoreference> DescribeScene(
   return scene;
 }
 
-/// True unless a metre of the file's own grid is known to be something else on the ground, in the
-/// middle of the data. `ground` is their frame Plane.
-bool IsTrueToScale(vtkTerrainGeoreference* ground, vtkImageData* image)
-{
-  const int* dims = image->GetDimensions();
-  const double* spacing = image->GetSpacing();
-  if (dims[0] < 2 || dims[1] < 2)
-  {
-    return true;
-  }
-  const double* extent = ground->GetExtent();
-  const double x = 0.5 * (extent[0] + extent[1]);
-  const double y = 0.5 * (extent[2] + extent[3]);
-  const double nextX = x + (extent[1] - extent[0]) / (dims[0] - 1);
-  const double nextY = y + (extent[3] - extent[2]) / (dims[1] - 1);
-  double points[9] = { x, y, 0.0, nextX, y, 0.0, x, nextY, 0.0 };
-  ground->FileToScene(points, points, 3);
-  const double area = std::abs((points[3] - points[0]) * (points[7] - points[1]) -
-    (points[4] - points[1]) * (points[6] - points[0]));
-  return !(std::abs(std::sqrt(area / (spacing[0] * spacing[1])) - 1.0) >= kScaleError);
-}
-
 /// Sets the frame of a scene of the frame Grid for which the options name none. Returns what there
 /// is to warn of.
 std::string ChooseFrame(PlacedHeights& placed, const std::string& name)
@@ -87,17 +60,14 @@ std::string ChooseFrame(PlacedHeights& placed, const std::string& name)
     }
     return placed.Georeference->GetWhyNot();
   }
-  if (!inDegrees && IsTrueToScale(ground, placed.Image))
+  placed.Georeference->SetFrame(vtkTerrainGeoreference::SuggestFrame(placed.Image));
+  if (placed.Georeference->GetFrame() == FrameType::Plane)
+  {
+    return {};
+  }
+  if (placed.Georeference->GetWhyNot().empty())
   {
     return placed.Georeference->GetWarning();
-  }
-  double sideways = 0.0;
-  double drop = 0.0;
-  ground->GetFlatError(sideways, drop);
-  if (drop < kDeepestDrop)
-  {
-    placed.Georeference->SetFrame(FrameType::Plane);
-    return {};
   }
   return "it reaches too far for a flat scene, and is laid out as a map that is true to scale in "
          "its middle: --frame local shows the earth round";
@@ -179,6 +149,7 @@ PlacedHeights PlaceHeights(
   if (!warning.empty())
   {
     Warn(name + ": " + warning);
+    statistics.AddText("warnings", warning);
   }
   statistics.SetText("crs", placed.Georeference->GetCoordinateSystemName());
   return placed;

@@ -66,6 +66,24 @@ void Statistics::SetList(const std::string& name, const std::vector<std::int64_t
 }
 
 //------------------------------------------------------------------------------
+void Statistics::SetNumbers(const std::string& name, const std::vector<double>& numbers)
+{
+  this->Numbers[name] = numbers;
+}
+
+//------------------------------------------------------------------------------
+void Statistics::SetTexts(const std::string& name, const std::vector<std::string>& texts)
+{
+  this->ManyTexts[name] = texts;
+}
+
+//------------------------------------------------------------------------------
+void Statistics::AddText(const std::string& name, const std::string& text)
+{
+  this->ManyTexts[name].push_back(text);
+}
+
+//------------------------------------------------------------------------------
 void Statistics::AddTime(const std::string& stage, double milliseconds)
 {
   this->Times[stage].push_back(milliseconds);
@@ -89,6 +107,22 @@ std::string Statistics::ToJson() const
     for (const std::int64_t count : counts)
     {
       list.append(static_cast<Json::Int64>(count));
+    }
+  }
+  for (const auto& [name, numbers] : this->Numbers)
+  {
+    Json::Value& list = root[name] = Json::Value(Json::arrayValue);
+    for (const double number : numbers)
+    {
+      list.append(number);
+    }
+  }
+  for (const auto& [name, texts] : this->ManyTexts)
+  {
+    Json::Value& list = root[name] = Json::Value(Json::arrayValue);
+    for (const std::string& text : texts)
+    {
+      list.append(text);
     }
   }
   for (const auto& [stage, times] : this->Times)

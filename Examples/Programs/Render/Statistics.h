@@ -24,6 +24,12 @@ public:
   void SetCount(const std::string& name, std::int64_t count);
   /// Counts under one name, such as those of a histogram: entry k tells how many had k.
   void SetList(const std::string& name, const std::vector<std::int64_t>& counts);
+  /// Numbers under one name.
+  void SetNumbers(const std::string& name, const std::vector<double>& numbers);
+  /// Texts under one name.
+  void SetTexts(const std::string& name, const std::vector<std::string>& texts);
+  /// One more text under a name.
+  void AddText(const std::string& name, const std::string& text);
   /// One more duration of a stage, in milliseconds.
   void AddTime(const std::string& stage, double milliseconds);
 
@@ -33,6 +39,8 @@ private:
   std::map<std::string, std::string> Texts;
   std::map<std::string, std::int64_t> Counts;
   std::map<std::string, std::vector<std::int64_t>> Lists;
+  std::map<std::string, std::vector<double>> Numbers;
+  std::map<std::string, std::vector<std::string>> ManyTexts;
   std::map<std::string, std::vector<double>> Times;
 };
 

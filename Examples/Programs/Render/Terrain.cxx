@@ -11,7 +11,9 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkElevationFilter.h"
+#include "vtkFieldData.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -22,14 +24,19 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 #include "vtkTerrainActor.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainSource.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iostream>
+#include <string>
 #include <vector>
 
 namespace
@@ -54,11 +61,11 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
   }
   auto reader = vtkSmartPointer<vtkTerrainRasterReader>::New();
   reader->SetFileName(options.Heights);
-  reader->SetCoordinateSystem(options.Place.CoordinateSystem);
   reader->UseLevelsOn();
   reader->SetMaximumSize(kLargestTexture);
   reader->SetMemoryBudget(vtkIdType{ options.Memory } << 20);
   reader->SetUseCache(!options.NoCache);
+  options.Input.Apply(reader);
   return reader;
 }
 
@@ -101,6 +108,35 @@ void ColorByPlaceHeight(vtkTerrainActor* actor, vtkImageData* heights)
   actor->SetLookupTable(vtkTerrainActor::MakeReliefColors(range[0], range[1]));
   actor->GetTerrainMapper()->SetScalarModeToUsePointFieldData();
   actor->GetTerrainMapper()->SelectColorArray(kArray);
+}
+
+std::vector<std::string> TextsOf(vtkImageData* heights, const char* name)
+{
+  std::vector<std::string> texts;
+  auto* array = vtkStringArray::SafeDownCast(heights->GetFieldData()->GetAbstractArray(name));
+  for (vtkIdType k = 0; array && k < array->GetNumberOfValues(); ++k)
+  {
+    texts.push_back(array->GetValue(k));
+  }
+  return texts;
+}
+
+/// What was read: unit, holes, what was taken from where.
+void DescribeHeights(vtkImageData* heights, Statistics& statistics)
+{
+  const std::vector<std::string> unit = TextsOf(heights, "VerticalUnit");
+  statistics.SetText("height_unit", unit.empty() ? "" : unit.front());
+  statistics.SetTexts("record", TextsOf(heights, "Record"));
+  statistics.SetTexts("warnings", TextsOf(heights, "Warnings"));
+  vtkDataArray* scalars = heights->GetPointData()->GetScalars();
+  vtkUnsignedCharArray* ghosts = heights->GetPointGhostArray();
+  std::int64_t without = 0;
+  for (vtkIdType k = 0; k < heights->GetNumberOfPoints(); ++k)
+  {
+    const bool hidden = ghosts && (ghosts->GetValue(k) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+    without += hidden || !std::isfinite(scalars->GetComponent(k, 0)) ? 1 : 0;
+  }
+  statistics.SetCount("samples_without_data", without);
 }
 
 /// For the techniques of vtkOpenGLTerrainMapper: rays, or the full mesh.
@@ -233,7 +269,23 @@ vtkSmartPointer<vtkImageData> ReadHeights(
   {
     statistics.SetCount("level", reader->GetLevel());
   }
+  DescribeHeights(heights, statistics);
   return heights;
+}
+
+//------------------------------------------------------------------------------
+void DescribeFile(const Options& options)
+{
+  const vtkNew<vtkTerrainRasterReader> reader;
+  reader->SetFileName(options.Heights);
+  options.Input.Apply(reader);
+  const std::string text = reader->Describe();
+  const std::string error = "error: ";
+  if (text.compare(0, error.size(), error) == 0)
+  {
+    throw Failure(options.Heights, text.substr(error.size(), text.find('\n') - error.size()));
+  }
+  std::cout << "file: " << options.Heights << '\n' << text;
 }
 
 //------------------------------------------------------------------------------
@@ -284,8 +336,24 @@ void RefineTerrain(
 }
 
 //------------------------------------------------------------------------------
-void DescribeTerrain(const Terrain& terrain, Statistics& statistics)
+void DescribeTerrain(
+  const Terrain& terrain, vtkImageData* heights, const Options& options, Statistics& statistics)
 {
+  std::array<double, 6> bounds{};
+  terrain.Bounds.GetBounds(bounds.data());
+  statistics.SetNumbers("bounds", { bounds.begin(), bounds.end() });
+  const double* spacing = heights->GetSpacing();
+  statistics.SetNumbers("cell", { spacing[0], spacing[1] });
+  // In a round scene z is not the height.
+  vtkDataArray* array = heights->GetPointData()->GetArray("PlaceHeight");
+  const double base = heights->GetOrigin()[2];
+  std::array<double, 2> range{ { base + (bounds[4] - base) / options.Exaggeration,
+    base + (bounds[5] - base) / options.Exaggeration } };
+  if (array)
+  {
+    array->GetFiniteRange(range.data());
+  }
+  statistics.SetNumbers("height_range", { range.begin(), range.end() });
   if (auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(terrain.Actor->GetMapper()))
   {
     statistics.SetCount("texture_bytes", mapper->GetTextureMemorySize());

@@ -46,8 +46,13 @@ Terrain PrepareTerrain(
 void RefineTerrain(
   const Terrain& terrain, vtkRenderer* renderer, const Options& options, Statistics& statistics);
 
-/// Adds what the terrain takes on the graphics card, after it was drawn.
-void DescribeTerrain(const Terrain& terrain, Statistics& statistics);
+/// Prints what the file of heights is taken for. Throws a Failure.
+void DescribeFile(const Options& options);
+
+/// Adds the terrain's bounds (as drawn), cell and range of heights (metres, not exaggerated), and
+/// what it takes on the graphics card, after it was drawn.
+void DescribeTerrain(
+  const Terrain& terrain, vtkImageData* heights, const Options& options, Statistics& statistics);
 
 /// Adds the histogram of the work of all pixels' rays, nodes visited and samples taken: draws once
 /// more, with a compute shader. Adds nothing for techniques without rays, and where the graphics

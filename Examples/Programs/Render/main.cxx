@@ -56,7 +56,7 @@ void Render(const Options& options)
   AddOverlay(renderer, heights, options);
   RefineTerrain(terrain, renderer, options, statistics);
   DrawFrames(window, renderer, options.Frames, statistics);
-  DescribeTerrain(terrain, statistics);
+  DescribeTerrain(terrain, heights.Image, options, statistics);
   statistics.AddTime("total", watch.GetMilliseconds());
 
   WritePicture(window, picture);
@@ -90,6 +90,11 @@ int main(int argc, char* argv[])
     }
     EndOnSignals("terrain-render: stopped on request\n");
     CatchMessages("terrain-render");
+    if (options.Describe)
+    {
+      DescribeFile(options);
+      return EXIT_SUCCESS;
+    }
     Render(options);
     return EXIT_SUCCESS;
   }

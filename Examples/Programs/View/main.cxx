@@ -7,6 +7,7 @@
  */
 #include "Ending.h"
 #include "Failure.h"
+#include "HeightOptions.h"
 #include "Messages.h"
 #include "Viewer.h"
 
@@ -29,6 +30,7 @@ constexpr int kWrongCommandLine = 2;
 struct Options
 {
   std::string Heights;
+  HeightOptions Input;
   double Exaggeration = 1.0;
   int Width = 1280;
   int Height = 720;
@@ -37,14 +39,15 @@ struct Options
 /// Samples a side that every graphics driver takes; larger rasters are drawn at a level.
 constexpr int kLargestTexture = 16384;
 
-vtkSmartPointer<vtkImageAlgorithm> MakeSource(const std::string& file)
+vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
 {
-  if (file.empty())
+  if (options.Heights.empty())
   {
     return vtkSmartPointer<vtkTerrainSource>::New();
   }
   auto reader = vtkSmartPointer<vtkTerrainRasterReader>::New();
-  reader->SetFileName(file);
+  reader->SetFileName(options.Heights);
+  options.Input.Apply(reader);
   reader->UseLevelsOn();
   reader->SetMaximumSize(kLargestTexture);
   return reader;
@@ -61,7 +64,7 @@ void Show(const Options& options)
   // No window that nobody would see.
   setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkXOpenGLRenderWindow", 1);
   const std::string name = options.Heights.empty() ? "built-in landscape" : options.Heights;
-  const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(options.Heights);
+  const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(options);
   source->Update();
   ThrowOnError(name);
   Viewer viewer(source->GetOutput(), name, options.Width, options.Height);
@@ -85,6 +88,7 @@ std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
   app
     .add_option("--exaggeration", options.Exaggeration, "drawn height over true height, default 1")
     ->check(CLI::Range(1e-3, 1e3));
+  options.Input.Declare(app);
   app.add_option("--width", options.Width, "of the window in pixels, default 1280")
     ->check(CLI::Range(64, 16384));
   app.add_option("--height", options.Height, "of the window in pixels, default 720")
