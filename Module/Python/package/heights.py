@@ -6,6 +6,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
 
+from ._intake import describe_samples, make_reader, read
+
 _CODES_OF_VTK_TYPES = "bBhHiIlLqQfd"
 
 
@@ -41,13 +43,24 @@ def _check_place(spacing, origin):
         raise ValueError(f"origin must be two or three finite numbers, not {origin}")
 
 
+def _take_in(samples, name, nodata, height_unit):
+    """The samples as heights in metres, NaN for fill: themselves if they are so already."""
+    reader = make_reader(describe_samples(samples, None), nodata=nodata, height_unit=height_unit)
+    if reader.GetSamplesAreHeights():
+        return samples
+    if "is not found" in reader.Describe() and nodata is None and height_unit is None:
+        return samples  # without GDAL there is nobody to ask
+    return array_from_heights(read(reader, ValueError))[::-1]
+
+
 def heights_from_array(array, spacing=(1.0, 1.0), origin=(0.0, 0.0), *, first_row="south",
-                       name="Elevation", coordinate_system=None):
+                       name="Elevation", coordinate_system=None, nodata=None, height_unit=None,
+                       flip=False):
     """A ``vtkImageData`` of heights from a numpy array.
 
     The image shares the memory of the array, and keeps it alive, if the array is contiguous, its
-    first row is the southern one, VTK has its type and no sample is masked. Otherwise the samples
-    are copied. After a change of shared samples call
+    first row is the southern one, VTK has its type, no sample is masked or fill and the heights are
+    metres. Otherwise the samples are copied. After a change of shared samples call
     ``image.GetPointData().GetScalars().Modified()``.
 
     Parameters
@@ -65,6 +78,14 @@ def heights_from_array(array, spacing=(1.0, 1.0), origin=(0.0, 0.0), *, first_ro
     coordinate_system : str, optional
         Coordinate reference system of x and y, in metres, as WKT, "EPSG:n" or PROJ string; kept as
         the field data "CRS", as ``vtkTerrainRasterReader`` does.
+    nodata : float or "none", optional
+        A value that is no height. By default values that programs fill with (-32768, -9999, 1e20, ...)
+        are none if they lie far from all other samples, and a warning says so; "none" takes them for
+        heights.
+    height_unit : str or float, optional
+        Unit of the heights ("ft"; "-m" for depths) or metres per unit; metres by default.
+    flip : bool
+        Whether the first row lies at the other side than ``first_row`` says.
     """
     if first_row not in ("south", "north"):
         raise ValueError(f'first_row must be "south" or "north", not {first_row!r}')
@@ -72,8 +93,9 @@ def heights_from_array(array, spacing=(1.0, 1.0), origin=(0.0, 0.0), *, first_ro
     samples = _to_vtk_type(_fill_masked(np.asanyarray(array)))
     if samples.ndim != 2 or 0 in samples.shape:
         raise ValueError(f"heights must be an array of rows and columns, not of shape {samples.shape}")
-    if first_row == "north":
+    if (first_row == "north") != bool(flip):
         samples = samples[::-1]
+    samples = _take_in(samples, name, nodata, height_unit)
     rows, columns = samples.shape
     scalars = numpy_to_vtk(np.ascontiguousarray(samples).reshape(-1))
     scalars.SetName(name)

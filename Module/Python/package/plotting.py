@@ -20,43 +20,57 @@ import pyvista
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
+from ._intake import lay_out, make_reader, read
 from .heights import heights_from_array
-from .vtkTerrain import vtkTerrainActor, vtkTerrainPicker, vtkTerrainRasterReader
+from .vtkTerrain import vtkTerrainActor, vtkTerrainGeoreference, vtkTerrainPicker
 
 _NUMBER_OF_COLORS = 256
 # Samples a side that every graphics driver takes; larger rasters are drawn at a level.
 _LARGEST_TEXTURE = 16384
+_OF_ARRAYS = ("spacing", "origin", "first_row", "coordinate_system")
+_OF_FILES = ("band", "part")
 
 
-def _read(path):
-    reader = vtkTerrainRasterReader()
-    reader.SetFileName(path)
-    reader.UseLevelsOn()
-    reader.SetMaximumSize(_LARGEST_TEXTURE)
-    reader.Update()
-    if reader.GetErrorMessage():
-        raise OSError(reader.GetErrorMessage())
-    return reader.GetOutput()
-
-
-def heights_from(heights, **place):
+def heights_from(heights, *, scene=None, **place):
     """Heights as a ``vtkImageData``, from all that ``add_terrain`` takes.
 
-    ``place`` are the options of ``heights_from_array``; only plain arrays have any.
+    ``place`` are its options ``crs``, ``nodata``, ``height_unit``, ``flip``, ``band`` and ``part``, and
+    those of ``heights_from_array``, which only plain arrays have.
     """
-    is_array = not (isinstance(heights, (vtkImageData, str, os.PathLike)) or hasattr(heights, "dims"))
-    if is_array:
-        return heights_from_array(heights, **place)
-    if place:
-        raise TypeError(f"{', '.join(place)} can only be given for plain arrays: "
+    is_file = isinstance(heights, (str, os.PathLike))
+    is_array = not (is_file or isinstance(heights, vtkImageData) or hasattr(heights, "dims"))
+    wrong = [name for name in place if (name in _OF_ARRAYS and not is_array)
+             or (name in _OF_FILES and not is_file) or isinstance(heights, vtkImageData)]
+    if wrong:
+        kind = "plain arrays" if wrong[0] in _OF_ARRAYS else "files and arrays"
+        raise TypeError(f"{', '.join(wrong)} can only be given for {kind}: "
                         f"{type(heights).__name__} tells where it lies")
+    if is_array:
+        if "crs" in place:
+            place.setdefault("coordinate_system", place.pop("crs"))
+        return heights_from_array(heights, **place)
     if isinstance(heights, vtkImageData):
         return heights
-    if isinstance(heights, (str, os.PathLike)):
-        return _read(heights)
+    if is_file:
+        reader = make_reader(os.fspath(heights), **place)
+        reader.UseLevelsOn()
+        reader.SetMaximumSize(_LARGEST_TEXTURE)
+        return lay_out(read(reader), scene)
     from .xarrays import heights_from_dataarray
 
-    return heights_from_dataarray(heights)
+    return heights_from_dataarray(heights, scene=scene, **place)
+
+
+def terrain_scene(plotter):
+    """The ``vtkTerrainGeoreference`` of all terrain in a plotter's active renderer.
+
+    The first heights of a known place set its frame and origin; later ones are brought into it.
+    ``PlacesToScene`` brings longitude, latitude and height of anything else into it.
+    """
+    renderer = plotter.renderer
+    if not hasattr(renderer, "_terrain_scene"):
+        renderer._terrain_scene = vtkTerrainGeoreference()
+    return renderer._terrain_scene
 
 
 def _add_colors(actor, cmap, clim):
@@ -89,7 +103,7 @@ def _add_scalar_bar(plotter, table, options):
 
 def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap=None, clim=None,
                 color=None, texture=None, opacity=1.0, show_scalar_bar=None, scalar_bar_args=None, name=None,
-                reset_camera=None, pickable=True, **place):
+                reset_camera=None, pickable=True, scene=None, **place):
     """Adds a heightfield to a plotter; returns the ``vtkTerrainActor``.
 
     Parameters
@@ -121,8 +135,13 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
         Options of ``pyvista.Plotter.add_scalar_bar``.
     name, reset_camera, pickable
         As those of ``pyvista.Plotter.add_mesh``.
+    scene : vtkTerrainGeoreference, optional
+        Frame and origin that the heights are brought into; by default those of the plotter
+        (``terrain_scene``), so that tiles that are added one by one meet.
     **place
-        For a plain array: ``spacing``, ``origin``, ``first_row``, ``coordinate_system``, as
+        What the heights do not say, or say wrongly: ``crs``, ``nodata`` (a value, or "none"),
+        ``height_unit`` ("ft", "-m", 0.3048), ``flip``, of files also ``band`` and ``part``. For a plain
+        array: ``spacing``, ``origin``, ``first_row``, ``coordinate_system``, as
         ``vtkterrain.heights_from_array`` takes them.
     """
     actor = vtkTerrainActor()
@@ -132,7 +151,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
         raise ValueError(f"technique must be one of {', '.join(techniques)}, not {technique!r}")
     if not exaggeration > 0:
         raise ValueError(f"exaggeration must be above 0, not {exaggeration}")
-    actor.SetInputData(heights_from(heights, **place))
+    actor.SetInputData(heights_from(heights, scene=scene or terrain_scene(plotter), **place))
     if not actor.HasSurface():
         raise ValueError("there is no surface to draw: no four neighbouring samples all have heights")
     actor.SetTechnique(techniques[technique])

@@ -10,105 +10,118 @@ Importing this module gives every DataArray ``.terrain``:
 import numpy as np
 import xarray
 
-from .heights import heights_from_array
-from .vtkTerrain import vtkTerrainGeoreference, vtkTerrainReproject
+from ._intake import describe_samples, lay_out, make_reader, read
+from .heights import _fill_masked, _to_vtk_type, heights_from_array
 
-_NAMES_OF_X = ("x", "lon", "longitude", "easting")
-_NAMES_OF_Y = ("y", "lat", "latitude", "northing")
-_LARGEST_UNEVENNESS = 1e-3  # of a step: coordinates as float32 are that uneven at UTM northings
-
-
-def _dimension(data, names):
-    for dimension in data.dims:
-        if str(dimension).lower() in names:
-            return dimension
-    raise ValueError(f"no dimension of {data.dims} is one of {', '.join(names)}")
+_NAMES_OF_X = ("x", "lon", "longitude", "easting", "rlon")
+_NAMES_OF_Y = ("y", "lat", "latitude", "northing", "rlat")
 
 
-def _axis(data, dimension):
-    """First coordinate and signed step of an evenly spaced axis."""
-    if dimension not in data.coords:
-        return 0.0, 1.0
-    places = np.asarray(data.coords[dimension].values, dtype=np.float64)
-    if places.size < 2:
-        raise ValueError(f"{dimension} must have at least two coordinates")
-    step = (places[-1] - places[0]) / (places.size - 1)
-    even = places[0] + step * np.arange(places.size)
-    if not step or not np.abs(places - even).max() <= _LARGEST_UNEVENNESS * abs(step):
-        raise ValueError(f"the coordinates of {dimension} are not evenly spaced")
-    return places[0], step
+def _grid_mapping(data):
+    """Attributes of the grid mapping (CF) or of rioxarray's coordinate; empty without."""
+    names = [data.encoding.get("grid_mapping", data.attrs.get("grid_mapping")), "spatial_ref", "crs"]
+    for name in names:
+        if name is not None and name in data.coords:
+            return dict(data.coords[name].attrs)
+    return {}
 
 
-def _coordinate_system(data, dimension_x):
+def _coordinate_system(data, mapping):
     """CRS of a DataArray as text; None if it has none."""
-    mapping = data.coords.get(data.encoding.get("grid_mapping", data.attrs.get("grid_mapping")))
-    for attributes in [data.coords[name].attrs for name in ("spatial_ref", "crs")
-                       if name in data.coords] + ([mapping.attrs] if mapping is not None else []):
-        for key in ("crs_wkt", "spatial_ref"):
-            if attributes.get(key):
-                return str(attributes[key])
+    for key in ("crs_wkt", "spatial_ref"):
+        if mapping.get(key):
+            return str(mapping[key])
     system = data.attrs.get("crs")
     if system is not None:
         return system.to_wkt() if hasattr(system, "to_wkt") else str(system)
-    return "EPSG:4326" if str(dimension_x).lower() in ("lon", "longitude") else None
+    return None
 
 
-def _mask_fill_values(data, samples):
-    fills = [data.attrs[key] for key in ("_FillValue", "missing_value", "nodatavals")
-             if key in data.attrs]
-    fills = np.unique([np.ravel(fill)[0] for fill in fills if np.ravel(fill)[0] is not None])
-    return np.ma.masked_array(samples, np.isin(samples, fills)) if fills.size else samples
+def _is_numeric(values):
+    return np.issubdtype(values.dtype, np.number)
 
 
-def _is_metric_grid(coordinate_system, extent):
-    """Whether x and y are metres; an error if the system is none or contradicts the extent."""
-    place = vtkTerrainGeoreference()
-    place.SetCoordinateSystem(coordinate_system)
-    place.SetExtent(*extent)
-    if place.GetWhyNot():
-        raise ValueError(place.GetWhyNot())
-    place.SetFrame(vtkTerrainGeoreference.FrameType.Grid)
-    return not place.GetWhyNot() and bool(place.GetSceneCoordinateSystem())
+def _axis(data, dimension):
+    if dimension not in data.coords:
+        return str(dimension), {}, None
+    coordinate = data.coords[dimension]
+    if coordinate.size < 2:
+        raise ValueError(f"{dimension} must have at least two coordinates")
+    values = np.asarray(coordinate.values)
+    return str(dimension), dict(coordinate.attrs), values if _is_numeric(values) else None
 
 
-def heights_from_dataarray(data):
-    """A ``vtkImageData`` of heights from an ``xarray.DataArray``.
+def _fields(data):
+    """Coordinates with a value for each sample."""
+    fields = []
+    for name, coordinate in data.coords.items():
+        if coordinate.ndim == 2 and set(coordinate.dims) == set(data.dims) and _is_numeric(coordinate):
+            fields.append((str(name), dict(coordinate.attrs), coordinate.transpose(*data.dims).values))
+    return fields
 
-    The array has a dimension called x, lon, longitude or easting, one called y, lat, latitude or
-    northing, and other dimensions of length 1 at most. Coordinates along both are evenly spaced,
-    rising or falling; without coordinates samples lie 1 apart. Its coordinate reference system is
-    the attribute ``crs_wkt`` or ``spatial_ref`` of the coordinate ``spatial_ref`` (rioxarray), of the
-    grid mapping (CF), or the attribute ``crs``; for longitude and latitude without any, WGS84.
-    ``_FillValue``, ``missing_value`` and NaN are places without a height.
 
-    Heights of a system in degrees, or in another unit than metres, are resampled onto a metric grid
-    round their middle (``vtkTerrainReproject``). Others share the memory of the array where
-    ``heights_from_array`` can.
-    """
-    dimension_x, dimension_y = _dimension(data, _NAMES_OF_X), _dimension(data, _NAMES_OF_Y)
-    data = data.squeeze([name for name in data.dims
-                         if name not in (dimension_x, dimension_y) and data.sizes[name] == 1])
+def _flatten(data):
+    """The array with its two dimensions of places alone."""
+    named = [name for name in data.dims if str(name).lower() in _NAMES_OF_X + _NAMES_OF_Y]
+    data = data.squeeze([name for name in data.dims if name not in named and data.sizes[name] == 1])
     if data.ndim != 2:
         raise ValueError(f"heights must have two dimensions, not {data.dims}: select one of the others")
-    data = data.transpose(dimension_y, dimension_x)
-    (x, step_x), (y, step_y) = _axis(data, dimension_x), _axis(data, dimension_y)
-    samples = _mask_fill_values(data, data.values)[::1 if step_y > 0 else -1,
-                                                   ::1 if step_x > 0 else -1]
-    rows, columns = samples.shape
-    low = (min(x, x + (columns - 1) * step_x), min(y, y + (rows - 1) * step_y))
-    spacing = (abs(step_x), abs(step_y))
-    system = _coordinate_system(data, dimension_x)
-    image = heights_from_array(samples, spacing, low, name=str(data.name or "Elevation"),
-                               coordinate_system=system)
-    extent = (low[0], low[0] + (columns - 1) * spacing[0], low[1], low[1] + (rows - 1) * spacing[1])
-    if system is None or _is_metric_grid(system, extent):
-        return image
-    reproject = vtkTerrainReproject()
-    reproject.SetInputData(image)
-    reproject.Update()
-    if reproject.GetErrorMessage():
-        raise ValueError(reproject.GetErrorMessage())
-    return reproject.GetOutput()
+    return data
+
+
+def _check_names(data, fields):
+    for names in (_NAMES_OF_X, _NAMES_OF_Y):
+        is_known = any(str(dimension).lower() in names or str(data.coords[dimension].attrs.get(
+            "standard_name", "")) if dimension in data.coords else str(dimension).lower() in names
+            for dimension in data.dims)
+        if not is_known and not fields:
+            raise ValueError(f"no dimension of {data.dims} is one of {', '.join(names)}")
+
+
+def heights_from_dataarray(data, *, crs=None, nodata=None, height_unit=None, flip=False, scene=None):
+    """A ``vtkImageData`` of heights from an ``xarray.DataArray``.
+
+    The array has two dimensions of places and others of length 1 at most. What it holds is found as
+    it is for the same data in a file (``vtkTerrainRasterReader``): place by coordinates, rising,
+    falling, unevenly spaced or two-dimensional (``coordinates`` of CF), CRS by rioxarray's
+    ``spatial_ref``, the grid mapping of CF or the attribute ``crs``, WGS84 for longitude and latitude
+    without any; heights by the attributes ``scale_factor``, ``add_offset``, ``units``, ``positive``,
+    ``standard_name``; holes by ``_FillValue``, ``missing_value``, NaN, and fill that nobody declares.
+    Without coordinates samples lie 1 apart.
+
+    Heights whose own grid is not in metres or not true to scale are resampled onto a metric grid
+    round their middle (``vtkTerrainReproject``), or that of the scene. Others share the memory of the
+    array where ``heights_from_array`` can. ``crs``, ``nodata``, ``height_unit`` and ``flip`` say what the
+    array does not, as in ``heights_from_array``.
+    """
+    data = _flatten(data)
+    fields = _fields(data)
+    _check_names(data, fields)
+    axes = [_axis(data, dimension) for dimension in data.dims]
+    mapping = _grid_mapping(data)
+    system = _coordinate_system(data, mapping)
+    samples = _to_vtk_type(_fill_masked(np.ma.asanyarray(data.values)
+                                        if np.ma.isMaskedArray(data.values) else data.values))
+    name = str(data.name or "Elevation")
+    described = describe_samples(samples, data.name, crs=system, attributes=data.attrs, rows=axes[0],
+                                 columns=axes[1], fields=fields, grid_mapping=mapping)
+    reader = make_reader(described, crs=crs, nodata=nodata, height_unit=height_unit, flip=flip)
+    if reader.GetSamplesAreHeights() and not flip:
+        return lay_out(_share(samples, axes, name, crs or system), scene)
+    return lay_out(read(reader, ValueError), scene)
+
+
+def _share(samples, axes, name, system):
+    """An image of the samples in place, which are heights in an even grid of metres."""
+    firsts, steps = [], []
+    for axis, size in zip(axes, samples.shape):
+        values = axis[2] if axis[2] is not None else np.arange(size)
+        step = (float(values[-1]) - float(values[0])) / max(size - 1, 1)
+        firsts.append(min(float(values[0]), float(values[-1])))
+        steps.append(step)
+    samples = samples[::1 if steps[0] > 0 else -1, ::1 if steps[1] > 0 else -1]
+    return heights_from_array(samples, (abs(steps[1]), abs(steps[0])), (firsts[1], firsts[0]), name=name,
+                              coordinate_system=system, nodata="none")
 
 
 @xarray.register_dataarray_accessor("terrain")
