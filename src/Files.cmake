@@ -55,12 +55,12 @@ set(private_sources
   raster/RasterReference
   raster/RasterRepairs
   raster/RasterSamples
+  raster/RasterTile
   raster/RasterTileSource
   raster/RasterTiles
   raster/RasterUnits
   raster/ReaderPlan
   raster/SystemAxes
-  raster/Tile
   render/ComputeProgram
   render/ComputeTexture
   render/DetailTexture

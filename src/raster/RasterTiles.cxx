@@ -5,7 +5,7 @@
 #include "raster/GDALTable.h"
 #include "raster/RasterMessages.h"
 #include "raster/RasterReference.h"
-#include "raster/Tile.h"
+#include "raster/RasterTile.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ std::string Exact(double value)
 /// The raster that tiles make.
 struct Mosaic
 {
-  std::vector<Tile> Tiles;
+  std::vector<RasterTile> Tiles;
   double West = 0.0;
   double North = 0.0;
   double StepX = 0.0;
@@ -61,10 +61,11 @@ struct Mosaic
 };
 
 /// A type that holds the samples and one value besides, for gaps.
-GDALDataType TypeWithGaps(GDALDataType type, const std::vector<Tile>& tiles)
+GDALDataType TypeWithGaps(GDALDataType type, const std::vector<RasterTile>& tiles)
 {
   const bool declared = std::all_of(tiles.begin(), tiles.end(),
-    [&tiles](const Tile& tile) { return tile.HasNoData && tile.NoData == tiles.front().NoData; });
+    [&tiles](const RasterTile& tile)
+    { return tile.HasNoData && tile.NoData == tiles.front().NoData; });
   if (declared && !std::isnan(tiles.front().NoData))
   {
     return type;
@@ -82,10 +83,11 @@ GDALDataType TypeWithGaps(GDALDataType type, const std::vector<Tile>& tiles)
   }
 }
 
-double GapValue(GDALDataType type, const std::vector<Tile>& tiles)
+double GapValue(GDALDataType type, const std::vector<RasterTile>& tiles)
 {
   const bool declared = std::all_of(tiles.begin(), tiles.end(),
-    [&tiles](const Tile& tile) { return tile.HasNoData && tile.NoData == tiles.front().NoData; });
+    [&tiles](const RasterTile& tile)
+    { return tile.HasNoData && tile.NoData == tiles.front().NoData; });
   switch (type)
   {
     case GDT_Float32:
@@ -98,10 +100,10 @@ double GapValue(GDALDataType type, const std::vector<Tile>& tiles)
   }
 }
 
-Mosaic PlanMosaic(std::vector<Tile> tiles)
+Mosaic PlanMosaic(std::vector<RasterTile> tiles)
 {
   Mosaic mosaic;
-  const Tile first = tiles.front();
+  const RasterTile first = tiles.front();
   double east = first.East();
   double south = first.South();
   mosaic.West = first.West();
@@ -110,7 +112,7 @@ Mosaic PlanMosaic(std::vector<Tile> tiles)
   mosaic.StepY = -first.GeoTransform[5];
   mosaic.Bands = first.Bands;
   bool isWide = false;
-  for (const Tile& tile : tiles)
+  for (const RasterTile& tile : tiles)
   {
     mosaic.West = std::min(mosaic.West, tile.West());
     mosaic.North = std::max(mosaic.North, tile.North());
@@ -139,13 +141,14 @@ Mosaic PlanMosaic(std::vector<Tile> tiles)
   mosaic.NoData = GapValue(mosaic.Type, tiles);
   // The finest is drawn last, and so is what comes last by name of equally fine ones.
   std::stable_sort(tiles.begin(), tiles.end(),
-    [](const Tile& a, const Tile& b) { return a.CellArea() > b.CellArea() * (1.0 + 1e-6); });
+    [](const RasterTile& a, const RasterTile& b)
+    { return a.CellArea() > b.CellArea() * (1.0 + 1e-6); });
   mosaic.Tiles = std::move(tiles);
   return mosaic;
 }
 
 /// A tile as a source of the virtual raster (GDAL's VRT format).
-std::string DescribeSource(const Mosaic& mosaic, const Tile& tile, int band)
+std::string DescribeSource(const Mosaic& mosaic, const RasterTile& tile, int band)
 {
   const double x = (tile.West() - mosaic.West) / mosaic.StepX;
   const double y = (mosaic.North - tile.North()) / mosaic.StepY;
@@ -182,7 +185,7 @@ std::string DescribeSource(const Mosaic& mosaic, const Tile& tile, int band)
 
 std::string DescribeMosaic(const Mosaic& mosaic)
 {
-  const Tile& first = mosaic.Tiles.front();
+  const RasterTile& first = mosaic.Tiles.front();
   std::string text = "<VRTDataset rasterXSize=\"" + std::to_string(mosaic.Width) +
     "\" rasterYSize=\"" + std::to_string(mosaic.Height) + "\">";
   text += "<GeoTransform>" + Exact(mosaic.West) + ", " + Exact(mosaic.StepX) + ", 0, " +
@@ -204,7 +207,7 @@ std::string DescribeMosaic(const Mosaic& mosaic)
     {
       text += "<UnitType>m</UnitType>";
     }
-    for (const Tile& tile : mosaic.Tiles)
+    for (const RasterTile& tile : mosaic.Tiles)
     {
       text += DescribeSource(mosaic, tile, band);
     }
@@ -238,10 +241,10 @@ std::vector<std::string> FindRasters(const std::string& directory)
 //------------------------------------------------------------------------------
 GDALDatasetH OpenRasterTiles(const std::string& directory, RasterRecord& record)
 {
-  std::vector<Tile> tiles;
+  std::vector<RasterTile> tiles;
   for (const std::string& path : FindRasters(directory))
   {
-    tiles.push_back(ReadTile(path));
+    tiles.push_back(ReadRasterTile(path));
   }
   if (tiles.empty())
   {
@@ -250,7 +253,7 @@ GDALDatasetH OpenRasterTiles(const std::string& directory, RasterRecord& record)
   const std::size_t found = tiles.size();
   LeaveOutProducts(tiles, record);
   CheckTiles(tiles);
-  for (const Tile& tile : tiles)
+  for (const RasterTile& tile : tiles)
   {
     for (const std::string& warning : tile.Warnings)
     {

@@ -102,7 +102,26 @@ void ResolveHeights(vtkTerrainRasterPlan& plan)
   plan.Name = plan.Name.empty() ? kDefaultName : plan.Name;
 }
 
-/// Position of the south-western sample, and spacing.
+std::string SizeText(const RasterFile& file)
+{
+  return std::to_string(file.GetWidth()) + " x " + std::to_string(file.GetHeight()) + " samples, " +
+    (file.IsSignedByte() ? "Int8" : GDALGetDataTypeName(file.GetType()));
+}
+}
+
+//------------------------------------------------------------------------------
+void CompletePlan(
+  vtkTerrainRasterPlan& plan, const int window[4], int maximumSize, vtkIdType maximumNumber)
+{
+  plan.Layout = plan.File->GetLayout();
+  plan.Request.Window = ResolveWindow(*plan.File, window);
+  plan.Request.NorthFirst = plan.Layout.NorthFirst;
+  plan.Request.EastFirst = plan.Layout.EastFirst;
+  ReduceSize(plan.Request, maximumSize, maximumNumber);
+  ResolveHeights(plan);
+}
+
+//------------------------------------------------------------------------------
 void PlaceSamples(vtkTerrainRasterPlan& plan)
 {
   const RasterRequest& request = plan.Request;
@@ -129,26 +148,6 @@ void PlaceSamples(vtkTerrainRasterPlan& plan)
     plan.Origin[axis] =
       (corner[axis] - plan.Layout.Origin[a]) * plan.Layout.Scale[a] + 0.5 * plan.Spacing[axis];
   }
-}
-
-std::string SizeText(const RasterFile& file)
-{
-  return std::to_string(file.GetWidth()) + " x " + std::to_string(file.GetHeight()) + " samples, " +
-    (file.IsSignedByte() ? "Int8" : GDALGetDataTypeName(file.GetType()));
-}
-}
-
-//------------------------------------------------------------------------------
-void CompletePlan(
-  vtkTerrainRasterPlan& plan, const int window[4], int maximumSize, vtkIdType maximumNumber)
-{
-  plan.Layout = plan.File->GetLayout();
-  plan.Request.Window = ResolveWindow(*plan.File, window);
-  plan.Request.NorthFirst = plan.Layout.NorthFirst;
-  plan.Request.EastFirst = plan.Layout.EastFirst;
-  ReduceSize(plan.Request, maximumSize, maximumNumber);
-  ResolveHeights(plan);
-  PlaceSamples(plan);
 }
 
 //------------------------------------------------------------------------------

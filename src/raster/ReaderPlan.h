@@ -28,6 +28,8 @@ struct vtkTerrainRasterPlan
   double VerticalScale = 1.0;
   double Origin[2] = { 0.0, 0.0 };
   double Spacing[2] = { 1.0, 1.0 };
+  /// Level of tiles that is read in place of the samples themselves; 0: the samples.
+  int Level = 0;
 };
 
 namespace terrain
@@ -36,9 +38,12 @@ namespace terrain
 constexpr const char* kDefaultName = "Elevation";
 
 /// Fills in the plan of a file that is taken in: the window (four numbers, 0 for all up to the
-/// edge) reduced under two limits (0 for none), scalars, place. Throws RasterError.
+/// edge) reduced under two limits (0 for none), scalars. Throws RasterError.
 void CompletePlan(
   vtkTerrainRasterPlan& plan, const int window[4], int maximumSize, vtkIdType maximumNumber);
+
+/// Fills in position of the south-western sample, and spacing.
+void PlaceSamples(vtkTerrainRasterPlan& plan);
 
 /// Lines that tell what a raster is taken for (vtkTerrainRasterReader::Describe).
 std::string DescribePlan(const vtkTerrainRasterPlan& plan);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "raster/Tile.h"
+#include "raster/RasterTile.h"
 
 #include "raster/GDALTable.h"
 #include "raster/RasterMessages.h"
@@ -25,7 +25,7 @@ constexpr double kSiteGap = 2.0;
 // Below this many samples nothing is too empty.
 constexpr double kSmallRaster = 4e6;
 
-std::string FileName(const Tile& tile)
+std::string FileName(const RasterTile& tile)
 {
   return CPLGetFilename(tile.Path.c_str());
 }
@@ -38,10 +38,11 @@ bool IsColour(GDALDatasetH dataset)
       GDALGetRasterDataType(GDALGetRasterBand(dataset, 1)) == GDT_Byte);
 }
 
-void RemoveNamed(std::vector<Tile>& tiles, const std::vector<bool>& isLeftOut, RasterRecord& record)
+void RemoveNamed(
+  std::vector<RasterTile>& tiles, const std::vector<bool>& isLeftOut, RasterRecord& record)
 {
   std::vector<std::string> names;
-  std::vector<Tile> kept;
+  std::vector<RasterTile> kept;
   for (std::size_t k = 0; k < tiles.size(); ++k)
   {
     if (isLeftOut[k])
@@ -84,10 +85,10 @@ bool IsNamedAsProduct(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-Tile ReadTile(const std::string& path)
+RasterTile ReadRasterTile(const std::string& path)
 {
   const GDALMessages messages;
-  Tile tile;
+  RasterTile tile;
   tile.Path = path;
   GDALDatasetH dataset =
     GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
@@ -136,12 +137,12 @@ Tile ReadTile(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-void LeaveOutProducts(std::vector<Tile>& tiles, RasterRecord& record)
+void LeaveOutProducts(std::vector<RasterTile>& tiles, RasterRecord& record)
 {
   const bool hasWide = std::any_of(tiles.begin(), tiles.end(),
-    [](const Tile& tile) { return tile.Type != GDT_Byte && !IsNamedAsProduct(tile.Path); });
+    [](const RasterTile& tile) { return tile.Type != GDT_Byte && !IsNamedAsProduct(tile.Path); });
   std::vector<bool> isLeftOut;
-  for (const Tile& tile : tiles)
+  for (const RasterTile& tile : tiles)
   {
     isLeftOut.push_back(
       IsNamedAsProduct(tile.Path) || tile.IsColour || (hasWide && tile.Type == GDT_Byte));
@@ -150,10 +151,10 @@ void LeaveOutProducts(std::vector<Tile>& tiles, RasterRecord& record)
 }
 
 //------------------------------------------------------------------------------
-void CheckTiles(const std::vector<Tile>& tiles)
+void CheckTiles(const std::vector<RasterTile>& tiles)
 {
-  const Tile& first = tiles.front();
-  for (const Tile& tile : tiles)
+  const RasterTile& first = tiles.front();
+  for (const RasterTile& tile : tiles)
   {
     if (!(tile.GeoTransform[1] > 0.0) || !(tile.GeoTransform[5] < 0.0) ||
       tile.GeoTransform[2] != 0.0 || tile.GeoTransform[4] != 0.0)
@@ -173,7 +174,7 @@ void CheckTiles(const std::vector<Tile>& tiles)
 }
 
 //------------------------------------------------------------------------------
-void JoinDateLine(std::vector<Tile>& tiles, RasterRecord& record)
+void JoinDateLine(std::vector<RasterTile>& tiles, RasterRecord& record)
 {
   if (!tiles.front().IsGeographic)
   {
@@ -181,7 +182,7 @@ void JoinDateLine(std::vector<Tile>& tiles, RasterRecord& record)
   }
   std::vector<std::pair<double, double>> spans;
   const auto turned = [](double x) { return x - 360.0 * std::floor((x + 180.0) / 360.0); };
-  for (const Tile& tile : tiles)
+  for (const RasterTile& tile : tiles)
   {
     const double west = turned(tile.West() + 1e-9) - 1e-9;
     spans.emplace_back(west, west + tile.East() - tile.West());
@@ -205,7 +206,7 @@ void JoinDateLine(std::vector<Tile>& tiles, RasterRecord& record)
     begin = spans.front().first;
   }
   bool moved = false;
-  for (Tile& tile : tiles)
+  for (RasterTile& tile : tiles)
   {
     double west = turned(tile.West() + 1e-9) - 1e-9;
     west += west < begin - 1e-6 ? 360.0 : 0.0;
@@ -219,7 +220,7 @@ void JoinDateLine(std::vector<Tile>& tiles, RasterRecord& record)
 }
 
 //------------------------------------------------------------------------------
-void CheckSites(const std::vector<Tile>& tiles)
+void CheckSites(const std::vector<RasterTile>& tiles)
 {
   double west = tiles.front().West();
   double east = tiles.front().East();
@@ -227,7 +228,7 @@ void CheckSites(const std::vector<Tile>& tiles)
   double north = tiles.front().North();
   double covered = 0.0;
   double cell = tiles.front().CellArea();
-  for (const Tile& tile : tiles)
+  for (const RasterTile& tile : tiles)
   {
     west = std::min(west, tile.West());
     east = std::max(east, tile.East());
@@ -247,11 +248,11 @@ void CheckSites(const std::vector<Tile>& tiles)
   isNear[0] = true;
   while (!grown.empty())
   {
-    const Tile& from = tiles[grown.back()];
+    const RasterTile& from = tiles[grown.back()];
     grown.pop_back();
     for (std::size_t k = 0; k < tiles.size(); ++k)
     {
-      const Tile& to = tiles[k];
+      const RasterTile& to = tiles[k];
       const double reachX = kSiteGap * std::max(from.East() - from.West(), to.East() - to.West());
       const double reachY =
         kSiteGap * std::max(from.North() - from.South(), to.North() - to.South());

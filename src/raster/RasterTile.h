@@ -5,8 +5,8 @@
  * What a directory needs to know of each of its tiles, and how they lie to each other. Private to
  * the module.
  */
-#ifndef vtkTerrain_raster_Tile_h
-#define vtkTerrain_raster_Tile_h
+#ifndef vtkTerrain_raster_RasterTile_h
+#define vtkTerrain_raster_RasterTile_h
 
 #include "raster/RasterRecord.h"
 
@@ -19,7 +19,7 @@
 namespace terrain
 {
 /// One raster file of a directory.
-struct Tile
+struct RasterTile
 {
   std::string Path;
   int Width = 0;
@@ -70,18 +70,18 @@ struct Tile
 bool IsNamedAsProduct(const std::string& path);
 
 /// Opens a tile and looks at what it says. Throws RasterError that names it.
-Tile ReadTile(const std::string& path);
+RasterTile ReadRasterTile(const std::string& path);
 
 /// Leaves out what are no heights: by name, colours, and bytes beside wider types; warns of them.
-void LeaveOutProducts(std::vector<Tile>& tiles, RasterRecord& record);
+void LeaveOutProducts(std::vector<RasterTile>& tiles, RasterRecord& record);
 
 /// Throws RasterError that names the first tile of another CRS, or that is no grid from the north.
-void CheckTiles(const std::vector<Tile>& tiles);
+void CheckTiles(const std::vector<RasterTile>& tiles);
 
 /// Moves tiles of degrees by a turn where that makes them lie nearer to each other.
-void JoinDateLine(std::vector<Tile>& tiles, RasterRecord& record);
+void JoinDateLine(std::vector<RasterTile>& tiles, RasterRecord& record);
 
 /// Throws RasterError if the tiles are several sites, most of the raster round them being empty.
-void CheckSites(const std::vector<Tile>& tiles);
+void CheckSites(const std::vector<RasterTile>& tiles);
 }
 #endif
