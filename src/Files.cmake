@@ -32,6 +32,7 @@ set(classes
 # Private to the module: one line a file, by rooms.
 set(private_sources
   vtkTerrainRasterReaderLevels
+  data/HierarchyHeights
   data/ImageSurface
   data/MeshOutput
   data/StripsOutput
@@ -42,6 +43,7 @@ set(private_sources
   raster/GridCoordinates
   raster/GridResample
   raster/InputFiles
+  raster/PreparedFile
   raster/RasterArray
   raster/RasterFile
   raster/RasterHeights

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainActor.h"
 
+#include "core/grid/Coordinates.h"
+#include "data/HierarchyData.h"
 #include "data/ImageHeights.h"
 #include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainHierarchy.h"
+#include "vtkTerrainRasterReader.h"
 #include "vtkTerrainStrips.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
@@ -110,7 +115,6 @@ vtkTerrainActor::vtkTerrainActor()
 {
   this->FullMesh->SetSamplesPerQuad(1);
   this->FullMesh->PushUpOff();
-  this->Strips->ExaggeratePointsOff(); // the mapper does
   this->SetMapper(this->TerrainMapper);
   this->GetProperty()->SetAmbient(0.0);
   this->GetProperty()->SetDiffuse(1.0);
@@ -137,6 +141,7 @@ void vtkTerrainActor::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkTerrainActor::SetInputConnection(vtkAlgorithmOutput* heights)
 {
+  this->PreparedReader = nullptr;
   this->TerrainMapper->SetHeightsConnection(heights);
   this->CoarseMesh->SetInputConnection(heights);
   this->FullMesh->SetInputConnection(heights);
@@ -146,6 +151,7 @@ void vtkTerrainActor::SetInputConnection(vtkAlgorithmOutput* heights)
 //------------------------------------------------------------------------------
 void vtkTerrainActor::SetInputData(vtkImageData* heights)
 {
+  this->PreparedReader = nullptr;
   this->TerrainMapper->SetHeightsData(heights);
   this->CoarseMesh->SetInputData(heights);
   this->FullMesh->SetInputData(heights);
@@ -174,6 +180,64 @@ vtkTerrainCoarseMesh* vtkTerrainActor::GetCoarseMesh()
 vtkTerrainStrips* vtkTerrainActor::GetStrips()
 {
   return this->Strips;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::SetHierarchy(vtkTerrainHierarchy* hierarchy)
+{
+  if (this->GetHierarchy() != hierarchy)
+  {
+    this->Strips->SetHierarchy(hierarchy);
+    this->PreparedReader = nullptr;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainHierarchy* vtkTerrainActor::GetHierarchy()
+{
+  return this->Strips->GetHierarchy();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainActor::SetFileName(const std::string& path)
+{
+  vtkNew<vtkTerrainRasterReader> reader;
+  reader->SetFileName(path);
+  if (!vtkTerrainHierarchy::IsPreparedFile(path))
+  {
+    this->SetHierarchy(nullptr);
+    this->SetInputConnection(reader->GetOutputPort());
+    return true;
+  }
+  vtkNew<vtkTerrainHierarchy> hierarchy;
+  if (!hierarchy->OpenFile(path))
+  {
+    vtkErrorMacro("Cannot draw the prepared heights: " << hierarchy->GetErrorMessage());
+    return false;
+  }
+  this->SetInputConnection(nullptr);
+  this->SetHierarchy(hierarchy);
+  this->PreparedReader = reader;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Reads a prepared file as an image where the technique needs one, and lets go of it where not.
+void vtkTerrainActor::UpdateInput()
+{
+  if (!this->PreparedReader)
+  {
+    return;
+  }
+  vtkAlgorithmOutput* heights =
+    this->DrawsStrips() ? nullptr : this->PreparedReader->GetOutputPort();
+  if ((this->TerrainMapper->GetNumberOfInputConnections(1) > 0) != (heights != nullptr))
+  {
+    const vtkSmartPointer<vtkTerrainRasterReader> reader = this->PreparedReader;
+    this->SetInputConnection(heights);
+    this->PreparedReader = reader;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -262,15 +326,46 @@ vtkSmartPointer<vtkColorTransferFunction> vtkTerrainActor::MakeReliefColors(
 //------------------------------------------------------------------------------
 bool vtkTerrainActor::HasSurface()
 {
+  this->UpdateInput();
+  bool found = false;
+  if (this->DrawsStripsAlone())
+  {
+    std::array<double, 6> bounds{};
+    this->GetHierarchy()->GetBounds(bounds.data());
+    return bounds[0] <= bounds[1];
+  }
   this->TerrainMapper->GetBounds(); // brings the heights up to date
   vtkImageData* heights = this->GetHeights();
-  bool found = false;
   if (terrain::ImageHeights::WhyNotHeights(heights).empty())
   {
     terrain::ImageHeights::Dispatch(
       heights, [&found](const auto& view) { found = hasSurface(view); });
   }
   return found;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainActor::DrawsStrips() const
+{
+  return this->GetTechnique() == Techniques::Strips;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainActor::DrawsStripsAlone() const
+{
+  return this->DrawsStrips() && this->Strips->GetHierarchy() &&
+    this->TerrainMapper->GetNumberOfInputConnections(1) == 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainActor::GetOriginOfHeights()
+{
+  if (vtkImageData* heights = this->GetHeights())
+  {
+    return terrain::ImageHeights::Geometry(heights).Origin.z;
+  }
+  const auto data = this->GetHierarchy() ? this->GetHierarchy()->GetData() : nullptr;
+  return data ? data->View().Geometry.Origin.z : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -292,19 +387,22 @@ void vtkTerrainActor::RefineFor(vtkRenderer* renderer)
   this->GetMatrix(toWorld);
   const double horizontal = std::min(scaleOf(toWorld, 0), scaleOf(toWorld, 1));
   const double vertical = scaleOf(toWorld, 2) / horizontal;
-  const double origin = this->GetHeights() ? this->GetHeights()->GetOrigin()[2] : 0.0;
-  for (int row = 0; row < 3; ++row)
-  {
-    const double up = toWorld->GetElement(row, 2);
-    toWorld->SetElement(row, 2, up / vertical);
-    toWorld->SetElement(row, 3, toWorld->GetElement(row, 3) + origin * (up - up / vertical));
-  }
+  terrain::GridGeometry unscaled;
+  unscaled.Origin.z = this->GetOriginOfHeights();
+  unscaled.Exaggeration = 1.0 / vertical;
+  const glm::dmat4 matrix = glm::transpose(unscaled.TrueToDrawn());
+  vtkMatrix4x4::Multiply4x4(toWorld->GetData(), &matrix[0][0], toWorld->GetData());
   if (!this->Strips->GetCamera())
   {
     this->Strips->SetCamera(vtkSmartPointer<vtkCamera>::New());
   }
   placeInModel(renderer->GetActiveCamera(), toWorld, this->Strips->GetCamera());
   this->Strips->SetExaggeration(this->GetVerticalExaggeration() * vertical);
+  // with the heights, the mapper exaggerates, lights and colours the points
+  const bool alone = this->DrawsStripsAlone();
+  this->Strips->SetPointExaggeration(alone ? this->GetVerticalExaggeration() : 1.0);
+  this->Strips->SetNormals(alone);
+  this->Strips->SetHeightScalars(alone);
   this->Strips->SetViewportSize(renderer->GetSize());
   // the camera's sides are planes that cut other parts where the ground is stretched one way
   const bool isStretched = std::abs(scaleOf(toWorld, 0) / scaleOf(toWorld, 1) - 1.0) > 1e-6;
@@ -313,8 +411,17 @@ void vtkTerrainActor::RefineFor(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainActor::RefineStrips(vtkRenderer* renderer)
+{
+  this->UpdateInput();
+  this->RefineFor(renderer);
+  this->Strips->Update();
+}
+
+//------------------------------------------------------------------------------
 void vtkTerrainActor::UpdateMesh()
 {
+  this->UpdateInput();
   vtkAlgorithm* mesh = this->GetUsedMesh();
   if (this->GetTechnique() == Techniques::Strips && this->Strips->GetCamera())
   {
@@ -351,6 +458,12 @@ void vtkTerrainActor::UpdateColors()
   }
   std::array<double, 2> range{};
   this->TerrainMapper->GetHeightRange(range.data());
+  if (this->DrawsStripsAlone())
+  {
+    std::array<double, 6> bounds{};
+    this->GetHierarchy()->GetBounds(bounds.data());
+    range = { bounds[4] - this->GetOriginOfHeights(), bounds[5] - this->GetOriginOfHeights() };
+  }
   if (this->ReliefColors->GetSize() == 0 || this->ReliefRange != range)
   {
     this->ReliefRange = range;
@@ -363,13 +476,45 @@ void vtkTerrainActor::UpdateColors()
 double* vtkTerrainActor::GetBounds()
 {
   this->UpdateMesh();
-  return this->Superclass::GetBounds();
+  if (!this->DrawsStripsAlone())
+  {
+    return this->Superclass::GetBounds();
+  }
+  // of all heights, not of what the camera sees
+  std::array<double, 6> bounds{};
+  this->GetHierarchy()->GetBounds(bounds.data());
+  vtkBoundingBox box;
+  if (bounds[0] <= bounds[1])
+  {
+    terrain::GridGeometry drawn;
+    drawn.Origin.z = this->GetOriginOfHeights();
+    drawn.Exaggeration = this->GetVerticalExaggeration();
+    vtkMatrix4x4* toWorld = this->GetMatrix();
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const std::array<double, 4> point{ bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+        drawn.ToDrawnZ(bounds[4 + (corner >> 2)]), 1.0 };
+      std::array<double, 4> moved{};
+      toWorld->MultiplyPoint(point.data(), moved.data());
+      box.AddPoint(moved.data());
+    }
+  }
+  box.GetBounds(this->Bounds);
+  return this->Bounds;
 }
 
 //------------------------------------------------------------------------------
 void vtkTerrainActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
-  if (this->GetTechnique() == Techniques::Strips)
+  this->UpdateInput();
+  if (!this->DrawsStrips() && this->GetHierarchy() &&
+    this->TerrainMapper->GetNumberOfInputConnections(1) == 0)
+  {
+    vtkErrorMacro("Prepared heights alone are drawn by the technique Strips only; set their image, "
+                  "or let SetFileName read it.");
+    return;
+  }
+  if (this->DrawsStrips())
   {
     this->RefineFor(renderer);
   }
@@ -435,6 +580,7 @@ void vtkTerrainActor::ShallowCopy(vtkProp* prop)
     this->CoarseMesh = other->CoarseMesh;
     this->FullMesh = other->FullMesh;
     this->Strips = other->Strips;
+    this->PreparedReader = other->PreparedReader;
     this->LookupTable = other->LookupTable;
     this->ReliefColors = other->ReliefColors;
     this->ReliefRange = other->ReliefRange;

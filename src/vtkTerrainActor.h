@@ -18,10 +18,17 @@
  * heights, unless told otherwise; both follow the heights when these change.
  *
  * A mesh is made when it is first needed: the full one for the technique Mesh, a coarse one where
- * the other techniques are drawn as wireframe or points, and none for their surface. The technique
- * Strips draws vtkTerrainStrips, refined for the camera at each frame: triangles within a
- * tolerance, lit and coloured by the heights themselves as all else. An actor whose scales in x and
- * y differ makes their tolerance as much larger.
+ * techniques that cast rays are drawn as wireframe or points, and none for their surface.
+ *
+ * The technique Strips draws what vtkTerrainStrips refines for the camera at each frame: triangles
+ * within a tolerance. They are lit and coloured by the heights themselves, as all else. An actor
+ * whose scales in x and y differ makes their tolerance as much larger.
+ *
+ * Prepared heights (SetHierarchy, or a file of terrain-prepare by SetFileName) save Strips the
+ * preparation. Without an image of heights beside them, Strips draws them alone, so that a file may
+ * be larger than memory: normals and colours are then those of the triangles' corners, and what
+ * the mapper does with heights (drapes, contour lines, hillshade) is not there. All other
+ * techniques need the image.
  *
  * Level of detail: while the renderer allots this actor less than LongestInteraction seconds a
  * frame, as interactors do while the mouse is down, and the last frame took more, the pixel
@@ -40,7 +47,8 @@
 #include "vtkSmartPointer.h"        // For members
 #include "vtkTerrainModule.h"       // For export macro
 
-#include <array> // For members
+#include <array>  // For members
+#include <string> // For file names
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
@@ -48,6 +56,8 @@ class vtkColorTransferFunction;
 class vtkImageData;
 class vtkScalarsToColors;
 class vtkTerrainCoarseMesh;
+class vtkTerrainHierarchy;
+class vtkTerrainRasterReader;
 class vtkTerrainStrips;
 
 class VTKTERRAIN_EXPORT vtkTerrainActor : public vtkOpenGLActor
@@ -64,13 +74,29 @@ public:
   vtkImageData* GetHeights();
   ///@}
 
+  ///@{
+  /// Heights prepared for the technique Strips, in memory or in a file; null, the default, to let
+  /// the actor prepare the image. If there is an image, too, both must be of the same heights.
+  void SetHierarchy(vtkTerrainHierarchy* hierarchy);
+  vtkTerrainHierarchy* GetHierarchy();
+  ///@}
+
+  ///@{
+  /// Takes the heights from a file, whose content decides what it is: a file of terrain-prepare, or
+  /// any raster that vtkTerrainRasterReader reads. A prepared file is not read as an image while
+  /// the technique is Strips, and is read once another one needs it. Replaces all other input.
+  /// Returns false, after an error of one line, if a prepared file cannot be used; a raster tells
+  /// when it is read.
+  bool SetFileName(VTK_FILEPATH const std::string& path);
+  ///@}
+
   /// What draws; the actor keeps its port 0, technique and colours as the methods here say.
   vtkOpenGLTerrainMapper* GetTerrainMapper();
   /// What makes the coarse mesh when it is needed: set its SamplesPerQuad here.
   vtkTerrainCoarseMesh* GetCoarseMesh();
 
-  /// What refines with the technique Strips: set its Tolerance or TriangleBudget here. The actor
-  /// keeps its heights, camera, viewport, culling and exaggeration.
+  /// What refines for the technique Strips: set its Tolerance or TriangleBudget here. The actor
+  /// keeps its heights, camera, viewport, culling, exaggeration, normals and height scalars.
   vtkTerrainStrips* GetStrips();
 
   /// The mesh that the technique and the representation need: the full one, the coarse mesh, or
@@ -143,6 +169,8 @@ public:
   /// Takes over how another terrain looks but for its colours: its mapper's look, the tolerance and
   /// the budget of its strips, its level of detail. Property and place are those of any vtkActor.
   void CopyLook(vtkTerrainActor* other);
+  /// Refines the strips for the camera of a renderer, as Render does with the technique Strips.
+  void RefineStrips(vtkRenderer* renderer);
   /// Shares mapper and mesh with another terrain.
   void ShallowCopy(vtkProp* prop) override;
 
@@ -154,6 +182,10 @@ protected:
   ~vtkTerrainActor() override;
 
 private:
+  bool DrawsStrips() const;
+  bool DrawsStripsAlone() const;
+  double GetOriginOfHeights();
+  void UpdateInput();
   void RefineFor(vtkRenderer* renderer);
   void UpdateMesh();
   void UpdateColors();
@@ -169,6 +201,8 @@ private:
   vtkSmartPointer<vtkColorTransferFunction> ReliefColors;
   /// Heights that they were made for.
   std::array<double, 2> ReliefRange{};
+  /// Reads the prepared file of SetFileName for techniques that need an image; else null.
+  vtkSmartPointer<vtkTerrainRasterReader> PreparedReader;
   bool ColorByHeight = true;
   bool LevelOfDetail = true;
   double InteractionTolerance = 0.0;

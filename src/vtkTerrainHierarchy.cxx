@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainHierarchy.h"
 
+#include "data/FieldData.h"
 #include "data/HierarchyData.h"
+#include "data/HierarchyHeights.h"
 #include "data/ImageHeights.h"
 #include "data/SMPParallelFor.h"
 
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkStringArray.h"
-
 #include <limits>
 
 vtkStandardNewMacro(vtkTerrainHierarchy);
@@ -36,11 +37,18 @@ terrain::HeightRows RowsOf(vtkImageData* image)
   };
 }
 
-/// The text of the field data array CRS, as vtkTerrainRasterReader gives it.
-std::string CoordinateSystemOf(vtkImageData* image)
+/// What the field data of an image say, as vtkTerrainRasterReader gives them.
+terrain::HierarchyPlacing PlacingOf(vtkImageData* image)
 {
-  auto* crs = vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("CRS"));
-  return crs && crs->GetNumberOfValues() > 0 ? std::string(crs->GetValue(0)) : std::string();
+  terrain::HierarchyPlacing placing;
+  if (image)
+  {
+    placing.CoordinateSystem = terrain::FieldData::GetText(image, "CRS");
+    placing.HasLayout =
+      terrain::FieldData::GetPair(image, "LayoutOrigin", &placing.LayoutOrigin.x) &&
+      terrain::FieldData::GetPair(image, "LayoutScale", &placing.LayoutScale.x);
+  }
+  return placing;
 }
 }
 
@@ -80,7 +88,7 @@ bool vtkTerrainHierarchy::SetHeights(vtkImageData* heights, const ProgressFuncti
   if (error.empty())
   {
     auto data = std::make_shared<terrain::HierarchyData>();
-    data->CoordinateSystem = CoordinateSystemOf(heights);
+    data->Placing = PlacingOf(heights);
     error = terrain::BuildHierarchy(data->Memory, dims[0], dims[1],
       terrain::ImageHeights::Geometry(heights), RowsOf(heights), terrain::SMPParallelFor, progress,
       this->KeepBorder);
@@ -101,7 +109,7 @@ bool vtkTerrainHierarchy::OpenFile(const std::string& path, bool verify)
   const std::string error = data->File.Open(path, verify);
   if (error.empty())
   {
-    data->CoordinateSystem = data->File.CoordinateSystem();
+    data->Placing = data->File.Placing();
     this->Data = data;
   }
   return this->Finish(error.empty() ? error : path + ": " + error);
@@ -114,13 +122,13 @@ bool vtkTerrainHierarchy::WriteFile(const std::string& path, const ProgressFunct
     return this->Finish("there is no hierarchy to write");
   }
   const std::string error =
-    terrain::WriteHierarchyFile(path, this->Data->View(), this->GetCoordinateSystem(), progress);
+    terrain::WriteHierarchyFile(path, this->Data->View(), this->Data->Placing, progress);
   return this->Finish(error.empty() ? error : path + ": " + error);
 }
 
 bool vtkTerrainHierarchy::PrepareFile(const std::string& path, int width, int height,
-  const double origin[3], const double spacing[2], const std::string& coordinateSystem,
-  const RowFunction& rows, const ProgressFunction& progress)
+  const double origin[3], const double spacing[2], vtkImageData* placed, const RowFunction& rows,
+  const ProgressFunction& progress)
 {
   terrain::GridGeometry geometry;
   geometry.Origin = { origin[0], origin[1], origin[2] };
@@ -128,8 +136,34 @@ bool vtkTerrainHierarchy::PrepareFile(const std::string& path, int width, int he
   const auto heights = [&rows](std::int64_t first, std::int64_t count, float* out)
   { return rows(static_cast<vtkIdType>(first), static_cast<vtkIdType>(count), out); };
   const std::string error = terrain::WriteHierarchyFile(
-    path, width, height, geometry, coordinateSystem, heights, terrain::SMPParallelFor, progress);
+    path, width, height, geometry, PlacingOf(placed), heights, terrain::SMPParallelFor, progress);
   return this->Finish(error.empty() ? error : path + ": " + error);
+}
+
+bool vtkTerrainHierarchy::IsPreparedFile(const std::string& path)
+{
+  return terrain::IsHierarchyFile(path);
+}
+
+bool vtkTerrainHierarchy::GetHeights(vtkImageData* heights)
+{
+  int dimensions[2];
+  this->GetDimensions(dimensions);
+  const int extent[6] = { 0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, 0 };
+  return this->GetHeights(extent, heights);
+}
+
+bool vtkTerrainHierarchy::GetHeights(const int extent[6], vtkImageData* heights)
+{
+  heights->Initialize();
+  int dimensions[2];
+  this->GetDimensions(dimensions);
+  if (extent[0] < 0 || extent[2] < 0 || extent[0] > extent[1] || extent[2] > extent[3] ||
+    extent[1] >= dimensions[0] || extent[3] >= dimensions[1])
+  {
+    return this->Finish("these samples are not among the prepared ones");
+  }
+  return this->Finish(terrain::CopyHeights(*this->Data, extent, heights));
 }
 
 bool vtkTerrainHierarchy::IsDamaged() const
@@ -167,7 +201,7 @@ void vtkTerrainHierarchy::GetBounds(double bounds[6]) const
 
 std::string vtkTerrainHierarchy::GetCoordinateSystem() const
 {
-  return this->Data ? this->Data->CoordinateSystem : std::string();
+  return this->Data ? this->Data->Placing.CoordinateSystem : std::string();
 }
 
 void vtkTerrainHierarchy::ReleasePages()

@@ -27,7 +27,7 @@
 #define vtkTerrainHierarchy_h
 
 #include "vtkObject.h"
-#include "vtkTerrainModule.h"
+#include "vtkTerrainModule.h" // For export macro
 
 #include <functional>
 #include <memory>
@@ -82,11 +82,23 @@ public:
   bool WriteFile(const std::string& path, const ProgressFunction& progress);
 
   /// Prepares a raster of width x height samples straight into a file; this object stays as it is.
-  /// Sample (i, j) lies at origin + (i, j) * spacing; coordinateSystem is kept as text, may be
-  /// empty. Returns false, with GetErrorMessage(), on failure, and leaves no file behind.
+  /// Sample (i, j) lies at origin + (i, j) * spacing. The field data CRS, LayoutOrigin and
+  /// LayoutScale of an image, which may be null, are kept (see vtkTerrainRasterReader). Returns
+  /// false, with GetErrorMessage(), on failure, and leaves no file behind.
   bool PrepareFile(const std::string& path, int width, int height, const double origin[3],
-    const double spacing[2], const std::string& coordinateSystem, const RowFunction& rows,
+    const double spacing[2], vtkImageData* placed, const RowFunction& rows,
     const ProgressFunction& progress = nullptr);
+
+  /// True if a file begins as prepared files do, whatever its name is.
+  static bool IsPreparedFile(VTK_FILEPATH const std::string& path);
+
+  /// The heights as they were prepared: the samples of an extent (see vtkImageData) of the whole,
+  /// as float point scalars "Elevation". A sample is NaN if none of its cells has a surface. Field
+  /// data are CRS, LayoutOrigin and LayoutScale, where they are known. Returns false, with
+  /// GetErrorMessage(), if the extent is not within the whole, or the file is damaged.
+  bool GetHeights(const int extent[6], vtkImageData* heights);
+  /// All of them.
+  bool GetHeights(vtkImageData* heights);
 
   /// Why the last of the calls above failed, one sentence; empty after success.
   const std::string& GetErrorMessage() const

@@ -100,7 +100,9 @@ void readMapper(vtkMapper* anyMapper, vtkMatrix4x4* modelToWorld, KnownSurfaces&
     return;
   }
   shown.Heights = heights;
-  const bool rays = mapper->GetTechnique() != vtkOpenGLTerrainMapper::Techniques::Mesh;
+  const auto technique = mapper->GetTechnique();
+  const bool rays = technique != vtkTerrainLook::Techniques::Mesh &&
+    technique != vtkTerrainLook::Techniques::Strips;
   const bool all = mapper->GetTechnique() == vtkOpenGLTerrainMapper::Techniques::Pyramid;
   vtkImageData* detail = rays ? mapper->GetDetail() : nullptr;
   terrain::ImageSurface& surface = known.Of(heights, scans);

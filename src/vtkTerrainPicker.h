@@ -20,7 +20,7 @@
  *   - the bilinear surface, from both sides, whatever the technique;
  *   - with the technique Pyramid also columns, and the walls, the floor and the cut faces of a
  * block;
- *   - the surface with its detail, if it has any, with all techniques but Mesh.
+ *   - the surface with its detail, if it has any, with techniques that cast rays.
  * Not picked are cells without data and what clipping planes or an extract of the mapper cut away.
  * Face culling plays no role.
  *

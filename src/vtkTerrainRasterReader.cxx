@@ -3,8 +3,12 @@
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainRasterReaderInternals.h"
 
+#include "core/strips/HierarchyFile.h"
+#include "data/FieldData.h"
 #include "data/Setting.h"
 #include "raster/GDALTable.h"
+#include "raster/MemoryLimit.h"
+#include "raster/PreparedFile.h"
 #include "raster/RasterSamples.h"
 
 #include "vtkDataArray.h"
@@ -32,8 +36,6 @@
 #include <numeric>
 #include <sstream>
 #include <vector>
-
-#include <unistd.h>
 
 namespace
 {
@@ -87,19 +89,6 @@ terrain::RasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* samp
   }
 }
 
-/// Throws std::bad_alloc for more than the machine's memory, which the system might still promise.
-void CheckMemory(const int extent[6], int scalarType)
-{
-  const double bytes = (static_cast<double>(extent[1]) - extent[0] + 1.0) *
-    (static_cast<double>(extent[3]) - extent[2] + 1.0) *
-    static_cast<double>(vtkDataArray::GetDataTypeSize(scalarType));
-  if (bytes >
-    static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE)))
-  {
-    throw std::bad_alloc();
-  }
-}
-
 void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
 {
   vtkNew<vtkStringArray> array;
@@ -112,12 +101,6 @@ void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::str
   {
     fields->AddArray(array);
   }
-}
-
-void AddText(vtkFieldData* fields, const char* name, const std::string& text)
-{
-  AddTexts(
-    fields, name, text.empty() ? std::vector<std::string>() : std::vector<std::string>{ text });
 }
 
 void AddNumbers(vtkFieldData* fields, const char* name, std::initializer_list<double> numbers)
@@ -219,6 +202,10 @@ std::string vtkTerrainRasterReader::GetGDALFile()
 //------------------------------------------------------------------------------
 int vtkTerrainRasterReader::CanReadFile(const char* fileName)
 {
+  if (fileName && terrain::IsHierarchyFile(fileName))
+  {
+    return 3;
+  }
   try
   {
     terrain::RasterFile file(fileName ? fileName : "");
@@ -235,7 +222,7 @@ int vtkTerrainRasterReader::CanReadFile(const char* fileName)
 const char* vtkTerrainRasterReader::GetFileExtensions() const
 {
   return ".tif .tiff .vrt .hgt .dem .asc .img .dt0 .dt1 .dt2 .bil .flt .adf .grd .nc .png .jp2 "
-         ".xyz";
+         ".xyz .hierarchy";
 }
 
 //------------------------------------------------------------------------------
@@ -397,6 +384,10 @@ int vtkTerrainRasterReader::RequestInformation(vtkInformation* vtkNotUsed(reques
   this->WarningMessage.clear();
   this->Internals->ToldFill.clear();
   this->SetErrorCode(vtkErrorCode::NoError);
+  if (terrain::IsHierarchyFile(this->FileName))
+  {
+    return this->RequestPrepared(outputs->GetInformationObject(0), nullptr);
+  }
   try
   {
     const std::shared_ptr<vtkTerrainRasterPlan> planned =
@@ -428,6 +419,10 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
   this->SetErrorCode(vtkErrorCode::NoError);
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
+  if (terrain::IsHierarchyFile(this->FileName))
+  {
+    return this->RequestPrepared(info, image);
+  }
   int extent[6];
   info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   try
@@ -445,7 +440,7 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
     this->WarnOf(plan);
     std::copy(extent, extent + 4, plan.Request.Extent);
     CheckWholeExtent(info, plan);
-    CheckMemory(extent, plan.ScalarType);
+    terrain::CheckMemory(extent, plan.ScalarType);
     // What the pipeline knows of is the first band, and in a series the first file.
     image->SetExtent(extent);
     image->AllocateScalars(plan.ScalarType, 1);
@@ -470,6 +465,18 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
     image->Initialize();
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// Of a file of vtkTerrainHierarchy; without an image what the pipeline asks for ahead.
+int vtkTerrainRasterReader::RequestPrepared(vtkInformation* info, vtkImageData* image)
+{
+  info->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
+  const std::string why = terrain::ReadPreparedFile(this->FileName,
+    { this->CoordinateSystem, this->Window[2] > 0 || this->Window[3] > 0,
+      this->Band > 1 || this->BandsAsTimeSteps, this->MaximumSize, this->MaximumNumberOfSamples },
+    info, image);
+  return why.empty() ? 1 : this->Fail(why);
 }
 
 //------------------------------------------------------------------------------
@@ -523,9 +530,9 @@ void vtkTerrainRasterReader::AddFieldData(vtkTerrainRasterPlan& plan, vtkImageDa
 {
   vtkFieldData* fields = image->GetFieldData();
   const terrain::RasterWindow& window = plan.Request.Window;
-  AddText(fields, "FileName", this->FileName);
-  AddText(fields, "CRS", plan.Layout.CRS);
-  AddText(fields, "VerticalUnit", plan.VerticalUnit);
+  terrain::FieldData::AddText(image, "FileName", this->FileName);
+  terrain::FieldData::AddText(image, "CRS", plan.Layout.CRS);
+  terrain::FieldData::AddText(image, "VerticalUnit", plan.VerticalUnit);
   AddTexts(fields, "Record", plan.File->GetRecord().GetLines());
   AddTexts(fields, "Warnings", this->Internals->ListWarnings(this->WarningMessage));
   AddNumbers(fields, "VerticalScale", { plan.VerticalScale });

@@ -58,6 +58,10 @@
  * they overlap the finest counts, of equally fine ones the last by name. Pictures, masks and
  * derivatives (hillshade, slope) are left out with a warning.
  *
+ * A file of terrain-prepare, recognized by its content, is read like a raster: the heights as float
+ * with NaN for no data, whole or in the pipeline's pieces, with FileName, CRS, LayoutOrigin,
+ * LayoutScale. Window, the limits of samples, bands and no-data settings are for rasters.
+ *
  * Reading less: Band, Window, and MaximumSize or MaximumNumberOfSamples. Reduced samples are means
  * over their area (of what has data, where half of it has), taken from the smallest overview that
  * is fine enough. The pipeline's pieces read only their part of the file, and equal the whole.
@@ -284,6 +288,7 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
+  int RequestPrepared(vtkInformation* info, vtkImageData* image);
   std::shared_ptr<vtkTerrainRasterPlan> Plan(int band);
   std::shared_ptr<vtkTerrainRasterPlan> Open() const;
   void Complete(vtkTerrainRasterPlan& plan) const;

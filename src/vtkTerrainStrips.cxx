@@ -255,7 +255,7 @@ void vtkTerrainStrips::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "TriangleBudget: " << this->TriangleBudget << "\n"
      << indent << "Exaggeration: " << this->Exaggeration << "\n"
-     << indent << "ExaggeratePoints: " << this->ExaggeratePoints << "\n"
+     << indent << "PointExaggeration: " << this->PointExaggeration << "\n"
      << indent << "KeepBorder: " << this->KeepBorder << "\n"
      << indent << "DetailCells: " << this->DetailCells << "\n"
      << indent << "DetailScale: " << this->DetailScale << "\n"
@@ -265,6 +265,7 @@ void vtkTerrainStrips::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Normals: " << this->Normals << "\n"
      << indent << "TextureCoordinates: " << this->TextureCoordinates << "\n"
      << indent << "LevelColors: " << this->LevelColors << "\n"
+     << indent << "HeightScalars: " << this->HeightScalars << "\n"
      << indent << "TriangleOutput: " << this->TriangleOutput << "\n"
      << indent << "Asynchronous: " << this->Asynchronous << "\n"
      << indent << "UsedTolerance: " << this->UsedTolerance << "\n"
@@ -526,9 +527,9 @@ int vtkTerrainStrips::RequestData(
   const terrain::StripsSource source{ internals.MeshJob.Data->View(),
     internals.MeshJob.Detail.get() };
   terrain::FillStrips(internals.Mesh, source,
-    { this->ExaggeratePoints ? internals.MeshJob.View.Exaggeration : 1.0,
+    { this->PointExaggeration > 0.0 ? this->PointExaggeration : internals.MeshJob.View.Exaggeration,
       internals.MeshJob.View.DetailScale, this->Normals, this->TextureCoordinates,
-      this->LevelColors, this->TriangleOutput },
+      this->LevelColors, this->HeightScalars, this->TriangleOutput },
     vtkPolyData::GetData(outputVector));
   const bool isDamaged = internals.MeshJob.Data->IsFile &&
     !terrain::AreHeightsKnown(internals.Mesh, source, internals.MeshJob.View.DetailScale);

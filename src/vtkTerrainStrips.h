@@ -16,8 +16,9 @@
  *   Normals              float 3, unit length, from central differences of the heights
  *   TextureCoordinates   float 2, 0 to 1 from the first to the last sample east and north
  *   Depth                unsigned char 3, the depth in the hierarchy as a colour (LevelColors)
- * Points are double, in model coordinates (those of the heights), z = origin z + Exaggeration *
- * height (see ExaggeratePoints).
+ *   Height               float, the height, not exaggerated (HeightScalars)
+ * Points are double, in model coordinates (those of the heights), z = origin z + exaggeration *
+ * height (see Exaggeration, PointExaggeration).
  *
  * With detail (port 1) the surface is the heights plus DetailScale times the detail, repeated all
  * over them as vtkOpenGLTerrainMapper does. Refinement runs on below the samples of the heights,
@@ -143,11 +144,10 @@ public:
   vtkGetMacro(Exaggeration, double);
   ///@}
   ///@{
-  /// Whether points are drawn as high as they are exaggerated (default), or stay at their true
-  /// height for a mapper that exaggerates them itself.
-  vtkSetMacro(ExaggeratePoints, bool);
-  vtkGetMacro(ExaggeratePoints, bool);
-  vtkBooleanMacro(ExaggeratePoints, bool);
+  /// Exaggeration of the points of the output, where that is another one than in the view because a
+  /// mapper or an actor adds the rest: 1 for points at their true heights. 0 (default): the same.
+  vtkSetClampMacro(PointExaggeration, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(PointExaggeration, double);
   ///@}
   ///@{
   /// Draws every sample of the border of the image of port 0, see vtkTerrainHierarchy; default off.
@@ -194,6 +194,12 @@ public:
   vtkSetMacro(LevelColors, bool);
   vtkGetMacro(LevelColors, bool);
   vtkBooleanMacro(LevelColors, bool);
+  ///@}
+  ///@{
+  /// Adds the height of each point, as scalars unless LevelColors are; default off.
+  vtkSetMacro(HeightScalars, bool);
+  vtkGetMacro(HeightScalars, bool);
+  vtkBooleanMacro(HeightScalars, bool);
   ///@}
   ///@{
   /// Triangles in place of the strip; default off.
@@ -253,7 +259,8 @@ private:
   double DetailScale = 1.0;
   vtkIdType TriangleBudget = 0;
   CullingMode Culling = CullingMode::Nested;
-  bool ExaggeratePoints = true;
+  double PointExaggeration = 0.0;
+  bool HeightScalars = false;
   bool KeepBorder = false;
   bool Morphing = false;
   bool PlainRefinement = false;

@@ -322,7 +322,7 @@ int MeasurePrepared(const std::string& argument)
   const std::int64_t size = std::atoll(argument.c_str());
   const std::string path = argument.substr(colon + 1);
   const std::string error = terrain::WriteHierarchyFile(
-    path, size, size, ProceduralGeometry(), "", ProceduralRows(size), terrain::SMPParallelFor, {});
+    path, size, size, ProceduralGeometry(), {}, ProceduralRows(size), terrain::SMPParallelFor, {});
   return error.empty() ? MeasureFile(path) : Failed(path, error);
 }
 

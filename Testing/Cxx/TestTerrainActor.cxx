@@ -6,10 +6,12 @@
 
 #include "vtkTerrainActor.h"
 #include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainHierarchy.h"
 #include "vtkTerrainStrips.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
@@ -18,14 +20,17 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkScalarBarActor.h"
+#include "vtkTestErrorObserver.h"
 #include "vtkTransform.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
+#include <string>
 
 namespace
 {
@@ -252,6 +257,70 @@ TEST_F(TerrainActor, StripsComeBackFromNothing)
   EXPECT_EQ(this->ActorBounds(), bounds);
   this->Terrain->GetStrips()->SetTolerance(1.0);
   EXPECT_EQ(countDrawn(this->Draw()), drawn);
+}
+
+// A prepared file: Strips draws it alone, as the heights that it was made of; other techniques read
+// it as an image.
+TEST_F(TerrainActor, DrawsPreparedFiles)
+{
+  this->Heights->SetOrigin(0.0, 0.0, 50.0);
+  this->Terrain->SetVerticalExaggeration(2.0);
+  this->Terrain->SetScale(1.0, 1.0, 1.5);
+  this->Terrain->GetStrips()->SetTolerance(0.25);
+  this->Terrain->SetTechnique(Techniques::Strips);
+  this->LookFromSouth();
+  const auto strips = this->Draw();
+  const vtkIdType triangles = this->Terrain->GetStrips()->GetNumberOfTriangles();
+  this->Terrain->SetTechnique(Techniques::Pyramid);
+  const auto rays = this->Draw();
+  const Bounds bounds = this->ActorBounds();
+  EXPECT_GT(countDrawn(strips), 160 * 120 / 6);
+
+  const std::string path = vtkTerrainTesting::OutputPath("prepared.any");
+  vtkNew<vtkTerrainHierarchy> hierarchy;
+  ASSERT_TRUE(hierarchy->SetHeights(this->Heights));
+  ASSERT_TRUE(hierarchy->WriteFile(path)) << hierarchy->GetErrorMessage();
+  this->Terrain->SetTechnique(Techniques::Strips);
+  ASSERT_TRUE(this->Terrain->SetFileName(path));
+  EXPECT_TRUE(this->Terrain->HasSurface());
+  const auto alone = this->Draw();
+  EXPECT_EQ(this->Terrain->GetHeights(), nullptr) << "the file is not read";
+  EXPECT_EQ(this->Terrain->GetStrips()->GetNumberOfTriangles(), triangles);
+  EXPECT_LT(vtkTerrainTesting::CountDifferentPixels(alone, strips, 48), 160 * 120 / 50);
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    EXPECT_NEAR(this->ActorBounds()[i], bounds[i], 1e-3) << i;
+  }
+  this->Terrain->SetTechnique(Techniques::Pyramid);
+  EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(this->Draw(), rays, 0), 0);
+  EXPECT_NE(this->Terrain->GetHeights(), nullptr);
+  this->Terrain->SetTechnique(Techniques::Strips);
+  EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(this->Draw(), alone, 0), 0);
+  this->Terrain->SetInputData(this->Heights); // beside the hierarchy: lit and coloured as rays are
+  EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(this->Draw(), strips, 0), 0);
+}
+
+TEST_F(TerrainActor, SaysWhyPreparedHeightsCannotBeDrawn)
+{
+  const std::string path = vtkTerrainTesting::OutputPath("damaged.any");
+  vtkNew<vtkTerrainHierarchy> hierarchy;
+  ASSERT_TRUE(hierarchy->SetHeights(this->Heights));
+  ASSERT_TRUE(hierarchy->WriteFile(path)) << hierarchy->GetErrorMessage();
+  std::filesystem::resize_file(path, 5000);
+  vtkNew<vtkTest::ErrorObserver> errors;
+  this->Terrain->AddObserver(vtkCommand::ErrorEvent, errors);
+  EXPECT_FALSE(this->Terrain->SetFileName(path));
+  EXPECT_NE(errors->GetErrorMessage().find("5000 bytes"), std::string::npos)
+    << errors->GetErrorMessage();
+  errors->Clear();
+  this->Terrain->SetInputData(nullptr);
+  this->Terrain->SetHierarchy(hierarchy);
+  this->Draw();
+  EXPECT_NE(errors->GetErrorMessage().find("SetFileName"), std::string::npos);
+  errors->Clear();
+  this->Terrain->SetTechnique(Techniques::Strips);
+  EXPECT_GT(countDrawn(this->Draw()), 160 * 120 / 6);
+  EXPECT_FALSE(errors->GetError());
 }
 
 TEST_F(TerrainActor, ShowsTheCoarseMeshAsWireframe)

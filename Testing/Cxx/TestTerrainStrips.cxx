@@ -32,6 +32,7 @@
 #include <limits>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include <unistd.h>
 
@@ -443,4 +444,63 @@ TEST(TerrainStrips, DrawsNothingOfNoCells)
   pipeline.Strips->SetInputData(row);
   EXPECT_EQ(pipeline.Update()->GetNumberOfCells(), 0);
   EXPECT_FALSE(pipeline.Errors->GetError());
+}
+
+// The heights of a hierarchy are those it was made of, NaN where no cell around a sample has a
+// surface.
+TEST(TerrainHierarchy, GivesItsHeightsBack)
+{
+  for (const auto& [width, height] : { std::pair(1, 1), { 2, 2 }, { 9, 5 }, { 70, 45 } })
+  {
+    vtkNew<vtkImageData> image = MakeHeights(width, height);
+    vtkDataArray* samples = image->GetPointData()->GetScalars();
+    for (vtkIdType id = 4; id < image->GetNumberOfPoints(); id += 17)
+    {
+      samples->SetComponent(id, 0, std::numeric_limits<double>::quiet_NaN());
+    }
+    const auto at = [&](int i, int j)
+    {
+      return i < 0 || j < 0 || i >= width || j >= height
+        ? std::numeric_limits<double>::quiet_NaN()
+        : image->GetScalarComponentAsDouble(i, j, 0, 0);
+    };
+    const auto isInCell = [&](int i, int j)
+    {
+      bool found = false;
+      for (const auto& [x, y] : { std::pair(1, 1), { -1, 1 }, { 1, -1 }, { -1, -1 } })
+      {
+        found = found || !std::isnan(at(i, j) + at(i + x, j) + at(i, j + y) + at(i + x, j + y));
+      }
+      return found;
+    };
+    vtkNew<vtkTerrainHierarchy> hierarchy;
+    ASSERT_TRUE(hierarchy->SetHeights(image)) << hierarchy->GetErrorMessage();
+    const int part[6] = { width / 3, width - 1, height / 4, height - 1, 0, 0 };
+    vtkNew<vtkImageData> whole;
+    vtkNew<vtkImageData> piece;
+    ASSERT_TRUE(hierarchy->GetHeights(whole)) << hierarchy->GetErrorMessage();
+    ASSERT_TRUE(hierarchy->GetHeights(part, piece)) << hierarchy->GetErrorMessage();
+    EXPECT_EQ(whole->GetOrigin()[2], image->GetOrigin()[2]);
+    EXPECT_EQ(whole->GetSpacing()[1], image->GetSpacing()[1]);
+    for (int j = 0; j < height; ++j)
+    {
+      for (int i = 0; i < width; ++i)
+      {
+        const double given = whole->GetScalarComponentAsDouble(i, j, 0, 0);
+        EXPECT_EQ(std::isnan(given), !isInCell(i, j)) << i << " " << j;
+        EXPECT_TRUE(std::isnan(given) || given == at(i, j)) << i << " " << j;
+        if (i >= part[0] && j >= part[2])
+        {
+          const double again = piece->GetScalarComponentAsDouble(i, j, 0, 0);
+          EXPECT_TRUE(again == given || (std::isnan(again) && std::isnan(given)));
+        }
+      }
+    }
+    const int outside[6] = { 0, width, 0, 0, 0, 0 };
+    EXPECT_FALSE(hierarchy->GetHeights(outside, piece));
+    EXPECT_NE(hierarchy->GetErrorMessage(), "");
+  }
+  vtkNew<vtkTerrainHierarchy> empty;
+  vtkNew<vtkImageData> nothing;
+  EXPECT_FALSE(empty->GetHeights(nothing));
 }

@@ -80,7 +80,7 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--sun", "1850-02-28T12:00" }, "1850" }, { { "--graticule", "miles" }, "miles" },
   { { "--track-mode", "flying" }, "flying" },
   { { "--drape", "a.png", "--output", "a.png" }, "a.png" },
-  { { "--drape", "a.png", "--technique", "strips" }, "strips" },
+  { { "--drape", "a.png", "--technique", "strips", "--levels" }, "--levels" },
   { { "--track", "a.json", "--stats", "a.json" }, "a.json" },
   { { "--detail-cells", "8" }, "needs --detail" }, { { "--detail-height", "8" }, "needs --detail" },
   { { "--detail", "builtin", "--detail-cells", "12" }, "power of two" },

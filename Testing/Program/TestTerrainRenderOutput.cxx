@@ -186,6 +186,28 @@ TEST_F(TerrainRenderOutput, SearchesSayWhatTheyMiss)
   EXPECT_EQ(equidistant.Errors, "");
 }
 
+// The same from a prepared file, whatever its name is: read as an image, or refined as it is.
+TEST_F(TerrainRenderOutput, PreparedFilesAreDrawn)
+{
+  const std::string hill = this->WriteHill();
+  const std::string prepared = this->Path("prepared.dat");
+  ASSERT_EQ(this->RunCommand({ TERRAIN_PREPARE_PROGRAM, hill, prepared }).Status, 0);
+  this->ExpectDrawn(this->Draw(hill, { "--technique", "mesh" }), 5000);
+  const Depths reference = this->ReadDepths();
+  for (const char* technique : { "mesh", "linear", "pyramid", "strips" })
+  {
+    this->ExpectDrawn(this->Draw(prepared, { "--technique", technique }), 5000);
+    EXPECT_LT(DisagreeingPart(reference, this->ReadDepths()), 0.01) << technique;
+  }
+  // alone, and with the samples that detail needs
+  this->ExpectDrawn(
+    this->Draw(prepared, { "--technique", "strips", "--levels", "--scale-bar" }), 5000);
+  this->ExpectDrawn(this->Draw(prepared, { "--technique", "strips", "--detail", "builtin" }), 5000);
+  std::filesystem::resize_file(prepared, 5000);
+  ExpectRefused(this->Draw(prepared), 1, "5000 bytes");
+  ExpectRefused(this->Draw(prepared, { "--technique", "strips" }), 1, "5000 bytes");
+}
+
 TEST_F(TerrainRenderOutput, WindowsDrawTheSame)
 {
   const std::string hill = this->WriteHill();

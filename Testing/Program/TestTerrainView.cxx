@@ -25,13 +25,19 @@ class TerrainView : public TerrainRenderFixture
 {
 protected:
   /// Opens the viewer on a hill in UTM zone 45 north; skips the test without Xvfb.
-  void Open()
+  void Open(bool prepared = false)
   {
     if (!this->Screen.IsThere())
     {
       GTEST_SKIP() << "there is no Xvfb here";
     }
-    const std::string heights = this->WritePlacedHill();
+    std::string heights = this->WritePlacedHill();
+    if (prepared)
+    {
+      const std::string file = this->Path("hill.hierarchy");
+      ASSERT_EQ(this->RunCommand({ TERRAIN_PREPARE_PROGRAM, heights, file }).Status, 0);
+      heights = file;
+    }
     ASSERT_TRUE(
       this->Screen.Start({ TERRAIN_VIEW_PROGRAM, heights, "--width", std::to_string(kWidth),
                            "--height", std::to_string(kHeight), "--exaggeration", "2" },
@@ -97,6 +103,21 @@ TEST_F(TerrainView, ShowsTheTerrainAndHelp)
   EXPECT_GT(help.CountDifferent(this->First), 2000);
   const Screenshot again = this->After('h', help);
   EXPECT_EQ(again.CountDifferent(this->First), 0);
+  this->Quit();
+}
+
+// Of a prepared file the same picture, and its place on earth; with strips, too.
+TEST_F(TerrainView, ShowsPreparedFiles)
+{
+  OPEN_OR_SKIP();
+  const Screenshot raster = this->First;
+  const Screenshot rasterStrips = this->After('t', raster);
+  this->Quit();
+  this->Open(true);
+  EXPECT_LT(this->First.CountDifferent(raster), 300);
+  const Screenshot strips = this->After('t', this->First);
+  strips.Write(this->Path("strips.png"));
+  EXPECT_LT(strips.CountDifferent(rasterStrips), 300);
   this->Quit();
 }
 

@@ -65,9 +65,24 @@ class TestPyVista(unittest.TestCase):
 
     def test_every_technique_draws_the_surface(self):
         expected, _, _ = draw(hill())
-        for technique in ("linear", "exponential", "equidistant", "mesh"):
+        for technique in ("linear", "exponential", "equidistant", "mesh", "strips"):
             picture, _, _ = draw(hill(), technique=technique)
             self.assertLess((np.abs(picture.astype(int) - expected) > 8).mean(), 0.01, technique)
+
+    def test_prepared_files(self):
+        expected, _, _ = draw(hill())
+        path = vtkTerrainTesting.output_path("pyvista.prepared")
+        hierarchy = plotting.vtkTerrainHierarchy()
+        self.assertTrue(hierarchy.SetHeights(plotting.heights_from(hill())), hierarchy.GetErrorMessage())
+        self.assertTrue(hierarchy.WriteFile(path), hierarchy.GetErrorMessage())
+        for technique in ("pyramid", "strips"):
+            picture, _, _ = draw(path, technique=technique)
+            self.assertLess((np.abs(picture.astype(int) - expected) > 24).mean(), 0.02, technique)
+        with open(path, "r+b") as file:
+            file.truncate(5000)
+        for technique in ("pyramid", "strips"):
+            with self.assertRaisesRegex(OSError, "5000 bytes"):
+                draw(path, technique=technique)
 
     def test_options(self):
         plain, terrain, plotter = draw(hill(), exaggeration=2.0, clim=(2.0, 8.0), name="hill")

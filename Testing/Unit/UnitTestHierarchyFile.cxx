@@ -77,7 +77,7 @@ std::string Write(
   const TemporaryFile& file, const Raster& raster, const terrain::BuildProgress& progress = {})
 {
   return terrain::WriteHierarchyFile(file.Path, raster.Width, raster.Height, MakeGeometry(),
-    "LOCAL_CS[\"test\"]", RowsOf(raster), terrain::SerialFor, progress);
+    { "LOCAL_CS[\"test\"]" }, RowsOf(raster), terrain::SerialFor, progress);
 }
 
 /// What Open says about a file of the given content.
@@ -104,12 +104,13 @@ TEST(HierarchyFile, RefinesLikeMemory)
   const TemporaryFile streamed("streamed");
   const TemporaryFile copied("copied");
   ASSERT_EQ(Write(streamed, raster), "");
-  ASSERT_EQ(terrain::WriteHierarchyFile(copied.Path, memory.View(), "LOCAL_CS[\"test\"]", {}), "");
+  ASSERT_EQ(
+    terrain::WriteHierarchyFile(copied.Path, memory.View(), { "LOCAL_CS[\"test\"]" }, {}), "");
   EXPECT_EQ(streamed.Content(), copied.Content());
   EXPECT_EQ(streamed.FindPartial(), "");
   HierarchyFile file;
   ASSERT_EQ(file.Open(streamed.Path, true), "");
-  EXPECT_EQ(file.CoordinateSystem(), "LOCAL_CS[\"test\"]");
+  EXPECT_EQ(file.Placing().CoordinateSystem, "LOCAL_CS[\"test\"]");
   EXPECT_EQ(file.View().Geometry.Origin, MakeGeometry().Origin);
   terrain::RefinementOptions options;
   options.Morphing = true;
@@ -197,7 +198,7 @@ TEST(HierarchyFile, LeavesNothingBehindWhenItFails)
   EXPECT_NE(Write(file, MakeHills(60, 200), [](double) { return false; }), "");
   EXPECT_FALSE(file.Exists());
   EXPECT_EQ(file.FindPartial(), "");
-  EXPECT_NE(terrain::WriteHierarchyFile("/nowhere/at/all", 2, 2, MakeGeometry(), "",
+  EXPECT_NE(terrain::WriteHierarchyFile("/nowhere/at/all", 2, 2, MakeGeometry(), {},
               RowsOf(MakeHills(2, 2)), terrain::SerialFor, {}),
     "");
 }
@@ -254,7 +255,7 @@ TEST(HierarchyFile, RefusesNumbersThatNoRasterHas)
   const auto refusal = [](const MemoryHierarchy& hierarchy)
   {
     const TemporaryFile file("hostile");
-    EXPECT_EQ(terrain::WriteHierarchyFile(file.Path, hierarchy.View(), "", {}), "");
+    EXPECT_EQ(terrain::WriteHierarchyFile(file.Path, hierarchy.View(), {}, {}), "");
     HierarchyFile opened;
     return opened.Open(file.Path, true);
   };
@@ -277,4 +278,32 @@ TEST(HierarchyFile, RefusesNumbersThatNoRasterHas)
     hierarchy.Records[hierarchy.Records.size() / 2].Height = number;
     EXPECT_NE(refusal(hierarchy).find("no number"), std::string::npos);
   }
+}
+
+TEST(HierarchyFile, KeepsWhereTheHeightsLie)
+{
+  const Raster raster = MakeHills(20, 30);
+  const TemporaryFile file("placed");
+  terrain::HierarchyPlacing placing{ "EPSG:4326", true, { 86.5, 27.25 }, { 98000.0, 110000.0 } };
+  ASSERT_EQ(terrain::WriteHierarchyFile(file.Path, raster.Width, raster.Height, MakeGeometry(),
+              placing, RowsOf(raster), terrain::SerialFor, {}),
+    "");
+  EXPECT_TRUE(terrain::IsHierarchyFile(file.Path));
+  HierarchyFile opened;
+  ASSERT_EQ(opened.Open(file.Path, true), "");
+  EXPECT_EQ(opened.Placing().CoordinateSystem, placing.CoordinateSystem);
+  ASSERT_TRUE(opened.Placing().HasLayout);
+  EXPECT_EQ(opened.Placing().LayoutOrigin, placing.LayoutOrigin);
+  EXPECT_EQ(opened.Placing().LayoutScale, placing.LayoutScale);
+  std::string content = file.Content();
+  content[2048] = static_cast<char>(content[2048] ^ 1);
+  EXPECT_NE(Refusal(content).find("layout"), std::string::npos);
+  const TemporaryFile plain("plain");
+  ASSERT_EQ(Write(plain, raster), "");
+  HierarchyFile without;
+  ASSERT_EQ(without.Open(plain.Path, true), "");
+  EXPECT_FALSE(without.Placing().HasLayout);
+  EXPECT_FALSE(terrain::IsHierarchyFile("/nowhere"));
+  plain.SetContent("vtkTer");
+  EXPECT_FALSE(terrain::IsHierarchyFile(plain.Path));
 }

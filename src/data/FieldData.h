@@ -74,8 +74,13 @@ inline void AddNumbers(vtkImageData* image, const char* name, const std::vector<
   image->GetFieldData()->AddArray(array);
 }
 
+/// Adds nothing for an empty text.
 inline void AddText(vtkImageData* image, const char* name, const std::string& text)
 {
+  if (text.empty())
+  {
+    return;
+  }
   vtkNew<vtkStringArray> array;
   array->SetName(name);
   array->InsertNextValue(text);

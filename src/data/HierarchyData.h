@@ -19,8 +19,7 @@ struct HierarchyData
   MemoryHierarchy Memory;
   HierarchyFile File;
   bool IsFile = false;
-  /// The coordinate reference system as text, empty if it is not known.
-  std::string CoordinateSystem;
+  HierarchyPlacing Placing;
 
   HierarchyView View() const
   {

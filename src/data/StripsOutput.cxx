@@ -204,6 +204,19 @@ void AddDepthColors(const StripMesh& mesh, const MeshSource& source, vtkPolyData
   }
   output->GetPointData()->SetScalars(colors);
 }
+
+void AddHeights(const StripMesh& mesh, vtkPolyData* output)
+{
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("Height");
+  heights->SetNumberOfTuples(static_cast<vtkIdType>(mesh.Vertices.size()));
+  float* out = heights->GetPointer(0);
+  for (const StripVertex& vertex : mesh.Vertices)
+  {
+    *out++ = static_cast<float>(static_cast<double>(vertex.Height) + vertex.Displacement);
+  }
+  output->GetPointData()->SetScalars(heights);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -241,6 +254,10 @@ void FillStrips(const StripMesh& mesh, const StripsSource& source, const StripsO
   if (options.TextureCoordinates)
   {
     AddTextureCoordinates(mesh, source, output);
+  }
+  if (options.HeightScalars)
+  {
+    AddHeights(mesh, output);
   }
   if (options.LevelColors)
   {

@@ -23,6 +23,7 @@ struct StripsOptions
   bool Normals;
   bool TextureCoordinates;
   bool LevelColors;
+  bool HeightScalars;
   bool TriangleOutput;
 };
 

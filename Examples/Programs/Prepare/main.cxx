@@ -17,7 +17,6 @@
 #include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkStringArray.h>
 #include <vtkTerrainHierarchy.h>
 #include <vtkTerrainOutputFile.h>
 #include <vtkTerrainRasterReader.h>
@@ -152,12 +151,10 @@ public:
   {
     return this->Spacing;
   }
-  /// The CRS of the file; known after the first row.
-  std::string CoordinateSystem()
+  /// The rows read last. Their field data tell where they lie on earth.
+  vtkImageData* Image()
   {
-    vtkAbstractArray* crs = this->Reader->GetOutput()->GetFieldData()->GetAbstractArray("CRS");
-    auto* text = vtkStringArray::SafeDownCast(crs);
-    return text && text->GetNumberOfValues() > 0 ? text->GetValue(0) : std::string();
+    return this->Reader->GetOutput();
   }
   std::string Warning() const
   {
@@ -203,20 +200,21 @@ int Prepare(
   {
     return Fail(error);
   }
-  // A first row tells the coordinate system before the file is laid out.
+  // A first row tells where the raster lies on earth before the file is laid out.
   std::vector<float> row(static_cast<std::size_t>(reader.Width()));
   error = reader.Read(reader.Height() - 1, 1, row.data());
   if (!error.empty())
   {
     return Fail(error);
   }
-  const std::string crs = reader.CoordinateSystem();
+  vtkNew<vtkImageData> placed;
+  placed->GetFieldData()->DeepCopy(reader.Image()->GetFieldData());
   vtkNew<vtkTerrainHierarchy> hierarchy;
   bool done = false;
   {
     ProgressBar bar(quiet);
     done = hierarchy->PrepareFile(
-      out, reader.Width(), reader.Height(), reader.GetOrigin(), reader.GetSpacing(), crs,
+      out, reader.Width(), reader.Height(), reader.GetOrigin(), reader.GetSpacing(), placed,
       [&](vtkIdType first, vtkIdType count, float* rows)
       { return reader.Read(first, count, rows); },
       [&](double part)

@@ -16,8 +16,7 @@
 void DrapePicture(const Terrain& terrain, const PlacedHeights& heights, const Options& options,
   Statistics& statistics)
 {
-  auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(terrain.Actor->GetMapper());
-  if (options.Place.Drape.empty() || !mapper)
+  if (options.Place.Drape.empty())
   {
     return;
   }
@@ -29,7 +28,7 @@ void DrapePicture(const Terrain& terrain, const PlacedHeights& heights, const Op
   warp->Update();
   ThrowOnError(options.Place.Drape);
   vtkImageData* picture = warp->GetOutput();
-  mapper->SetDrape(picture);
+  terrain.Actor->GetTerrainMapper()->SetDrape(picture);
   statistics.AddTime("drape", watch.GetMilliseconds());
   statistics.SetCount("drape_columns", picture->GetDimensions()[0]);
   statistics.SetCount("drape_rows", picture->GetDimensions()[1]);

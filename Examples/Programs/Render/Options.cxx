@@ -291,9 +291,9 @@ void CheckTechnique(const Options& options)
   {
     Refuse("--levels", "is for the technique strips only");
   }
-  if (options.Search == Technique::Strips && !options.Place.Drape.empty())
+  if ((options.Wireframe || options.Levels) && !options.Place.Drape.empty())
   {
-    Refuse("--drape", "does not go with --technique strips");
+    Refuse("--drape", "does not go with --wireframe and --levels");
   }
 }
 

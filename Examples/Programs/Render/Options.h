@@ -11,20 +11,14 @@
 #include "HeightOptions.h"
 #include "PlaceOptions.h"
 
+#include "vtkOpenGLTerrainMapper.h"
+
 #include <array>
 #include <optional>
 #include <string>
 
-/// How the surface is found; the names are those of the option.
-enum class Technique
-{
-  Mesh,
-  Linear,
-  Exponential,
-  Equidistant,
-  Pyramid,
-  Strips
-};
+/// How the surface is found; the names of the option are those of the techniques.
+using Technique = vtkOpenGLTerrainMapper::Techniques;
 
 /// Which window is drawn into; Automatic leaves the choice to VTK.
 enum class Window

@@ -154,8 +154,7 @@ void PlaceArguments::Declare(CLI::App& app, PlaceOptions& options)
     "heights count from: as-is (default), ellipsoid, geoid (sea level)")
     ->transform(OneOf(kVerticals));
   add("--geoid", options.Geoid, "NAME", "geoid data of GeographicLib; default egm96-5");
-  add("--drape", options.Drape, "FILE",
-    "picture of any CRS to lay onto the terrain; not with --technique strips");
+  add("--drape", options.Drape, "FILE", "picture of any CRS to lay onto the terrain");
   add("--track", options.Tracks, "FILE",
     "points and lines: GPX, or any vector file GDAL opens; may be given more than once")
     ->allow_extra_args(false)

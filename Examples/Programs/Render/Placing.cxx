@@ -122,6 +122,12 @@ PlacedHeights PlaceHeights(
   const PlaceOptions& wanted = options.Place;
   PlacedHeights placed;
   placed.Image = read;
+  if (DrawsFileAlone(options))
+  {
+    placed.Georeference = vtkSmartPointer<vtkTerrainGeoreference>::New();
+    placed.WhyNoPlaces = "its samples are not read";
+    return placed;
+  }
   placed.Georeference = DescribeScene(placed.Image, wanted);
   std::string warning;
   if (!wanted.Frame)

@@ -12,24 +12,26 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkElevationFilter.h"
 #include "vtkFieldData.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerrainActor.h"
 #include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainGeoreference.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainSource.h"
+#include "vtkTerrainStrips.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -41,7 +43,7 @@
 
 namespace
 {
-using Techniques = vtkOpenGLTerrainMapper::Techniques;
+using Techniques = vtkTerrainActor::Techniques;
 
 /// Samples a side that every graphics driver takes; larger rasters are drawn at a level.
 constexpr int kLargestTexture = 16384;
@@ -67,30 +69,6 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
   reader->SetUseCache(!options.NoCache);
   options.Input.Apply(reader);
   return reader;
-}
-
-Techniques MapperTechnique(Technique technique)
-{
-  switch (technique)
-  {
-    case Technique::Mesh:
-      return Techniques::Mesh;
-    case Technique::Linear:
-      return Techniques::Linear;
-    case Technique::Exponential:
-      return Techniques::Exponential;
-    case Technique::Equidistant:
-      return Techniques::Equidistant;
-    default:
-      return Techniques::Pyramid;
-  }
-}
-
-void ColorByHeight(vtkMapper* mapper, double lowest, double highest)
-{
-  mapper->SetLookupTable(vtkTerrainActor::MakeReliefColors(lowest, highest));
-  mapper->SetScalarRange(lowest, highest);
-  mapper->ScalarVisibilityOn();
 }
 
 /// In a round scene z is not the height: colours come from the array of heights that
@@ -139,24 +117,46 @@ void DescribeHeights(vtkImageData* heights, Statistics& statistics)
   statistics.SetCount("samples_without_data", without);
 }
 
-/// For the techniques of vtkOpenGLTerrainMapper: rays, or the full mesh.
-Terrain PrepareRays(
-  vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics)
+/// What strips are refined from: the file itself if it is prepared, else the heights, prepared.
+vtkSmartPointer<vtkTerrainHierarchy> PrepareHierarchy(
+  vtkImageData* heights, const Options& options, ProgressBar& progress)
 {
-  auto actor = vtkSmartPointer<vtkTerrainActor>::New();
-  actor->SetInputData(heights);
-  actor->SetTechnique(MapperTechnique(options.Search));
-  actor->SetVerticalExaggeration(options.Exaggeration);
-  actor->GetTerrainMapper()->SetPixelTolerance(options.PixelTolerance.value_or(0.0));
-  actor->GetTerrainMapper()->SetShowCrossings(options.Crossings);
-  actor->GetTerrainMapper()->SetSteps(options.Steps.Steps);
-  actor->GetTerrainMapper()->SetLongSteps(options.Steps.LongSteps);
-  actor->GetTerrainMapper()->SetSecantSteps(options.Steps.SecantSteps);
-  actor->GetTerrainMapper()->SetStepLength(options.Steps.StepLength);
-  ColorByPlaceHeight(actor, heights);
-  PrepareDetail(heights, options.Detail, statistics).AddTo(actor->GetTerrainMapper());
-  Terrain terrain;
-  terrain.Actor = actor;
+  auto hierarchy = vtkSmartPointer<vtkTerrainHierarchy>::New();
+  const auto show = [&progress](double done)
+  {
+    progress.Show(kReadShare + kPlaceShare + kMeshShare * done, "preparing");
+    return true;
+  };
+  const bool done = DrawsFileAlone(options) ? hierarchy->OpenFile(options.Heights)
+                                            : hierarchy->SetHeights(heights, show);
+  if (!done)
+  {
+    throw Failure(HeightsName(options), hierarchy->GetErrorMessage());
+  }
+  return hierarchy;
+}
+
+/// Sets up the technique Strips. Edges and depths are drawn from the strips alone.
+void PrepareStrips(vtkTerrainActor* actor, vtkImageData* heights, const Options& options,
+  ProgressBar& progress, const PreparedDetail& detail)
+{
+  const bool alone = options.Levels || options.Wireframe || DrawsFileAlone(options);
+  actor->SetInputData(alone ? nullptr : heights);
+  actor->SetHierarchy(PrepareHierarchy(heights, options, progress));
+  vtkTerrainStrips* strips = actor->GetStrips();
+  detail.AddTo(strips);
+  strips->SetTolerance(options.PixelTolerance.value_or(1.0));
+  strips->SetLevelColors(options.Levels);
+  if (options.Wireframe)
+  {
+    actor->GetProperty()->SetRepresentationToWireframe();
+  }
+}
+
+/// Makes the coarse mesh or the full one, if the technique needs one.
+void PrepareMesh(
+  vtkTerrainActor* actor, const Options& options, ProgressBar& progress, Statistics& statistics)
+{
   if (vtkTerrainCoarseMesh* mesh = actor->GetUsedMesh())
   {
     mesh->SetSamplesPerQuad(std::max(options.MeshCells, 1));
@@ -166,84 +166,34 @@ Terrain PrepareRays(
     statistics.SetCount("mesh_vertices", mesh->GetOutput()->GetNumberOfPoints());
     statistics.SetCount("mesh_triangles", mesh->GetOutput()->GetNumberOfPolys());
   }
-  ThrowOnError(HeightsName(options));
-  if (!actor->HasSurface())
-  {
-    throw Failure(HeightsName(options), kNoSurface);
-  }
-  terrain.Bounds.SetBounds(actor->GetBounds());
-  ThrowOnError(HeightsName(options));
-  return terrain;
 }
 
-/// Draws strips between two heights, `low` as drawn: coloured by height, or by depth.
-vtkSmartPointer<vtkActor> MakeStripsActor(
-  vtkTerrainStrips* strips, double lowest, double highest, double low, const Options& options)
+/// A prepared file as far as the scene needs to know it: its size and place, without samples.
+vtkSmartPointer<vtkImageData> DescribePreparedFile(const Options& options)
 {
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  const vtkNew<vtkPolyDataMapper> mapper;
-  actor->SetMapper(mapper);
-  if (options.Wireframe)
+  const vtkNew<vtkTerrainRasterReader> reader;
+  reader->SetFileName(options.Heights);
+  reader->UpdateInformation();
+  if (*reader->GetErrorMessage())
   {
-    actor->GetProperty()->SetRepresentationToWireframe();
+    throw Failure(reader->GetErrorMessage());
   }
-  if (options.Levels)
-  {
-    mapper->SetInputConnection(strips->GetOutputPort());
-    return actor;
-  }
-  const vtkNew<vtkElevationFilter> elevation;
-  elevation->SetInputConnection(strips->GetOutputPort());
-  const double thickness = highest > lowest ? highest - lowest : 1.0;
-  elevation->SetLowPoint(0.0, 0.0, low);
-  elevation->SetHighPoint(0.0, 0.0, low + options.Exaggeration * thickness);
-  elevation->SetScalarRange(lowest, lowest + thickness);
-  mapper->SetInputConnection(elevation->GetOutputPort());
-  mapper->InterpolateScalarsBeforeMappingOn();
-  ColorByHeight(mapper, lowest, highest);
-  return actor;
+  vtkInformation* info = reader->GetOutputInformation(0);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
+  image->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
+  image->SetSpacing(info->Get(vtkDataObject::SPACING()));
+  return image;
+}
 }
 
-/// For the technique Strips: a hierarchy that is refined for the camera later.
-Terrain PrepareStrips(
-  vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics)
+//------------------------------------------------------------------------------
+bool DrawsFileAlone(const Options& options)
 {
-  const vtkNew<vtkTerrainHierarchy> hierarchy;
-  const auto show = [&progress](double done)
-  {
-    progress.Show(kReadShare + kPlaceShare + kMeshShare * done, "preparing");
-    return true;
-  };
-  if (!hierarchy->SetHeights(heights, show))
-  {
-    throw Failure(HeightsName(options), hierarchy->GetErrorMessage());
-  }
-  std::array<double, 6> bounds{};
-  hierarchy->GetBounds(bounds.data());
-  if (bounds[0] > bounds[1])
-  {
-    throw Failure(HeightsName(options), kNoSurface);
-  }
-  const double base = heights->GetOrigin()[2];
-  const PreparedDetail detail = PrepareDetail(heights, options.Detail, statistics);
-  const std::array<double, 2> range = detail.Range();
-  const double lowest = bounds[4] - base + range[0];
-  const double highest = bounds[5] - base + range[1];
-  bounds[4] = base + options.Exaggeration * lowest;
-  bounds[5] = base + options.Exaggeration * highest;
-
-  Terrain terrain;
-  terrain.Bounds.SetBounds(bounds.data());
-  terrain.Strips = vtkSmartPointer<vtkTerrainStrips>::New();
-  terrain.Strips->SetHierarchy(hierarchy);
-  detail.AddTo(terrain.Strips.Get());
-  terrain.Strips->SetExaggeration(options.Exaggeration);
-  terrain.Strips->SetTolerance(options.PixelTolerance.value_or(1.0));
-  terrain.Strips->NormalsOn();
-  terrain.Strips->SetLevelColors(options.Levels);
-  terrain.Actor = MakeStripsActor(terrain.Strips, lowest, highest, bounds[4], options);
-  return terrain;
-}
+  const PlaceOptions& place = options.Place;
+  return options.Search == Techniques::Strips && !options.Heights.empty() &&
+    vtkTerrainHierarchy::IsPreparedFile(options.Heights) && !place.FirstThatNeedsPlaces() &&
+    !place.Frame && place.Cell == 0.0 && place.Vertical == vtkTerrainGeoreference::HeightType::AsIs;
 }
 
 //------------------------------------------------------------------------------
@@ -251,6 +201,13 @@ vtkSmartPointer<vtkImageData> ReadHeights(
   const Options& options, ProgressBar& progress, Statistics& statistics)
 {
   const Stopwatch watch;
+  if (DrawsFileAlone(options))
+  {
+    const vtkSmartPointer<vtkImageData> described = DescribePreparedFile(options);
+    statistics.SetText("heights", HeightsName(options));
+    CountSamples(described, statistics);
+    return described;
+  }
   const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(options);
   progress.Watch(source, kReadShare, "reading");
   source->Update();
@@ -296,7 +253,9 @@ void CountSamples(vtkImageData* heights, Statistics& statistics)
   statistics.SetCount("rows", dimensions[1]);
   statistics.SetCount("samples", heights->GetNumberOfPoints());
   statistics.SetCount("bytes_of_heights",
-    static_cast<std::int64_t>(heights->GetScalarSize()) * heights->GetNumberOfPoints());
+    heights->GetPointData()->GetScalars()
+      ? static_cast<std::int64_t>(heights->GetScalarSize()) * heights->GetNumberOfPoints()
+      : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -304,10 +263,38 @@ Terrain PrepareTerrain(
   vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics)
 {
   const Stopwatch watch;
-  Terrain terrain = options.Search == Technique::Strips
-    ? PrepareStrips(heights, options, progress, statistics)
-    : PrepareRays(heights, options, progress, statistics);
-  vtkProperty* property = terrain.Actor->GetProperty();
+  const std::string name = HeightsName(options);
+  auto actor = vtkSmartPointer<vtkTerrainActor>::New();
+  const PreparedDetail detail = PrepareDetail(heights, options.Detail, statistics);
+  actor->SetInputData(heights);
+  actor->SetTechnique(options.Search);
+  actor->SetVerticalExaggeration(options.Exaggeration);
+  ColorByPlaceHeight(actor, heights);
+  detail.AddTo(actor->GetTerrainMapper());
+  if (options.Search == Techniques::Strips)
+  {
+    PrepareStrips(actor, heights, options, progress, detail);
+  }
+  else
+  {
+    actor->GetTerrainMapper()->SetPixelTolerance(options.PixelTolerance.value_or(0.0));
+    actor->GetTerrainMapper()->SetShowCrossings(options.Crossings);
+    actor->GetTerrainMapper()->SetSteps(options.Steps.Steps);
+    actor->GetTerrainMapper()->SetLongSteps(options.Steps.LongSteps);
+    actor->GetTerrainMapper()->SetSecantSteps(options.Steps.SecantSteps);
+    actor->GetTerrainMapper()->SetStepLength(options.Steps.StepLength);
+    PrepareMesh(actor, options, progress, statistics);
+  }
+  ThrowOnError(name);
+  if (!actor->HasSurface())
+  {
+    throw Failure(name, kNoSurface);
+  }
+  Terrain terrain;
+  terrain.Actor = actor;
+  terrain.Bounds.SetBounds(actor->GetBounds());
+  ThrowOnError(name);
+  vtkProperty* property = actor->GetProperty();
   property->SetAmbient(0.0);
   property->SetDiffuse(1.0);
   property->SetSpecular(0.0);
@@ -321,18 +308,17 @@ Terrain PrepareTerrain(
 void RefineTerrain(
   const Terrain& terrain, vtkRenderer* renderer, const Options& options, Statistics& statistics)
 {
-  if (!terrain.Strips)
+  if (options.Search != Techniques::Strips)
   {
     return;
   }
   const Stopwatch watch;
-  terrain.Strips->SetCamera(renderer->GetActiveCamera());
-  terrain.Strips->SetViewportSize(options.Size[0], options.Size[1]);
-  terrain.Strips->Update();
+  terrain.Actor->RefineStrips(renderer);
   ThrowOnError(HeightsName(options));
+  vtkTerrainStrips* strips = terrain.Actor->GetStrips();
   statistics.AddTime("refine", watch.GetMilliseconds());
-  statistics.SetCount("mesh_vertices", terrain.Strips->GetOutput()->GetNumberOfPoints());
-  statistics.SetCount("mesh_triangles", terrain.Strips->GetNumberOfTriangles());
+  statistics.SetCount("mesh_vertices", strips->GetOutput()->GetNumberOfPoints());
+  statistics.SetCount("mesh_triangles", strips->GetNumberOfTriangles());
 }
 
 //------------------------------------------------------------------------------
@@ -354,17 +340,14 @@ void DescribeTerrain(
     array->GetFiniteRange(range.data());
   }
   statistics.SetNumbers("height_range", { range.begin(), range.end() });
-  if (auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(terrain.Actor->GetMapper()))
-  {
-    statistics.SetCount("texture_bytes", mapper->GetTextureMemorySize());
-  }
+  statistics.SetCount("texture_bytes", terrain.Actor->GetTerrainMapper()->GetTextureMemorySize());
 }
 
 //------------------------------------------------------------------------------
 void CountCrossings(const Terrain& terrain, vtkRenderWindow* window, Statistics& statistics)
 {
-  auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(terrain.Actor->GetMapper());
-  if (!mapper || mapper->GetTechnique() == Techniques::Mesh)
+  vtkOpenGLTerrainMapper* mapper = terrain.Actor->GetTerrainMapper();
+  if (mapper->GetTechnique() == Techniques::Mesh || mapper->GetTechnique() == Techniques::Strips)
   {
     return;
   }

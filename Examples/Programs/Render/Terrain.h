@@ -7,10 +7,9 @@
 #ifndef terrain_render_Terrain_h
 #define terrain_render_Terrain_h
 
-#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkSmartPointer.h"
-#include "vtkTerrainStrips.h"
+#include "vtkTerrainActor.h"
 
 class ProgressBar;
 class Statistics;
@@ -22,14 +21,17 @@ struct Options;
 /// What is drawn.
 struct Terrain
 {
-  vtkSmartPointer<vtkActor> Actor;
+  vtkSmartPointer<vtkTerrainActor> Actor;
   /// Of all of the terrain, in world coordinates, whatever part of it the view needs.
   vtkBoundingBox Bounds;
-  /// What refines the mesh for the camera; null but with the technique Strips.
-  vtkSmartPointer<vtkTerrainStrips> Strips;
 };
 
-/// Reads the file of heights, or raises the built-in landscape. Throws a Failure.
+/// True if the technique strips draws a prepared file without reading it whole: nothing that is
+/// asked for needs the samples.
+bool DrawsFileAlone(const Options& options);
+
+/// Reads the file of heights, or raises the built-in landscape. Of a file that DrawsFileAlone() the
+/// image has size and place, no samples. Throws a Failure.
 vtkSmartPointer<vtkImageData> ReadHeights(
   const Options& options, ProgressBar& progress, Statistics& statistics);
 

@@ -30,8 +30,8 @@ constexpr double kExaggerationStep = 1.25;
 /// Milliseconds between looks at where the pointer is.
 constexpr unsigned long kPointerInterval = 100;
 
-constexpr std::array<const char*, 5> kTechniqueNames{ "mesh", "linear", "exponential",
-  "equidistant", "pyramid" };
+constexpr std::array<const char*, 6> kTechniqueNames{ "mesh", "linear", "exponential",
+  "equidistant", "pyramid", "strips" };
 
 /// About a twentieth of the range of the heights, as 1, 2 or 5 times a power of ten.
 double RoundInterval(vtkOpenGLTerrainMapper* mapper)

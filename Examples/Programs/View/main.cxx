@@ -13,6 +13,7 @@
 
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h"
+#include "vtkTerrainHierarchy.h"
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainSource.h"
 
@@ -73,6 +74,12 @@ void Show(const Options& options)
     throw Failure(name, "no four neighbouring samples all have heights");
   }
   viewer.GetTerrain()->SetVerticalExaggeration(options.Exaggeration);
+  if (vtkTerrainHierarchy::IsPreparedFile(options.Heights))
+  {
+    const vtkNew<vtkTerrainHierarchy> hierarchy;
+    hierarchy->OpenFile(options.Heights);
+    viewer.GetTerrain()->SetHierarchy(hierarchy);
+  }
   viewer.Run();
   ThrowOnError(name);
 }
@@ -83,8 +90,8 @@ std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
   CLI::App app("Shows a file of heights in a window.", "terrain-view");
   app.footer(std::string("Keys in the window:\n") + Viewer::GetHelp());
   app.set_version_flag("--version", TERRAIN_VIEW_VERSION);
-  app.add_option(
-    "HEIGHTS", options.Heights, "any raster that GDAL opens; the built-in landscape without it");
+  app.add_option("HEIGHTS", options.Heights,
+    "any raster that GDAL opens, or a file of terrain-prepare; the built-in landscape without it");
   app
     .add_option("--exaggeration", options.Exaggeration, "drawn height over true height, default 1")
     ->check(CLI::Range(1e-3, 1e3));

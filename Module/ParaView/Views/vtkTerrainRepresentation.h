@@ -52,9 +52,8 @@ public:
 
   void SetVisibility(bool visible) override;
 
-  /// How the surface is drawn: vtkOpenGLTerrainMapper::Techniques as a number, default 4, Pyramid;
-  /// or Strips: triangles that are refined for the camera at each frame, each process those of its
-  /// own piece.
+  /// How the surface is drawn: vtkOpenGLTerrainMapper::Techniques as a number, default 4, Pyramid.
+  /// With Strips each process refines its own piece.
   void SetTechnique(int technique);
   /// Largest error of Strips in pixels, > 0; default 1.
   void SetStripsTolerance(double pixels);

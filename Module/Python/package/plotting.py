@@ -22,13 +22,24 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from ._intake import lay_out, make_reader, read
 from .heights import heights_from_array
-from .vtkTerrain import vtkTerrainActor, vtkTerrainGeoreference, vtkTerrainPicker
+from .vtkTerrain import vtkTerrainActor, vtkTerrainGeoreference, vtkTerrainHierarchy, vtkTerrainPicker
 
 _NUMBER_OF_COLORS = 256
 # Samples a side that every graphics driver takes; larger rasters are drawn at a level.
 _LARGEST_TEXTURE = 16384
 _OF_ARRAYS = ("spacing", "origin", "first_row", "coordinate_system")
 _OF_FILES = ("band", "part")
+
+
+def _is_prepared(heights):
+    return isinstance(heights, (str, os.PathLike)) and vtkTerrainHierarchy.IsPreparedFile(os.fspath(heights))
+
+
+def _open_prepared(path):
+    hierarchy = vtkTerrainHierarchy()
+    if not hierarchy.OpenFile(os.fspath(path)):
+        raise OSError(hierarchy.GetErrorMessage())
+    return hierarchy
 
 
 def heights_from(heights, *, scene=None, **place):
@@ -113,9 +124,10 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
     heights : array_like, pyvista.ImageData, xarray.DataArray, str or path
         Heights: an array of rows, from the south, and columns; an image of W x H x 1 points with one
         scalar each; a DataArray (see ``vtkterrain.xarrays``); or the name of any raster that GDAL
-        opens.
-    technique : {"pyramid", "linear", "exponential", "equidistant", "mesh"}
-        How the surface is found. "pyramid" is exact; "mesh" draws all cells as triangles.
+        opens, or of a file of terrain-prepare.
+    technique : {"pyramid", "linear", "exponential", "equidistant", "mesh", "strips"}
+        How the surface is found. "pyramid" is exact; "mesh" draws all cells as triangles, "strips"
+        as few as the view needs. Of a prepared file, "strips" reads no more than it draws.
     exaggeration : float
         Drawn height over true height, above 0.
     cmap : str, list or matplotlib colormap, optional
@@ -151,10 +163,13 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
         raise ValueError(f"technique must be one of {', '.join(techniques)}, not {technique!r}")
     if not exaggeration > 0:
         raise ValueError(f"exaggeration must be above 0, not {exaggeration}")
-    actor.SetInputData(heights_from(heights, scene=scene or terrain_scene(plotter), **place))
+    actor.SetTechnique(techniques[technique])
+    if technique == "strips" and _is_prepared(heights) and not place:
+        actor.SetHierarchy(_open_prepared(heights))
+    else:
+        actor.SetInputData(heights_from(heights, scene=scene or terrain_scene(plotter), **place))
     if not actor.HasSurface():
         raise ValueError("there is no surface to draw: no four neighbouring samples all have heights")
-    actor.SetTechnique(techniques[technique])
     actor.SetVerticalExaggeration(exaggeration)
     actor.GetProperty().SetOpacity(opacity)
     has_height_colors = color is None and texture is None

@@ -12,15 +12,6 @@ namespace
 {
 constexpr std::int64_t kSide = std::int64_t(1) << SteepnessTiles::TileShift;
 
-/// True if a cell has a surface: its half at the corner that is a vertex of the last depth says so.
-bool IsCellDrawn(const HierarchyView& hierarchy, std::int64_t x, std::int64_t y)
-{
-  // Its half there points from the cell's centre to the vertex: to the south-west or south-east.
-  const bool atWest = ((x + y) & 1) != 0;
-  const std::int64_t record = hierarchy.RecordOf(atWest ? x : x + 1, y);
-  return (hierarchy.Records[record].Drawn() & (atWest ? 4u : 8u)) != 0;
-}
-
 float RoundedUp(double value)
 {
   return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
@@ -66,7 +57,7 @@ void MeasureRow(const HierarchyView& hierarchy, std::int64_t row, SteepnessTiles
     read(y + 1, north);
     for (std::int64_t x = 0; x + 1 < width; ++x)
     {
-      if (IsCellDrawn(hierarchy, x, y))
+      if (hierarchy.IsCellDrawn(x, y))
       {
         Enlarge(level.Tiles[x / kSide + level.Columns * row],
           SteepnessOf(hierarchy.Geometry.Spacing, south[x], south[x + 1], north[x], north[x + 1]));

@@ -61,6 +61,15 @@ struct HierarchyView
     const int corner = this->CornerOf(x, y);
     return corner >= 0 ? this->Summary.Corners[corner] : this->Records[this->RecordOf(x, y)].Height;
   }
+  /// True if cell (x, y) has a surface, 0 <= x < W - 1, 0 <= y < H - 1: its half at the corner that
+  /// is a vertex of the last depth says so.
+  bool IsCellDrawn(std::int64_t x, std::int64_t y) const
+  {
+    // Its half there points from the cell's centre to the vertex: to the south-west or south-east.
+    const bool atWest = ((x + y) & 1) != 0;
+    const std::int64_t record = this->RecordOf(atWest ? x : x + 1, y);
+    return (this->Records[record].Drawn() & (atWest ? 4u : 8u)) != 0;
+  }
   /// Slopes at sample (x, y).
   const HierarchyGradient& GradientAt(std::int64_t x, std::int64_t y) const
   {

@@ -10,7 +10,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <system_error>
 #include <vector>
 
 #include <fcntl.h>
@@ -48,6 +51,19 @@ struct FileHeader
 };
 static_assert(sizeof(FileHeader) <= kHierarchyHeaderBytes, "the header has its own pages");
 
+/// How heights are laid out, kPlacingOffset bytes from the begin of the file; all 0 if that is not
+/// known.
+struct FilePlacing
+{
+  double LayoutOrigin[2];
+  double LayoutScale[2];
+  std::uint64_t Checksum;
+};
+constexpr std::size_t kPlacingOffset = 2048;
+static_assert(sizeof(FileHeader) <= kPlacingOffset &&
+    kPlacingOffset + sizeof(FilePlacing) <= kHierarchyHeaderBytes,
+  "both lie in the header's pages");
+
 /// Where the parts of a file begin.
 struct FileParts
 {
@@ -83,6 +99,42 @@ std::uint64_t HeaderChecksum(FileHeader header)
   unsigned char bytes[sizeof(FileHeader)];
   std::memcpy(bytes, &header, sizeof(header));
   return Checksum(bytes, sizeof(bytes));
+}
+
+std::uint64_t PlacingChecksum(const FilePlacing& placing)
+{
+  unsigned char bytes[offsetof(FilePlacing, Checksum)];
+  std::memcpy(bytes, &placing, sizeof(bytes));
+  return Checksum(bytes, sizeof(bytes));
+}
+
+void WritePlacing(const HierarchyPlacing& placing, unsigned char* file)
+{
+  if (placing.HasLayout)
+  {
+    FilePlacing layout = { { placing.LayoutOrigin.x, placing.LayoutOrigin.y },
+      { placing.LayoutScale.x, placing.LayoutScale.y }, 0 };
+    layout.Checksum = PlacingChecksum(layout);
+    std::memcpy(file + kPlacingOffset, &layout, sizeof(layout));
+  }
+}
+
+/// Returns one sentence if the layout is damaged.
+std::string ReadPlacing(const unsigned char* file, HierarchyPlacing& placing)
+{
+  FilePlacing layout = {};
+  std::memcpy(&layout, file + kPlacingOffset, sizeof(layout));
+  placing.HasLayout = layout.LayoutScale[0] != 0.0;
+  if (placing.HasLayout && layout.Checksum != PlacingChecksum(layout))
+  {
+    return "the header is damaged: the checksum of the layout is wrong";
+  }
+  if (placing.HasLayout)
+  {
+    placing.LayoutOrigin = { layout.LayoutOrigin[0], layout.LayoutOrigin[1] };
+    placing.LayoutScale = { layout.LayoutScale[0], layout.LayoutScale[1] };
+  }
+  return {};
 }
 
 /// One sentence about a header that cannot be used, or empty.
@@ -203,9 +255,10 @@ private:
 
 /// Writes a file whose records, gradients and summary `fill` gives.
 std::string WriteFile(const std::string& path, const HierarchyLayout& layout,
-  const GridGeometry& geometry, const std::string& crs,
+  const GridGeometry& geometry, const HierarchyPlacing& placing,
   const std::function<std::string(HierarchyTarget&)>& fill)
 {
+  const std::string& crs = placing.CoordinateSystem;
   const FileParts parts(layout.RecordCount(), crs.size());
   MappedOutput file;
   std::string error = file.Create(path, parts.End);
@@ -229,6 +282,7 @@ std::string WriteFile(const std::string& path, const HierarchyLayout& layout,
     return error;
   }
   std::memcpy(file.Data() + parts.Crs, crs.data(), crs.size());
+  WritePlacing(placing, file.Data());
   std::vector<std::uint64_t> table(parts.Blocks());
   for (std::size_t block = 0; block < table.size(); ++block)
   {
@@ -260,6 +314,19 @@ std::string WriteFile(const std::string& path, const HierarchyLayout& layout,
   std::memcpy(file.Data(), &header, sizeof(header));
   return file.Finish();
 }
+}
+
+bool IsHierarchyFile(const std::string& path)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) // a pipe would wait for a writer
+  {
+    return false;
+  }
+  char begin[sizeof(kMagic)] = {};
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin, sizeof(begin));
+  return file && std::memcmp(begin, kMagic, sizeof(kMagic)) == 0;
 }
 
 std::string HierarchyFile::Open(const std::string& path, bool verify)
@@ -306,9 +373,10 @@ std::string HierarchyFile::Open(const std::string& path, bool verify)
   this->Summary.MinimumHeight = header.MinimumHeight;
   this->Summary.MaximumHeight = header.MaximumHeight;
   this->Summary.HasHoles = header.HasHoles != 0;
-  this->Crs.assign(reinterpret_cast<const char*>(this->File.Data() + parts.Crs),
+  this->Place.CoordinateSystem.assign(reinterpret_cast<const char*>(this->File.Data() + parts.Crs),
     static_cast<std::size_t>(header.CrsBytes));
-  if (verify)
+  error = ReadPlacing(this->File.Data(), this->Place);
+  if (error.empty() && verify)
   {
     error = this->Verify();
   }
@@ -323,7 +391,7 @@ std::string HierarchyFile::Open(const std::string& path, bool verify)
 
 std::string HierarchyFile::Verify() const
 {
-  const FileParts parts(this->Layout.RecordCount(), this->Crs.size());
+  const FileParts parts(this->Layout.RecordCount(), this->Place.CoordinateSystem.size());
   for (std::size_t block = 0; block < parts.Blocks(); ++block)
   {
     std::uint64_t expected = 0;
@@ -366,7 +434,7 @@ void HierarchyFile::ReleasePages() const
 }
 
 std::string WriteHierarchyFile(const std::string& path, std::int64_t width, std::int64_t height,
-  const GridGeometry& geometry, const std::string& coordinateSystem, const HeightRows& rows,
+  const GridGeometry& geometry, const HierarchyPlacing& placing, const HeightRows& rows,
   const ParallelFor& parallelFor, const BuildProgress& progress)
 {
   std::string error = HierarchyLayout::WhyNotSize(width, height);
@@ -375,14 +443,14 @@ std::string WriteHierarchyFile(const std::string& path, std::int64_t width, std:
     return error;
   }
   const HierarchyLayout layout(width, height);
-  return WriteFile(path, layout, geometry, coordinateSystem,
+  return WriteFile(path, layout, geometry, placing,
     [&](HierarchyTarget& target) { return BuildHierarchy(target, rows, parallelFor, progress); });
 }
 
 std::string WriteHierarchyFile(const std::string& path, const HierarchyView& hierarchy,
-  const std::string& coordinateSystem, const BuildProgress& progress)
+  const HierarchyPlacing& placing, const BuildProgress& progress)
 {
-  return WriteFile(path, *hierarchy.Layout, hierarchy.Geometry, coordinateSystem,
+  return WriteFile(path, *hierarchy.Layout, hierarchy.Geometry, placing,
     [&](HierarchyTarget& target)
     {
       const auto count = static_cast<std::size_t>(hierarchy.Layout->RecordCount());

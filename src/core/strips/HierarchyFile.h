@@ -7,8 +7,9 @@
  * A file is a header of 4096 bytes, the records, the gradients (both in the order of
  * HierarchyLayout.h), the coordinate reference system as text, and a table with a 64-bit checksum
  * of every MiB of what lies between header and table. The header holds magic, version, byte order,
- * state, sizes, geometry, checksums of itself and of the table. Numbers are in the byte order of
- * the machine that wrote the file; others refuse it.
+ * state, sizes, geometry, checksums of itself and of the table, and, where it is known, how the
+ * heights are laid out in their coordinate reference system, with a checksum of its own. Numbers
+ * are in the byte order of the machine that wrote the file; others refuse it.
  *
  * A file is written as an OutputFile, all of its space reserved first: under its own name it is
  * complete.
@@ -29,6 +30,20 @@ constexpr std::uint32_t kHierarchyFileVersion = 1;
 constexpr std::size_t kHierarchyHeaderBytes = 4096;
 constexpr std::size_t kHierarchyBlockBytes = std::size_t(1) << 20;
 
+/// Where heights lie on earth. A file keeps it, nothing here depends on it.
+struct HierarchyPlacing
+{
+  /// The coordinate reference system as text; empty if it is not known.
+  std::string CoordinateSystem;
+  /// How the heights are laid out in it: its coordinates = LayoutOrigin + (x, y) / LayoutScale.
+  bool HasLayout = false;
+  glm::dvec2 LayoutOrigin{ 0.0, 0.0 };
+  glm::dvec2 LayoutScale{ 1.0, 1.0 };
+};
+
+/// True if a file begins as a hierarchy file does, whatever its name is and whatever follows.
+bool IsHierarchyFile(const std::string& path);
+
 /// An open hierarchy file.
 class HierarchyFile
 {
@@ -42,9 +57,9 @@ public:
   std::string Verify() const;
 
   HierarchyView View() const;
-  const std::string& CoordinateSystem() const
+  const HierarchyPlacing& Placing() const
   {
-    return this->Crs;
+    return this->Place;
   }
   std::size_t Size() const
   {
@@ -63,7 +78,7 @@ private:
   HierarchyLayout Layout;
   GridGeometry Geometry;
   HierarchySummary Summary;
-  std::string Crs;
+  HierarchyPlacing Place;
   std::size_t RecordOffset = 0;
   std::size_t GradientOffset = 0;
   std::size_t TableOffset = 0;
@@ -72,12 +87,12 @@ private:
 /// Prepares a raster of width x height samples into a file. Returns an error message, empty if all
 /// is well; nothing is left behind then under the file's name, nor the partial file.
 std::string WriteHierarchyFile(const std::string& path, std::int64_t width, std::int64_t height,
-  const GridGeometry& geometry, const std::string& coordinateSystem, const HeightRows& rows,
+  const GridGeometry& geometry, const HierarchyPlacing& placing, const HeightRows& rows,
   const ParallelFor& parallelFor, const BuildProgress& progress);
 
 /// Writes a hierarchy that is in memory.
 std::string WriteHierarchyFile(const std::string& path, const HierarchyView& hierarchy,
-  const std::string& coordinateSystem, const BuildProgress& progress);
+  const HierarchyPlacing& placing, const BuildProgress& progress);
 }
 
 #endif
