@@ -30,7 +30,7 @@ void main()
   }
   vec2 middle = vec2(terrainViewportOrigin) + float(TERRAIN_BEAM_PIXELS) * (vec2(texel) + 0.5);
   TerrainBeam beam =
-    terrainTileBeam(middle, 0.5 * float(TERRAIN_BEAM_PIXELS), terrainNear, terrainFar);
-  float start = terrainNear + terrainBeamStart(beam);
+    terrainTileBeam(middle, 0.5 * float(TERRAIN_BEAM_PIXELS), terrainBegin, terrainFar);
+  float start = terrainBegin + terrainBeamStart(beam);
   imageStore(terrainBeamImage, texel, vec4(start - terrainBeamSlack * abs(start)));
 }

@@ -25,7 +25,7 @@ float terrainSafeStart(vec2 pixel)
 #else
 float terrainSafeStart(vec2 pixel)
 {
-  return terrainNear;
+  return terrainBegin;
 }
 #endif
 
@@ -130,7 +130,7 @@ bool terrainIsWithinBlock(
 // What the ray of a pixel sees from a distance on.
 TerrainSighting terrainCast(vec2 pixel, float entryDistance)
 {
-  float start = max(max(entryDistance, terrainNear), terrainSafeStart(pixel));
+  float start = max(max(entryDistance, terrainBegin), terrainSafeStart(pixel));
   vec2 range = terrainEnterBox(pixel, vec2(start, terrainFar));
   int wall = -1;
 #ifdef TERRAIN_CLIP_PLANES

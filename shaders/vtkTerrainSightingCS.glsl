@@ -15,6 +15,6 @@ void main()
     return;
   }
   TerrainSighting sighting =
-    terrainCast(vec2(texel + terrainViewportOrigin) + 0.5, terrainNear);
+    terrainCast(vec2(texel + terrainViewportOrigin) + 0.5, terrainBegin);
   imageStore(terrainSightingImage, texel, terrainPackSighting(sighting));
 }

@@ -84,7 +84,7 @@ float terrainEntry(vec4 proxyVC)
 #ifdef TERRAIN_BELOW_BOX
   return -proxyVC.z - 1e-5 * abs(proxyVC.z);
 #else
-  return terrainNear;
+  return terrainBegin;
 #endif
 }
 

@@ -22,7 +22,7 @@ uniform vec3 terrainBoxMaximum;
 uniform int terrainClipPlaneCount;
 uniform vec4 terrainClipPlanesVC[TERRAIN_CLIP_PLANES]; // kept is dot(plane, position) >= 0
 #endif
-uniform float terrainNear;         // distances of the clipping planes along the viewing direction
+uniform float terrainBegin; // where rays begin and end, along the viewing direction: PixelRays.h
 uniform float terrainFar;
 uniform ivec2 terrainViewportOrigin; // lower left pixel of the viewport
 
@@ -136,10 +136,11 @@ vec4 terrainPositionVC(vec2 pixel, float distanceVC)
     terrainOriginVC * vec3(1.0, pixel) + distanceVC * terrainDirectionAt(pixel), 1.0);
 }
 
-// Depth, 0..1, of a position in view coordinates.
+// Depth, 0..1, of a position in view coordinates; 0 before the near plane.
 float terrainDepth(vec4 positionVC)
 {
-  return 0.5 + 0.5 * dot(terrainDepthRow, positionVC) / dot(terrainWeightRow, positionVC);
+  float weight = max(dot(terrainWeightRow, positionVC), 1e-30);
+  return max(0.5 + 0.5 * dot(terrainDepthRow, positionVC) / weight, 0.0);
 }
 
 // Unit normal in view coordinates from the gradient in codes per cell; points up in the grid.

@@ -160,6 +160,39 @@ TEST(OpenGLTerrainMapperExact, WalksThroughTheTerrain)
             << " disagree, " << sum.Off << " off, largest " << sum.Largest << "\n";
 }
 
+TEST(OpenGLTerrainMapperExact, DrawsTheGroundBeforeTheNearPlane)
+{
+  using Techniques = vtkOpenGLTerrainMapper::Techniques;
+  Drawing drawing(toImage(rollingHills(41, 33)));
+  for (const Techniques technique : { Techniques::Pyramid, Techniques::Equidistant })
+  {
+    drawing.Mapper->SetTechnique(technique);
+    // half a metre above the ground, closer to it than VTK puts the near plane
+    const double ground = drawing.Heights->GetScalarComponentAsDouble(20, 16, 0, 0);
+    drawing.Camera()->SetViewAngle(90.0);
+    drawing.Look(20.0, 16.0, ground + 0.5, 20.1, 16.0, ground - 30.0);
+    drawing.Camera()->SetClippingRange(5.0, 1000.0);
+    vtkImageData* distances = drawing.Distances();
+    int before = 0;
+    for (vtkIdType i = 0; i < distances->GetNumberOfPoints(); ++i)
+    {
+      before += distances->GetPointData()->GetScalars()->GetTuple1(i) < 5.0 ? 1 : 0;
+    }
+    EXPECT_GT(before, 2000);
+    const Comparison comparison =
+      CompareWithReference(drawing, Culling::None, technique == Techniques::Pyramid ? 1e-4 : 1e-3);
+    EXPECT_EQ(comparison.Unexplained, 0);
+    EXPECT_EQ(comparison.Off, 0) << comparison.Largest;
+    EXPECT_GE(comparison.Hits, before);
+    // in the window, too
+    drawing.Scene.Window->Render();
+    const std::vector<float> depths = vtkTerrainTesting::ReadDepth(drawing.Scene.Window);
+    EXPECT_GT(std::count(depths.begin(), depths.end(), 0.0f), 2000);
+    EXPECT_EQ(std::count(depths.begin(), depths.end(), 1.0f),
+      static_cast<int>(depths.size()) - comparison.Hits);
+  }
+}
+
 TEST(OpenGLTerrainMapperExact, PassesByCulledFaces)
 {
   Drawing drawing(toImage(rollingHills(41, 33)));

@@ -175,7 +175,7 @@ Comparison CompareRays(const terrain::HeightfieldView<T>& view, const terrain::P
       terrain::ReferenceRay ray;
       ray.Origin = terrain::AtPixel(rays.OriginGC, { x + 0.5, y + 0.5 });
       ray.Direction = terrain::AtPixel(rays.DirectionGC, { x + 0.5, y + 0.5 });
-      ray.Begin = rays.Near;
+      ray.Begin = rays.Begin;
       ray.End = rays.Far;
       terrain::ReferenceHit hit = caster.Cast(ray);
       while (hit.Found && culling != Culling::None && (culling == Culling::Front) == hit.FromAbove)

@@ -135,7 +135,7 @@ void View::SetUniforms(Uniforms& uniforms) const
   uniforms.Set("terrainNormalMatrix", glm::mat3(this->Rays.NormalMatrix));
   uniforms.Set("terrainDepthRow", glm::vec4(this->Rays.DepthRow));
   uniforms.Set("terrainWeightRow", glm::vec4(this->Rays.WeightRow));
-  uniforms.Set("terrainNear", static_cast<float>(this->Rays.Near));
+  uniforms.Set("terrainBegin", static_cast<float>(this->Rays.Begin));
   uniforms.Set("terrainFar", static_cast<float>(this->Rays.Far));
   uniforms.Set("terrainViewToGrid", glm::mat4(this->GridFromView));
   uniforms.Set("terrainMirrored", this->OrientationKept ? 0 : 1);

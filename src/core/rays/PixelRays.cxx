@@ -68,6 +68,7 @@ PixelRays MakePixelRays(
   rays.WeightRow = row(viewToDisplay, 3);
   rays.Near = -unproject(displayToView, 0.0, 0.0, -1.0).z;
   rays.Far = -unproject(displayToView, 0.0, 0.0, 1.0).z;
+  rays.Begin = rays.WeightRow.z != 0.0 ? 0.0 : rays.Near;
   return rays;
 }
 

@@ -46,6 +46,9 @@ struct PixelRays
   /// Distances of the near and the far plane along the viewing direction at the view's centre.
   double Near = 0.0;
   double Far = 0.0;
+  /// Distance at which rays begin: the eye, 0, in perspective, so that the ground before the near
+  /// plane is drawn, too; the near plane in parallel projections.
+  double Begin = 0.0;
 };
 
 /// The rays of a viewport (x, y, width, height in pixels) from the matrices grid to view
