@@ -168,12 +168,25 @@ bool terrainIsClipped(vec4 positionVC)
 uniform mat4 terrainViewToGrid; // view to grid coordinates
 uniform int terrainMirrored;    // 1 if triangles turn round on their way to the view
 
+// A normal of the surface, on the viewer's side. A mesh can be seen over a ridge where the surface below
+// it falls away from the viewer already, whose normals would be lit from behind the ridge: there it
+// turns to that of the mesh's face.
+vec3 terrainFacingNormal(vec3 normalVC, vec3 faceVC, vec3 towardsVC)
+{
+  float facing = min(dot(normalVC, towardsVC), 0.0);
+  return normalize(mix(normalVC - facing * towardsVC, faceVC, min(-4.0 * facing, 1.0)));
+}
+
 // The point of the surface below a point of a mesh, of which the front or the back is seen.
 TerrainSurface terrainBelow(vec4 positionVC, bool front)
 {
+  vec3 face = cross(dFdx(positionVC.xyz), dFdy(positionVC.xyz));
   vec2 positionGC = (terrainViewToGrid * positionVC).xy;
   ivec2 cell = clamp(ivec2(floor(positionGC)), ivec2(0), terrainSize - 2);
-  return terrainSurfaceAt(cell, clamp(positionGC - vec2(cell), 0.0, 1.0), terrainCellCodes(cell),
-    positionVC, front != (terrainMirrored == 1));
+  TerrainSurface surface = terrainSurfaceAt(cell, clamp(positionGC - vec2(cell), 0.0, 1.0),
+    terrainCellCodes(cell), positionVC, front != (terrainMirrored == 1));
+  surface.normalVC = terrainFacingNormal(
+    surface.normalVC, normalize(face), -normalize(terrainDirectionAt(gl_FragCoord.xy)));
+  return surface;
 }
 #endif

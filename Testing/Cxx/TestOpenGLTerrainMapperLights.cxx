@@ -4,11 +4,15 @@
 // A terrain under VTK's lights and materials.
 #include "vtkTerrainTestingScene.h"
 
+#include "vtkActor.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkTerrainCoarseMesh.h"
 #include "vtkTexture.h"
 
 #include <gtest/gtest.h>
@@ -116,6 +120,59 @@ TEST(OpenGLTerrainMapperLights, ManyLights)
     shine(terrain);
   };
   EXPECT_TRUE(DrawsAsTheMesh(light));
+}
+
+// Where a coarse mesh is seen over a ridge, it is not lit as the far slope below it: stock VTK's
+// flat shading of the same triangles tells how light they are.
+TEST(OpenGLTerrainMapperLights, RidgesOfCoarseMeshesHaveNoDarkRims)
+{
+  TerrainScene scene(vtkOpenGLTerrainMapper::Techniques::Mesh);
+  vtkNew<vtkFloatArray> samples;
+  for (int i = 0; i < 65 * 65; ++i)
+  {
+    samples->InsertNextValue(static_cast<float>(9.0 * std::abs((i / 65) % 16 - 8.0)));
+  }
+  vtkNew<vtkImageData> heights;
+  heights->SetDimensions(65, 65, 1);
+  heights->SetSpacing(10.0, 10.0, 1.0);
+  heights->GetPointData()->SetScalars(samples);
+  const TerrainProp terrain = scene.AddTerrain(heights);
+  vtkNew<vtkTerrainCoarseMesh> mesh;
+  mesh->SetInputData(heights);
+  mesh->SetSamplesPerQuad(5);
+  mesh->Update();
+  terrain.Mapper->SetInputConnection(mesh->GetOutputPort());
+  scene.Look({ 320.0, 1100.0, 190.0 }, { 320.0, 320.0, 40.0 });
+  vtkNew<vtkLight> sun; // low, behind the viewer: it lights near slopes and leaves far ones dark
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(320.0, 1100.0, 350.0);
+  sun->SetFocalPoint(320.0, 320.0, 40.0);
+  scene.Renderer->AddLight(sun);
+  scene.Window->Render();
+  const auto ours = vtkTerrainTesting::ReadColor(scene.Window);
+  terrain.Actor->VisibilityOff();
+  vtkNew<vtkPolyDataMapper> stock;
+  stock->SetInputConnection(mesh->GetOutputPort());
+  vtkNew<vtkActor> triangles;
+  triangles->SetMapper(stock);
+  triangles->SetProperty(terrain.Actor->GetProperty());
+  triangles->GetProperty()->SetInterpolationToFlat();
+  scene.Renderer->AddActor(triangles);
+  scene.Window->Render();
+  const auto flat = vtkTerrainTesting::ReadColor(scene.Window);
+  vtkTerrainTesting::WritePicture(ours, vtkTerrainTesting::OutputPath("ridges-ours.png"));
+  vtkTerrainTesting::WritePicture(flat, vtkTerrainTesting::OutputPath("ridges-flat.png"));
+  const auto* a = static_cast<const unsigned char*>(ours->GetScalarPointer());
+  const auto* b = static_cast<const unsigned char*>(flat->GetScalarPointer());
+  int lit = 0;
+  int dark = 0;
+  for (vtkIdType i = 0; i < 3 * ours->GetNumberOfPoints(); i += 3)
+  {
+    lit += b[i] > 100 ? 1 : 0;
+    dark += b[i] > 100 && a[i] < b[i] / 4 ? 1 : 0;
+  }
+  EXPECT_GT(lit, 1000);
+  EXPECT_EQ(dark, 0);
 }
 
 TEST(OpenGLTerrainMapperLights, FlatPatches)
