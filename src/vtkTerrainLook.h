@@ -78,7 +78,7 @@ public:
   ///@{
   /// The searches: steps of the first length, then steps of double length (Equidistant only), then
   /// secant steps. 0 and less choose (the default): Fehér's 5 steps for Linear and 10 for
-  /// Exponential, each with 2 secant steps; for Equidistant as many as the longest ray needs, and 4
+  /// Exponential, each with 2 secant steps; for Equidistant as many as the longest ray needs, and 6
   /// secant steps. Fehér has 5 steps, 10 long ones and 2 secant steps there. At most 256 steps of
   /// Linear and Exponential, 10^6 of Equidistant and 32 secant steps are taken: more count as that.
   void SetSteps(int steps);

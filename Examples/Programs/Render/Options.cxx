@@ -149,7 +149,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   add("--long-steps", texts.LongSteps, "N", "further steps of double length of equidistant");
   add("--step-length", texts.StepLength, "CELLS", "of a step of equidistant; default 1.5");
   add("--secant-steps", texts.SecantSteps, "N",
-    "that narrow down what a search has found; default 2, equidistant 4");
+    "that narrow down what a search has found; default 2, equidistant 6");
   add("--camera", texts.Camera, "EX,EY,EZ,FX,FY,FZ[,UX,UY,UZ]",
     "eye, focal point and up in world coordinates, z exaggerated; default: all of the terrain in "
     "view, from the south");

@@ -100,7 +100,7 @@ SearchParameters BoundSearchParameters(const SearchParameters& parameters, Searc
 constexpr float kDefaultStepLength = 1.5f;
 constexpr int kDefaultLinearSteps = 5;
 constexpr int kDefaultExponentialSteps = 10;
-constexpr int kDefaultSecantSteps = 4;
+constexpr int kDefaultSecantSteps = 6;
 constexpr int kPaperSecantSteps = 2;
 
 /// Values behind BoundSearchParameters(): steps of a linear or exponential, of an equidistant
