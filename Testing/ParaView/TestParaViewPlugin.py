@@ -167,6 +167,12 @@ class TestPlugin(unittest.TestCase):
                 self.assertLessEqual(least, share)
                 self.assertLess(share, most)
 
+    def test_searches_take_their_steps(self):
+        display = terrainScene.show_terrain(self.source, self.view, TerrainTechnique="Equidistant")
+        whole = picture(self.view, "steps-all")
+        display.TerrainSteps, display.TerrainStepLength = [1, 0, 1], 50.0
+        self.assertGreater(share_of_difference(whole, picture(self.view, "steps-one")), 0.01)
+
     def test_moved_views_are_allotted_little_time(self):
         terrainScene.show_terrain(self.source, self.view)
         actors = self.view.SMProxy.GetClientSideObject().GetRenderer().GetActors()

@@ -432,6 +432,20 @@ void vtkTerrainRepresentation::SetStripsTolerance(double pixels)
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainRepresentation::SetSteps(int steps, int longSteps, int secantSteps)
+{
+  this->Actor->GetTerrainMapper()->SetSteps(steps);
+  this->Actor->GetTerrainMapper()->SetLongSteps(longSteps);
+  this->Actor->GetTerrainMapper()->SetSecantSteps(secantSteps);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRepresentation::SetStepLength(double cells)
+{
+  this->Actor->GetTerrainMapper()->SetStepLength(cells);
+}
+
+//------------------------------------------------------------------------------
 void vtkTerrainRepresentation::SetMaximumLayers(int layers)
 {
   this->Actor->GetTerrainMapper()->SetMaximumLayers(layers);

@@ -57,6 +57,10 @@ public:
   void SetTechnique(int technique);
   /// Largest error of Strips in pixels, > 0; default 1.
   void SetStripsTolerance(double pixels);
+  /// Parameters of the searches Linear, Exponential and Equidistant, as
+  /// vtkOpenGLTerrainMapper::SetSteps() has them; default 0: chosen.
+  void SetSteps(int steps, int longSteps, int secantSteps);
+  void SetStepLength(double cells);
   /// Most surfaces along a ray that are drawn where they are translucent, >= 1; default 4.
   void SetMaximumLayers(int layers);
   /// Drawn height over true height, > 0; default 1.
