@@ -7,6 +7,7 @@ set -eu
 needed="
   cmake
   g++
+  libbenchmark-dev
   libcli11-dev
   libegl-dev
   libegl1
