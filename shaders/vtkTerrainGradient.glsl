@@ -13,7 +13,7 @@ uniform float terrainSlopesScale; // codes per cell and unit of terrainSlopes
 // Code of the texels' surface at a position relative to a cell of texels; negative where there is none.
 float terrainTexelHeight(ivec2 cell, vec2 position)
 {
-  ivec2 at = clamp(cell + ivec2(floor(position)), ivec2(0), textureSize(terrainHeights, 0) - 2);
+  ivec2 at = clamp(cell + ivec2(floor(position)), ivec2(0), terrainTexelSize() - 2);
   vec4 codes = terrainTexelCodes(at);
   return terrainCellValid(codes) ? terrainPatchCode(codes, position - vec2(at - cell)) : -1.0;
 }
@@ -26,7 +26,7 @@ vec2 terrainWideGradient(ivec2 cell, vec2 fraction, vec4 codes, float width)
 {
   vec2 low = max(fraction - 0.5 * width, vec2(-cell));
   vec2 high =
-    min(fraction + 0.5 * width, vec2(textureSize(terrainHeights, 0) - 1 - cell));
+    min(fraction + 0.5 * width, vec2(terrainTexelSize() - 1 - cell));
   float here = terrainPatchCode(codes, fraction);
   vec2 atLow = vec2(terrainTexelHeight(cell, vec2(low.x, fraction.y)),
     terrainTexelHeight(cell, vec2(fraction.x, low.y)));
@@ -44,11 +44,36 @@ vec2 terrainWideGradient(ivec2 cell, vec2 fraction, vec4 codes, float width)
 // a position in cells.
 vec2 terrainMeanGradient(vec2 position, float level)
 {
-  vec2 cells = vec2(textureSize(terrainHeights, 0) - 1);
+  vec2 cells = vec2(terrainTexelSize() - 1);
   return terrainSlopesScale *
     textureLod(terrainSlopes, position / cells, level - terrainFirstSlopeLevel).rg;
 }
 
+#ifdef TERRAIN_TILES
+// As below; the heights are those of the level that has cells of that size.
+vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
+{
+  if (level < 1.0)
+  {
+    return terrainWideGradient(cell, fraction, codes, exp2(max(level, 0.0)));
+  }
+  int from = min(int(level), terrainTileTop);
+  float width = exp2(level);
+  vec2 low = max(fraction - 0.5 * width, vec2(-cell));
+  vec2 high = min(fraction + 0.5 * width, vec2(terrainSize - 1 - cell));
+  float here = terrainTileHeight(cell, fraction, from, terrainSize);
+  vec2 atLow = vec2(terrainTileHeight(cell, vec2(low.x, fraction.y), from, terrainSize),
+    terrainTileHeight(cell, vec2(fraction.x, low.y), from, terrainSize));
+  vec2 atHigh = vec2(terrainTileHeight(cell, vec2(high.x, fraction.y), from, terrainSize),
+    terrainTileHeight(cell, vec2(fraction.x, high.y), from, terrainSize));
+  bvec2 noLow = lessThan(atLow, vec2(0.0));
+  bvec2 noHigh = lessThan(atHigh, vec2(0.0));
+  vec2 apart = mix(high, fraction, noHigh) - mix(low, fraction, noLow);
+  vec2 mean = (mix(atHigh, vec2(here), noHigh) - mix(atLow, vec2(here), noLow)) / max(apart, 1e-3);
+  return here < 0.0 ? terrainPatchGradient(codes, fraction)
+                    : mean * vec2(not(bvec2(noLow.x && noHigh.x, noLow.y && noHigh.y)));
+}
+#else
 // Gradient of the texels' surface at a position in a cell of texels over squares of 2^level texels a
 // side; of one texel if level < 0. Codes: of the cell's corners.
 vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
@@ -67,6 +92,7 @@ vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
   }
   return gradient;
 }
+#endif
 
 #ifdef TERRAIN_DETAIL
 // Gradient of the detail over squares of 2^level of its cells a side, level >= 0.

@@ -6,15 +6,37 @@
 // can be used (GLSL 4.00, or GL_ARB_texture_gather enabled): one look-up a cell instead of four.
 // TERRAIN_DETAIL if the heightfield is the sum of the texels, the base, and of a repeated detail:
 // all samples, cells and sizes are then those of the sum; twin: src/core/surface/DetailHeights.h.
+// TERRAIN_TILES if the texels are those of vtkTerrainTiles.glsl, the finest that are there.
 
+#ifndef TERRAIN_TILES
 #ifdef TERRAIN_HEIGHTS_INTEGER
 uniform usampler2D terrainHeights; // texels, W x H
 #else
 uniform sampler2D terrainHeights;
 #endif
+#endif
 uniform ivec2 terrainSize;         // samples
 uniform float terrainBias;         // texel minus code
 uniform float terrainMaximumCode;  // largest code; the smallest is 0
+
+#ifdef TERRAIN_TILES
+// Number of texels.
+ivec2 terrainTexelSize()
+{
+  return terrainSize;
+}
+
+// Codes of the corners of a cell of texels: south-west, south-east, north-west, north-east.
+vec4 terrainTexelCodes(ivec2 cell)
+{
+  return terrainTileCellCodes(cell);
+}
+#else
+// Number of texels.
+ivec2 terrainTexelSize()
+{
+  return textureSize(terrainHeights, 0);
+}
 
 // Code of a sample of the texels; negative if it has no height.
 float terrainTexelCode(ivec2 sampleIndex)
@@ -27,13 +49,14 @@ vec4 terrainTexelCodes(ivec2 cell)
 {
 #ifdef TERRAIN_GATHER
   // The position amidst the four texels: half a texel of room for any rounding.
-  vec2 positionTC = (vec2(cell) + 1.0) / vec2(textureSize(terrainHeights, 0));
+  vec2 positionTC = (vec2(cell) + 1.0) / vec2(terrainTexelSize());
   return vec4(textureGather(terrainHeights, positionTC).wzxy) - terrainBias;
 #else
   return vec4(terrainTexelCode(cell), terrainTexelCode(cell + ivec2(1, 0)),
     terrainTexelCode(cell + ivec2(0, 1)), terrainTexelCode(cell + ivec2(1, 1)));
 #endif
 }
+#endif
 
 // True if all corners of a cell have heights.
 bool terrainCellValid(vec4 codes)

@@ -25,7 +25,9 @@
 //   TERRAIN_DETAIL    see vtkTerrainHeights.glsl; twin of its part: src/core/surface/DetailHeights.h, with
 //                     the uniforms declared below
 
-#if defined(TERRAIN_PYRAMID_BUFFER) && defined(TERRAIN_HEIGHTS_INTEGER)
+#ifdef TERRAIN_TILES
+// terrainSlotBounds() in vtkTerrainTiles.glsl in its place
+#elif defined(TERRAIN_PYRAMID_BUFFER) && defined(TERRAIN_HEIGHTS_INTEGER)
 uniform usamplerBuffer terrainPyramid;
 #elif defined(TERRAIN_PYRAMID_BUFFER)
 uniform samplerBuffer terrainPyramid;
@@ -94,6 +96,11 @@ int terrainLevelBegin(ivec2 parts, int levels, int level)
 // Highest and lowest code of a node of the texels; level >= 1.
 vec2 terrainTexelExtremes(ivec2 node, int level)
 {
+#ifdef TERRAIN_TILES
+  ivec2 cell = node << level;
+  int slot = terrainFinestSlot(cell, level);
+  return terrainSlotBounds(cell >> level, slot);
+#else
   ivec2 size = max(terrainPyramidSize >> (level - 1), ivec2(1));
   ivec2 texel = min(node, size - 1);
 #ifdef TERRAIN_PYRAMID_BUFFER
@@ -102,6 +109,7 @@ vec2 terrainTexelExtremes(ivec2 node, int level)
   return vec2(texelFetch(terrainPyramid, index).rg) - terrainBias;
 #else
   return vec2(texelFetch(terrainPyramid, texel, level - 1).rg) - terrainBias;
+#endif
 #endif
 }
 

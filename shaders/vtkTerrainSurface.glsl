@@ -35,6 +35,10 @@ TerrainSurface terrainSurfaceAt(
     terrainPatchCode(codes, fraction), gradient, 0);
 }
 
+#ifdef TERRAIN_TILES
+uniform int terrainArrayLevel; // of the tiles, of which the heights' own arrays are
+#endif
+
 // The cell of the heights' own arrays, without detail, and the position in it, 0..1.
 ivec2 terrainArrayCell(TerrainSurface surface, out vec2 fraction)
 {
@@ -43,9 +47,24 @@ ivec2 terrainArrayCell(TerrainSurface surface, out vec2 fraction)
   fraction = (vec2(surface.cell - (cell << terrainDetailLevel)) + surface.fraction) /
     float(1 << terrainDetailLevel);
   return cell;
+#elif defined(TERRAIN_TILES)
+  ivec2 cell = surface.cell >> terrainArrayLevel;
+  fraction = (vec2(surface.cell - (cell << terrainArrayLevel)) + surface.fraction) /
+    float(1 << terrainArrayLevel);
+  return cell;
 #else
   fraction = surface.fraction;
   return surface.cell;
+#endif
+}
+
+// Samples of these arrays.
+ivec2 terrainArraySize()
+{
+#ifdef TERRAIN_TILES
+  return ((terrainSize - 2) >> terrainArrayLevel) + 2;
+#else
+  return terrainTexelSize();
 #endif
 }
 
@@ -54,7 +73,7 @@ int terrainCellId(TerrainSurface surface)
 {
   vec2 fraction;
   ivec2 cell = terrainArrayCell(surface, fraction);
-  return cell.x + (textureSize(terrainHeights, 0).x - 1) * cell.y;
+  return cell.x + (terrainArraySize().x - 1) * cell.y;
 }
 
 // Number of the nearest sample in the grid of the heights.
@@ -63,7 +82,7 @@ int terrainSampleId(TerrainSurface surface)
   vec2 fraction;
   ivec2 nearest = terrainArrayCell(surface, fraction);
   nearest += ivec2(floor(fraction + 0.5));
-  return nearest.x + textureSize(terrainHeights, 0).x * nearest.y;
+  return nearest.x + terrainArraySize().x * nearest.y;
 }
 
 // The lower 24 bits of a number as a colour, as VTK's selection reads them.

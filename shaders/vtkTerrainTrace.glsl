@@ -3,7 +3,7 @@
 //
 // The technique in use. Needs vtkTerrainPyramid.glsl and, for the searches, vtkTerrainSearch.glsl.
 // Defines: TERRAIN_LINEAR, TERRAIN_EXPONENTIAL, TERRAIN_EQUIDISTANT or TERRAIN_PYRAMID; with the
-// last, TERRAIN_WITHIN for a tolerance.
+// last, TERRAIN_WITHIN for a tolerance, and TERRAIN_TILES for heights in tiles.
 
 #ifdef TERRAIN_WITHIN
 uniform vec4 terrainTolerance; // cells, codes; and their change per unit of distance
@@ -14,6 +14,9 @@ TerrainHit terrainTrace(TerrainRay ray, float startDistance)
 {
 #ifndef TERRAIN_PYRAMID
   return terrainSearch(ray);
+#elif defined(TERRAIN_TILES) && defined(TERRAIN_WITHIN)
+  return terrainTraceTiles(ray,
+    vec4(terrainTolerance.xy + startDistance * terrainTolerance.zw, terrainTolerance.zw));
 #elif defined(TERRAIN_WITHIN)
   return terrainTracePyramidWithin(ray,
     vec4(terrainTolerance.xy + startDistance * terrainTolerance.zw, terrainTolerance.zw));

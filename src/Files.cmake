@@ -78,6 +78,7 @@ set(private_sources
   render/SurfaceProgram
   render/SurfaceTextures
   render/Technique
+  render/TileTextures
   render/UniformPasser
   render/View
 )
@@ -115,6 +116,8 @@ set(shaders
   vtkTerrainSighting
   vtkTerrainSightingCS
   vtkTerrainSurface
+  vtkTerrainTileTrace
+  vtkTerrainTiles
   vtkTerrainTrace
   vtkTerrainView
 )

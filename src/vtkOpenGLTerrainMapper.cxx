@@ -239,6 +239,8 @@ vtkSmartPointer<vtkImageData> vtkOpenGLTerrainMapper::ReadCrossings()
 vtkTerrainCountMacro(NumberOfHeightUploads, int, Scene.Surface.GetNumberOfUploads());
 vtkTerrainCountMacro(NumberOfUploadedTexels, vtkIdType, Scene.Surface.GetNumberOfUploadedTexels());
 vtkTerrainCountMacro(TextureMemorySize, vtkIdType, Scene.Surface.GetMemorySize());
+vtkTerrainCountMacro(NumberOfTiles, int, Scene.GetNumberOfTiles());
+vtkTerrainCountMacro(Complete, bool, Scene.IsComplete());
 vtkTerrainCountMacro(NumberOfShaderBuilds, int, ShaderBuilds);
 vtkTerrainCountMacro(NumberOfBufferBuilds, int, BufferBuilds);
 
@@ -314,7 +316,11 @@ bool vtkOpenGLTerrainMapper::UpdateSurface()
       this->GetInputAlgorithm(port, 0)->Update();
     }
   }
-  return this->Internals->Scene.Update(this->GetHeights(), this->GetDetail());
+  terrain::Scene& scene = this->Internals->Scene;
+  scene.WaitsForTiles = this->WaitForTiles;
+  scene.Surface.Tiles.SetSource(this->Tiles, static_cast<std::size_t>(this->HostMemoryBudget),
+    static_cast<std::size_t>(this->CardMemoryBudget));
+  return scene.Update(this->GetHeights(), this->GetDetail());
 }
 
 //------------------------------------------------------------------------------
@@ -340,6 +346,11 @@ void vtkOpenGLTerrainMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
   if (scene.IsFound(act))
   {
     this->ReportWords(scene.Prepare(ren, act));
+    const std::string message = scene.Surface.Tiles.TakeMessage();
+    if (!message.empty())
+    {
+      vtkWarningMacro(<< message);
+    }
   }
   if (scene.IsFound(act))
   {

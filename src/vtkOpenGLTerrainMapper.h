@@ -77,13 +77,14 @@
 #include "vtkTerrainLook.h"   // For its settings
 #include "vtkTerrainModule.h" // For export macro
 
-#include <memory> // For std::unique_ptr
+#include <memory> // For members
 #include <string> // For std::string
 #include <vector> // For ProcessSelectorPixelBuffers
 
 class vtkImageData;
 namespace terrain
 {
+class TileSource;
 struct Features;
 }
 
@@ -130,6 +131,44 @@ public:
   }
   void SetDetailData(vtkImageData* detail);
   vtkImageData* GetDetail();
+  ///@}
+
+  /// Heights of any size by tiles, of which the image is one level: vtkTerrainRasterReader opens
+  /// them (GetTileSource()). The technique Pyramid then draws the tiles that a view needs, read by
+  /// threads, where the surface is bilinear and has no detail; all else shows the image. The
+  /// picture is off by at most PixelTolerance, or by half a pixel where that is 0. Null, the
+  /// default, for none.
+  void SetTileSource(const std::shared_ptr<terrain::TileSource>& source)
+  {
+    this->Tiles = source;
+    this->Modified();
+  }
+
+  ///@{
+  /// Whether frames wait for all the tiles that they need (default), or show those that are there;
+  /// GetComplete() tells whether the last one had them all. It counts from the next frame on.
+  void SetWaitForTiles(bool wait)
+  {
+    this->WaitForTiles = wait;
+  }
+  bool GetWaitForTiles() const
+  {
+    return this->WaitForTiles;
+  }
+  ///@}
+  /// False if the last frame lacked tiles: another frame shows more.
+  bool GetComplete() const;
+  /// Tiles that the last frame needed.
+  int GetNumberOfTiles() const;
+
+  ///@{
+  /// Most bytes of tiles in the host's memory and on the graphics card; defaults 1 GiB and 512 MiB.
+  /// What a frame needs is kept on the host even beyond the budget. A budget of the card that is
+  /// too small for a view coarsens it, with a warning.
+  vtkSetClampMacro(HostMemoryBudget, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(HostMemoryBudget, vtkIdType);
+  vtkSetClampMacro(CardMemoryBudget, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(CardMemoryBudget, vtkIdType);
   ///@}
 
   /// All settings of how the surface looks, never null; copy them by its DeepCopy().
@@ -299,6 +338,10 @@ private:
   void PictureModified();
 
   vtkSmartPointer<vtkTerrainLook> Look;
+  std::shared_ptr<terrain::TileSource> Tiles;
+  bool WaitForTiles = true;
+  vtkIdType HostMemoryBudget = vtkIdType{ 1 } << 30;
+  vtkIdType CardMemoryBudget = vtkIdType{ 1 } << 29;
   vtkTimeStamp PictureTime;
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -416,6 +416,7 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputs), vtkInformationVector* outputs)
 {
   this->ErrorMessage.clear();
+  this->Tiles.reset();
   this->SetErrorCode(vtkErrorCode::NoError);
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);

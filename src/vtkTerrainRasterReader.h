@@ -94,6 +94,7 @@ namespace terrain
 {
 struct RasterOptions;
 struct RasterTileSettings;
+class TileSource;
 }
 
 class VTKTERRAIN_EXPORT vtkTerrainRasterReader : public vtkImageAlgorithm
@@ -237,11 +238,25 @@ public:
   bool PrepareLevels();
 
   ///@{
+  /// Whether a warning tells of the level that is read (default): off for who draws the tiles.
+  vtkSetMacro(WarnOfLevels, bool);
+  vtkGetMacro(WarnOfLevels, bool);
+  vtkBooleanMacro(WarnOfLevels, bool);
+  ///@}
+
+  ///@{
   /// With UseLevels, most bytes of memory that an application takes that reads a level and draws
   /// it, about four times the samples; 0 is no limit. Default: 1 GiB.
   vtkSetClampMacro(MemoryBudget, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MemoryBudget, vtkIdType);
   ///@}
+
+  /// The tiles of all levels, for vtkOpenGLTerrainMapper::SetTileSource(): after an update that has
+  /// read a level, else null. They may outlive the reader.
+  std::shared_ptr<terrain::TileSource> GetTileSource() const
+  {
+    return this->Tiles;
+  }
 
   /// The level that the last update read; 0 are the samples of the file.
   int GetLevel() const
@@ -322,8 +337,10 @@ private:
   bool DetectNoData = true;
   bool UseLevels = false;
   bool UseCache = true;
+  bool WarnOfLevels = true;
   vtkIdType MemoryBudget = vtkIdType{ 1 } << 30;
   int Level = 0;
+  std::shared_ptr<terrain::TileSource> Tiles;
   std::string ErrorMessage;
   std::string WarningMessage;
 };

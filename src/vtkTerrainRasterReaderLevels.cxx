@@ -253,7 +253,11 @@ void vtkTerrainRasterReader::ReadTiles(vtkTerrainRasterPlan& plan, vtkImageData*
   {
     throw terrain::RasterError(error);
   }
-  this->WarnOfLevel(plan, tiles.Message);
+  this->Tiles = tiles.Source;
+  if (this->WarnOfLevels || !tiles.Message.empty())
+  {
+    this->WarnOfLevel(plan, tiles.Message);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -44,10 +44,10 @@ std::vector<Features> singleFeatures()
   {
     add(&Features::Way, way);
   }
-  for (const auto member :
-    { &Features::IntegerHeights, &Features::BuffersPyramid, &Features::Gathers, &Features::Detail,
-      &Features::Columns, &Features::Within, &Features::Block, &Features::BelowBox,
-      &Features::ReadsSightings, &Features::ShiftsDepth, &Features::Textured, &Features::Paints })
+  for (const auto member : { &Features::IntegerHeights, &Features::BuffersPyramid,
+         &Features::Gathers, &Features::Tiles, &Features::Detail, &Features::Columns,
+         &Features::Within, &Features::Block, &Features::BelowBox, &Features::ReadsSightings,
+         &Features::ShiftsDepth, &Features::Textured, &Features::Paints })
   {
     add(member, true);
   }
@@ -83,8 +83,9 @@ TEST(TerrainFeatures, DefineEveryNameThatShadersAskFor)
     defined += features.Defines();
   }
   const std::string name = "TERRAIN_";
-  for (const char* shader : { "Beam", "BeamCS", "Cast", "Color", "Columns", "Gradient", "Heights",
-         "Pyramid", "Ray", "Search", "Sighting", "SightingCS", "Surface", "Trace", "View" })
+  for (const char* shader :
+    { "Beam", "BeamCS", "Cast", "Color", "Columns", "Gradient", "Heights", "Pyramid", "Ray",
+      "Search", "Sighting", "SightingCS", "Surface", "TileTrace", "Tiles", "Trace", "View" })
   {
     const std::string text = vtkTerrainTesting::ReadShader(std::string("vtkTerrain") + shader);
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))

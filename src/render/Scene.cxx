@@ -52,6 +52,8 @@ bool Scene::Update(vtkImageData* heights, vtkImageData* detail)
   this->Cutting.Block = this->Look->GetBlock();
   this->Cutting.BlockBase = this->Look->GetBlockBase();
   this->Why = this->Surface.SetImage(heights);
+  this->Surface.SetUseTiles(this->GetTechnique().IsExact() && !detail &&
+    this->Look->GetSurface() != vtkTerrainLook::Surfaces::Columns);
   if (this->Why.empty())
   {
     this->Why = this->Surface.SetDetail(
@@ -93,17 +95,35 @@ std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
   }
   std::string words =
     this->Surface.Colors.Update(this->Mapper, this->Surface.GetImage(), this->Look, window);
-  this->Surface.Activate();
   const HeightCodes& codes = this->Surface.GetCodes();
   this->View.Update(
     renderer, actor, ModelFromGrid(this->Geometry(), codes), this->Proxy.GetBounds());
   this->View.SetClippingPlanes(this->Mapper, actor,
     this->Cutting.PlanesGC(this->Drawn(), codes.ToCode(this->Cutting.BlockBase)));
+  if (this->Surface.HasTiles())
+  {
+    this->Why = this->Surface.Tiles.Update(
+      window, this->View.GetTileView(this->GetPixelTolerance()), this->WaitsForTiles);
+    if (!this->Why.empty())
+    {
+      return "Cannot draw the terrain: " + this->Why;
+    }
+  }
+  this->Surface.Activate();
   const int planes = this->Mapper->GetNumberOfClippingPlanes();
   return !words.empty() || planes <= View::MostMapperPlanes
     ? words
     : "At most " + std::to_string(View::MostMapperPlanes) +
       " clipping planes cut the terrain, not " + std::to_string(planes);
+}
+
+//------------------------------------------------------------------------------
+// All tiles in full would be needed for none.
+double Scene::GetPixelTolerance() const
+{
+  constexpr double kOfTiles = 0.5;
+  const double tolerance = this->Look->GetPixelTolerance();
+  return this->Surface.HasTiles() && tolerance <= 0.0 ? kOfTiles : tolerance;
 }
 
 //------------------------------------------------------------------------------
@@ -121,7 +141,7 @@ PrepassFrame Scene::MakeFrame(vtkRenderer* renderer, vtkActor* actor, const Feat
 std::string Scene::PrepareBeams(vtkRenderer* renderer, vtkActor* actor, const Features& features)
 {
   const bool uses = this->Look->GetUseBeams() && features.CastsRays() && !features.Columns &&
-    !features.Block && // walls may lie before the start
+    !features.Tiles && !features.Block && // walls may lie before the start
     ComputeProgram::IsSupported();
   return uses ? this->Prepass.ComputeBeams(this->MakeFrame(renderer, actor, features))
               : std::string();
@@ -169,7 +189,7 @@ void Scene::AddFeatures(Features& features) const
   if (technique.IsExact())
   {
     features.Columns = this->Look->GetSurface() == vtkTerrainLook::Surfaces::Columns;
-    features.Within = this->Look->GetPixelTolerance() > 0.0;
+    features.Within = this->GetPixelTolerance() > 0.0;
   }
 }
 
@@ -178,7 +198,7 @@ void Scene::SetUniforms(Uniforms& uniforms, vtkActor* actor)
 {
   this->Surface.SetUniforms(uniforms, this->Look);
   this->View.SetUniforms(uniforms);
-  this->View.SetTolerance(uniforms, this->Look->GetPixelTolerance());
+  this->View.SetTolerance(uniforms, this->GetPixelTolerance());
   this->GetTechnique().SetSearchUniforms(uniforms, this->Look, this->Surface);
   this->Prepass.SetUniforms(uniforms, this->Surface);
   vtkProperty* property = actor->GetProperty();

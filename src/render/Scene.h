@@ -61,6 +61,20 @@ public:
     int layer, vtkRenderer* renderer, vtkActor* actor, const Features& features);
   void Finish();
 
+  /// Whether a frame waits for all the tiles that it needs; else it shows those that are there.
+  bool WaitsForTiles = true;
+  /// Pixels by which the picture may be off: the look's; tiles need some.
+  double GetPixelTolerance() const;
+  /// Tiles that the last frame needed, and whether it had them all.
+  int GetNumberOfTiles() const
+  {
+    return static_cast<int>(this->Surface.HasTiles() ? this->Surface.Tiles.GetNumberOfTiles() : 0);
+  }
+  bool IsComplete() const
+  {
+    return !this->Surface.HasTiles() || this->Surface.Tiles.IsComplete();
+  }
+
   /// True if an actor shows the surface, not the lines and points of the mapper's port 0.
   bool IsFound(vtkActor* actor) const;
   /// True if the technique casts rays for it.

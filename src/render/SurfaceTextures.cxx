@@ -10,6 +10,7 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace terrain
@@ -51,6 +52,10 @@ std::string SurfaceTextures::SetDetail(vtkImageData* detail, int level, double s
 {
   std::string why = this->Detail.SetImage(detail);
   this->Sum = { this->Codes, this->Geometry, this->Size };
+  if (this->HasTiles())
+  {
+    return this->SetTiledSum();
+  }
   if (!this->HasDetail() || !this->HasSurface())
   {
     return why;
@@ -68,6 +73,32 @@ std::string SurfaceTextures::SetDetail(vtkImageData* detail, int level, double s
   }
   this->Sum.Size = (this->Size - 1) * cells + 1;
   return why;
+}
+
+//------------------------------------------------------------------------------
+// The surface is level 0 of the tiles.
+std::string SurfaceTextures::SetTiledSum()
+{
+  const TileSource& source = this->Tiles.GetSource();
+  const TileLayout layout = source.GetLayout();
+  this->ImageLevel = 0;
+  while (this->ImageLevel < layout.LevelCount() - 1 &&
+    layout.Samples(this->ImageLevel) != glm::i64vec2(this->Size))
+  {
+    ++this->ImageLevel;
+  }
+  if (layout.LevelCount() < 2 || layout.Samples(this->ImageLevel) != glm::i64vec2(this->Size))
+  {
+    return "the tiles are not those of the heights";
+  }
+  if (std::max(layout.Width, layout.Height) - 1 > MostCells)
+  {
+    return "its tiles have more than " + std::to_string(MostCells) + " cells along a side";
+  }
+  this->Sum.Codes = source.GetCodes();
+  this->Sum.Size = glm::ivec2(static_cast<int>(layout.Width), static_cast<int>(layout.Height));
+  this->Sum.Geometry.Spacing /= std::ldexp(1.0, this->ImageLevel);
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -111,7 +142,8 @@ vtkIdType SurfaceTextures::GetMemorySize() const
     std::visit([](const auto& pyramid) { return pyramid.MemorySize(); }, this->Pyramid);
   return static_cast<vtkIdType>(
            (this->UploadTime ? heights : 0) + (this->PyramidTime ? nodes : 0)) +
-    this->Detail.GetMemorySize() + this->Slopes.GetMemorySize();
+    this->Detail.GetMemorySize() + this->Slopes.GetMemorySize() +
+    static_cast<vtkIdType>(this->HasTiles() ? this->Tiles.GetMemorySize() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -259,6 +291,10 @@ void SurfaceTextures::UploadPart(MinMaxPyramid<Texel>& pyramid, const GridRectan
 //------------------------------------------------------------------------------
 std::string SurfaceTextures::Upload(vtkOpenGLRenderWindow* window, bool withPyramid)
 {
+  if (this->HasTiles())
+  {
+    return {}; // they come when the view is known
+  }
   const bool heights = this->Texture->GetContext() != window || this->UploadTime != this->WholeTime;
   if (heights)
   {
@@ -299,6 +335,7 @@ void SurfaceTextures::ReleaseGraphicsResources(vtkWindow* window)
   this->Detail.ReleaseGraphicsResources(window);
   this->Slopes.ReleaseGraphicsResources(window);
   this->Colors.ReleaseGraphicsResources(window);
+  this->Tiles.ReleaseGraphicsResources(window);
   this->UploadTime = 0;
   this->PyramidTime = 0;
 }
@@ -306,10 +343,15 @@ void SurfaceTextures::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 void SurfaceTextures::Activate()
 {
+  this->Colors.Activate();
+  if (this->HasTiles())
+  {
+    this->Tiles.Activate();
+    return;
+  }
   this->Texture->Activate();
   this->Detail.Activate();
   this->Slopes.Activate();
-  this->Colors.Activate();
   if (this->PyramidTime)
   {
     this->Extremes.Activate();
@@ -319,10 +361,15 @@ void SurfaceTextures::Activate()
 //------------------------------------------------------------------------------
 void SurfaceTextures::Deactivate()
 {
+  this->Colors.Deactivate();
+  if (this->HasTiles())
+  {
+    this->Tiles.Deactivate();
+    return;
+  }
   this->Texture->Deactivate();
   this->Detail.Deactivate();
   this->Slopes.Deactivate();
-  this->Colors.Deactivate();
   if (this->PyramidTime)
   {
     this->Extremes.Deactivate();
@@ -332,8 +379,9 @@ void SurfaceTextures::Deactivate()
 //------------------------------------------------------------------------------
 void SurfaceTextures::AddFeatures(Features& features) const
 {
-  features.IntegerHeights = this->Codes.Format == HeightCodes::TexelFormat::UInt16;
-  features.BuffersPyramid = this->Extremes.IsBuffer();
+  features.Tiles = this->HasTiles();
+  features.IntegerHeights = this->Sum.Codes.Format == HeightCodes::TexelFormat::UInt16;
+  features.BuffersPyramid = !features.Tiles && this->Extremes.IsBuffer();
   features.Detail = this->HasDetail();
   features.Paints = this->Colors.Paints();
   features.DrapeComponents = this->Colors.GetDrapeComponents();
@@ -342,10 +390,17 @@ void SurfaceTextures::AddFeatures(Features& features) const
 //------------------------------------------------------------------------------
 void SurfaceTextures::SetUniforms(Uniforms& uniforms, const vtkTerrainLook* look)
 {
-  uniforms.Set("terrainHeights", this->Texture->GetTextureUnit());
   uniforms.Set("terrainSize", this->Sum.Size);
   uniforms.Set("terrainBias", static_cast<float>(this->Codes.Bias));
   uniforms.Set("terrainMaximumCode", static_cast<float>(this->Sum.Codes.MaximumCode));
+  if (this->HasTiles())
+  {
+    this->Tiles.SetUniforms(uniforms);
+    uniforms.Set("terrainArrayLevel", this->ImageLevel);
+    this->Colors.SetUniforms(uniforms, this->Sum.Codes, this->Sum.Geometry, look);
+    return;
+  }
+  uniforms.Set("terrainHeights", this->Texture->GetTextureUnit());
   this->Slopes.SetUniforms(uniforms);
   this->Colors.SetUniforms(uniforms, this->Sum.Codes, this->Sum.Geometry, look);
   this->Detail.SetUniforms(uniforms, this->DetailLevel, this->DetailScale);

@@ -16,6 +16,7 @@
 #include "render/Paint.h"
 #include "render/PyramidTexture.h"
 #include "render/SlopeTexture.h"
+#include "render/TileTextures.h"
 
 #include "core/grid/Coordinates.h"
 #include "core/grid/HeightCodes.h"
@@ -78,6 +79,19 @@ public:
   std::string Upload(vtkOpenGLRenderWindow* window, bool withPyramid);
 
   void ReleaseGraphicsResources(vtkWindow* window);
+
+  /// The tiles that are drawn in place of the image, which is a level of theirs: where they have a
+  /// source and are in use.
+  TileTextures Tiles;
+  /// Whether tiles are used if they have a source; call it before SetDetail().
+  void SetUseTiles(bool use)
+  {
+    this->UseTiles = use;
+  }
+  bool HasTiles() const
+  {
+    return this->UseTiles && this->Tiles.HasSource();
+  }
 
   /// The colours; call its Update() after Upload() and before Activate().
   Paint Colors;
@@ -146,6 +160,7 @@ private:
   template <typename Texel>
   void SendTexels(const Texels<Texel>& texels, const GridRectangle& part);
   std::string Prepare(vtkOpenGLRenderWindow* window);
+  std::string SetTiledSum();
 
   vtkWeakPointer<vtkImageData> Image;
   vtkMTimeType ImageTime = 0;
@@ -172,6 +187,9 @@ private:
   DetailTexture Detail;
   SlopeTexture Slopes;
   int DetailLevel = 0;
+  bool UseTiles = false;
+  /// The tiles' level that the image is.
+  int ImageLevel = 0;
   double DetailScale = 1.0;
   vtkNew<vtkTextureObject> Texture;
   PyramidTexture Extremes;

@@ -19,6 +19,8 @@
 #include "vtkTerrainSighting.h"
 #include "vtkTerrainSightingCS.h"
 #include "vtkTerrainSurface.h"
+#include "vtkTerrainTileTrace.h"
+#include "vtkTerrainTiles.h"
 #include "vtkTerrainTrace.h"
 #include "vtkTerrainView.h"
 
@@ -59,17 +61,18 @@ SearchKind searchKind(Features::Ways way)
 }
 
 /// What all programs begin with, after their defines.
-std::string commonFunctions()
+std::string commonFunctions(const Features& features)
 {
-  return Features::Constants() + vtkTerrainHeights + vtkTerrainColumns + vtkTerrainRay +
-    vtkTerrainView;
+  return Features::Constants() + (features.Tiles ? vtkTerrainTiles : "") + vtkTerrainHeights +
+    vtkTerrainColumns + vtkTerrainRay + vtkTerrainView;
 }
 
 std::string castFunctions(const Features& features)
 {
   return std::string(vtkTerrainPyramid) +
-    (features.Way == Features::Ways::Pyramid ? "" : vtkTerrainSearch) + vtkTerrainTrace +
-    vtkTerrainSighting + vtkTerrainCast;
+    (features.Way == Features::Ways::Pyramid ? "" : vtkTerrainSearch) +
+    (features.Tiles ? vtkTerrainTileTrace : "") + vtkTerrainTrace + vtkTerrainSighting +
+    vtkTerrainCast;
 }
 }
 
@@ -82,7 +85,7 @@ Technique::Technique(vtkTerrainLook::Techniques technique)
 //------------------------------------------------------------------------------
 std::string Technique::FragmentFunctions(const Features& features)
 {
-  std::string functions = commonFunctions();
+  std::string functions = commonFunctions(features);
   if (features.CastsRays())
   {
     functions += features.ReadsSightings ? vtkTerrainSighting : castFunctions(features);
@@ -93,14 +96,15 @@ std::string Technique::FragmentFunctions(const Features& features)
 //------------------------------------------------------------------------------
 std::string Technique::BeamSource(const Features& features)
 {
-  return features.Defines() + commonFunctions() + vtkTerrainPyramid + vtkTerrainBeam +
+  return features.Defines() + commonFunctions(features) + vtkTerrainPyramid + vtkTerrainBeam +
     vtkTerrainBeamCS;
 }
 
 //------------------------------------------------------------------------------
 std::string Technique::SightingSource(const Features& features)
 {
-  return features.Defines() + commonFunctions() + castFunctions(features) + vtkTerrainSightingCS;
+  return features.Defines() + commonFunctions(features) + castFunctions(features) +
+    vtkTerrainSightingCS;
 }
 
 //------------------------------------------------------------------------------

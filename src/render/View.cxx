@@ -98,6 +98,7 @@ void View::Update(
   const glm::dvec4 pixels(this->Viewport);
   this->Rays = MakePixelRays(viewFromGrid, camera.DisplayFromView, pixels);
   this->GridFromView = glm::inverse(viewFromGrid);
+  this->DisplayFromGrid = camera.DisplayFromView * viewFromGrid;
   this->ModelFromView = glm::inverse(viewFromModel);
   this->OrientationKept = glm::determinant(glm::dmat3(viewFromGrid)) > 0.0;
   this->Box = box;
@@ -150,6 +151,24 @@ void View::SetUniforms(Uniforms& uniforms) const
     uniforms.Set("terrainClipPlaneCount", static_cast<int>(this->PlanesVC.size()));
     uniforms.SetArray("terrainClipPlanesVC", MaximumClipPlanes, planes.data());
   }
+}
+
+//------------------------------------------------------------------------------
+TileView View::GetTileView(double pixels) const
+{
+  const glm::dmat4 viewFromGrid = glm::inverse(this->GridFromView);
+  const glm::dmat4 rows = glm::transpose(this->DisplayFromGrid);
+  TileView view;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    view.Planes.push_back(rows[3] + rows[axis]);
+    view.Planes.push_back(rows[3] - rows[axis]);
+  }
+  const glm::dvec4 eye = this->GridFromView * glm::dvec4(0.0, 0.0, 0.0, 1.0);
+  view.Eye = glm::dvec3(eye) / eye.w;
+  view.Forward = -glm::dvec3(glm::transpose(viewFromGrid)[2]);
+  view.Tolerance = PixelExtent(this->Rays, viewFromGrid, pixels);
+  return view;
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include "core/grid/Coordinates.h"
 #include "core/grid/HeightCodes.h"
 #include "core/rays/PixelRays.h"
+#include "core/surface/TileSelection.h"
 
 #include <glm/glm.hpp>
 
@@ -60,6 +61,8 @@ public:
     vtkMapper* mapper, vtkActor* actor, const std::vector<glm::dvec4>& planesGC);
 
   void SetUniforms(Uniforms& uniforms) const;
+  /// What is seen, for the selection of tiles, and what projects to so many pixels.
+  TileView GetTileView(double pixels) const;
   /// The uniform terrainTolerance: what projects to so many pixels.
   void SetTolerance(Uniforms& uniforms, double pixels) const;
 
@@ -85,6 +88,7 @@ public:
 private:
   PixelRays Rays;
   glm::dmat4 GridFromView{ 1.0 };
+  glm::dmat4 DisplayFromGrid{ 1.0 };
   glm::dmat4 ModelFromView{ 1.0 };
   glm::ivec4 Viewport{ 0 };
   BoxGC Box{};
