@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace terrain
-{
-namespace FieldData
+namespace terrain::FieldData
 {
 /// The first string of a field array; empty if there is none.
 inline std::string GetText(vtkImageData* image, const char* name)
@@ -85,7 +83,6 @@ inline void AddText(vtkImageData* image, const char* name, const std::string& te
   array->SetName(name);
   array->InsertNextValue(text);
   image->GetFieldData()->AddArray(array);
-}
 }
 }
 #endif

@@ -23,9 +23,7 @@
 
 #include <string>
 
-namespace terrain
-{
-namespace ImageHeights
+namespace terrain::ImageHeights
 {
 /// Empty if the image holds heights (above), else one sentence that says why not.
 inline std::string WhyNotHeights(vtkImageData* image)
@@ -103,7 +101,6 @@ void Dispatch(vtkImageData* image, Worker&& worker)
     default:
       break;
   }
-}
 }
 }
 #endif

@@ -9,9 +9,7 @@
 
 #include "vtkObject.h"
 
-namespace terrain
-{
-namespace Setting
+namespace terrain::Setting
 {
 /// Gives a member of an object a value; the object is modified if that is a new one.
 template <typename Member, typename Value>
@@ -22,7 +20,6 @@ void Set(vtkObject* object, Member& member, const Value& value)
     member = value;
     object->Modified();
   }
-}
 }
 }
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "render/Driver.h"
 
-#include "vtkSetGet.h"
+#include "vtkObject.h"
 
 #include <cstdlib>
 #include <functional>
