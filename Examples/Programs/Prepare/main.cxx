@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-// terrain-prepare HEIGHTS OUT: prepares a raster of heights for view-dependent refinement.
+// terrain-prepare HEIGHTS OUT: prepares a raster of heights for view-dependent refinement; with
+// --mesh it writes triangles for other programs.
 //
 // Reads the raster from north to south in bands of rows, so it never is in memory as a whole.
 // Exit status 0; 2 for a wrong command line; 1 otherwise, with one line on stderr that names the
 // file and the reason, and no output left behind.
 #include "Ending.h"
 #include "HeightOptions.h"
+#include "MeshOptions.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -261,14 +263,24 @@ int Run(int argc, char** argv)
   app.add_flag("--quiet", quiet, "No progress bar, no warnings");
   HeightOptions input;
   input.Declare(app);
+  MeshOptions mesh;
+  AddMeshOptions(app, mesh);
   try
   {
     app.parse(argc, argv);
-    if (check != out.empty())
+    const bool writes = !out.empty() || !mesh.Path.empty();
+    if (check == writes || (!out.empty() && !mesh.Path.empty()))
     {
-      throw CLI::ValidationError(check ? "--check takes one file" : "OUT is required");
+      throw CLI::ValidationError(check ? "--check takes one file"
+          : writes                     ? "OUT or --mesh, not both"
+                                       : "OUT is required");
     }
-    CheckOutput(heights, out);
+    const std::string why = mesh.Path.empty() ? "" : WhyNotMeshFile(mesh.Path, mesh.Look);
+    if (!why.empty())
+    {
+      throw CLI::ValidationError("--mesh", why);
+    }
+    CheckOutput(heights, mesh.Path.empty() ? out : mesh.Path);
   }
   catch (const CLI::ParseError& error)
   {
@@ -281,6 +293,11 @@ int Run(int argc, char** argv)
   }
   EndOnSignals("terrain-prepare: stopped on request\n");
   vtkObject::GlobalWarningDisplayOff();
+  if (!mesh.Path.empty())
+  {
+    PrepareMesh(heights, mesh, input, quiet);
+    return 0;
+  }
   return check ? Check(heights) : Prepare(heights, out, input, quiet);
 }
 }

@@ -69,7 +69,6 @@ int ErrorQueue::Pop()
 //--------------------------------------------------------------------------------------------------
 GreedyTile::GreedyTile(int width, int height, const std::vector<double>& heights)
   : Width(width)
-  , Rows(height)
   , Heights(heights)
   , Vertices{ { 0, 0 }, { width - 1, 0 }, { width - 1, height - 1 }, { 0, height - 1 } }
 {
@@ -371,8 +370,9 @@ void GreedyTile::Refine(double tolerance)
   const auto update = [&](int triangle)
   {
     Candidate& candidate = this->Candidates[triangle];
-    candidate = this->FindWorst({ this->Origins[3 * triangle], this->Origins[3 * triangle + 1],
-      this->Origins[3 * triangle + 2] });
+    const std::size_t first = std::size_t{ 3 } * triangle;
+    candidate =
+      this->FindWorst({ this->Origins[first], this->Origins[first + 1], this->Origins[first + 2] });
     if (candidate.Error > tolerance)
     {
       queue.Push(triangle, candidate.Error);

@@ -113,7 +113,6 @@ private:
   double Height(int vertex) const;
 
   int Width;
-  int Rows;
   const std::vector<double>& Heights;
   std::vector<glm::ivec2> Vertices;
   std::vector<int> Origins;
