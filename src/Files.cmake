@@ -6,6 +6,7 @@ set(classes
   vtkOpenGLTerrainMapper
   vtkTerrainActor
   vtkTerrainCoarseMesh
+  vtkTerrainColors
   vtkTerrainDepthPass
   vtkTerrainDetailSource
   vtkTerrainDrape
@@ -32,6 +33,7 @@ set(classes
 # Private to the module: one line a file, by rooms.
 set(private_sources
   vtkTerrainRasterReaderLevels
+  data/ColorDocument
   data/HierarchyHeights
   data/ImageSurface
   data/MeshOutput
@@ -124,6 +126,8 @@ set(shaders
 
 # VTK-free algorithms: an object library, so that the unit tests link it without the module.
 set(core
+  colors/ColorFile
+  colors/ColorScheme
   files/OutputFile
   grid/HeightUnits
   grid/RoundNumbers

@@ -19,9 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace terrain
-{
-namespace PlaceExtent
+namespace terrain::PlaceExtent
 {
 /// "x 1 to 2, y 3 to 4"
 std::string ToText(const double extent[4]);
@@ -29,7 +27,6 @@ std::string ToText(const double extent[4]);
 bool IsKnown(const double extent[4]);
 /// Corners and further points of the border of an extent, three doubles each.
 std::vector<double> Border(const double extent[4]);
-}
 }
 
 class vtkTerrainGeoreference::vtkInternals

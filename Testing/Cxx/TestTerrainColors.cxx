@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkTerrainColors: schemes, files of five kinds, ranges, seas, refusals. gdaldem judges its own.
+#include "vtkTerrainColors.h"
+
+#include "vtkTerrainTesting.h"
+
+#include <vtkColorTransferFunction.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <gdal.h>
+#include <gdal_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace
+{
+std::string WriteText(const std::string& name, const std::string& text)
+{
+  const std::filesystem::path folder =
+    std::filesystem::path(testing::TempDir()) / "TestTerrainColors";
+  std::filesystem::create_directories(folder);
+  const std::string path = (folder / name).string();
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+std::array<double, 3> ColorAt(vtkColorTransferFunction* table, double value)
+{
+  std::array<double, 3> color{};
+  table->GetColor(value, color.data());
+  return color;
+}
+
+void ExpectColor(
+  vtkColorTransferFunction* table, double value, double red, double green, double blue)
+{
+  const std::array<double, 3> color = ColorAt(table, value);
+  EXPECT_NEAR(color[0], red, 0.003) << value;
+  EXPECT_NEAR(color[1], green, 0.003) << value;
+  EXPECT_NEAR(color[2], blue, 0.003) << value;
+}
+}
+
+TEST(TerrainColors, RefusesInOneSentence)
+{
+  vtkNew<vtkTerrainColors> colors;
+  EXPECT_FALSE(colors->SetScheme("virids"));
+  EXPECT_NE(colors->GetErrorMessage().find("viridis"), std::string::npos);
+  EXPECT_FALSE(colors->ReadFile("none.cpt"));
+  EXPECT_NE(colors->GetErrorMessage().find("none.cpt"), std::string::npos);
+  EXPECT_FALSE(colors->ReadFile("photo.png"));
+  EXPECT_FALSE(colors->ReadFile(WriteText("cut.qml", "<qgis><colorrampshader><item value=")));
+  EXPECT_FALSE(colors->ReadFile(WriteText("empty.qml", "<qgis></qgis>")));
+  EXPECT_FALSE(colors->ReadFile(
+    WriteText("bad.xml", "<ColorMap><Point x='0' r='2' g='0' b='0'/></ColorMap>")));
+  EXPECT_FALSE(colors->ReadFile(WriteText("empty.cpt", "")));
+  EXPECT_FALSE(colors->ReadFile(testing::TempDir()));
+  EXPECT_FALSE(colors->SetSchemeOrFile("nothing"));
+  // what was there before stays
+  ExpectColor(colors->MakeTable(0.0, 1.0), 1.0, 0.97, 0.97, 0.98);
+}
+
+TEST(TerrainColors, LaysSchemesOverRangesAndSeas)
+{
+  vtkNew<vtkTerrainColors> colors;
+  for (int k = 0; k < vtkTerrainColors::GetNumberOfSchemes(); ++k)
+  {
+    ASSERT_TRUE(colors->SetScheme(vtkTerrainColors::GetSchemeName(k)));
+    const double* range = colors->MakeTable(-3000.0, 1500.0)->GetRange();
+    EXPECT_EQ(range[0], -3000.0);
+    EXPECT_EQ(range[1], 1500.0);
+  }
+  ASSERT_TRUE(colors->SetScheme("oleron"));
+  EXPECT_GT(ColorAt(colors->MakeTable(-3000.0, 1500.0), -10.0)[2], 0.9);  // shallow
+  EXPECT_LT(ColorAt(colors->MakeTable(-10.0, 1500.0), -10.0)[2], 0.1);    // a dry pit
+  EXPECT_GT(ColorAt(colors->MakeTable(-3000.0, -100.0), -200.0)[2], 0.9); // a survey of the sea
+  colors->SetSea(vtkTerrainColors::SeaMode::Never);
+  EXPECT_LT(ColorAt(colors->MakeTable(-3000.0, 1500.0), -3000.0)[2], 0.1);
+  colors->SetSea(vtkTerrainColors::SeaMode::Always);
+  EXPECT_GT(ColorAt(colors->MakeTable(-10.0, 1500.0), -1.0)[2], 0.9);
+  colors->SetScheme("grey");
+  colors->SetRange(100.0, 200.0);
+  colors->ReverseOn();
+  ExpectColor(colors->MakeTable(0.0, 1.0), 100.0, 0.97, 0.97, 0.97);
+  ExpectColor(colors->MakeTable(0.0, 1.0), 200.0, 0.15, 0.15, 0.15);
+}
+
+TEST(TerrainColors, ReadsStylesAndColorMaps)
+{
+  vtkNew<vtkTerrainColors> colors;
+  const std::string items = "<item alpha='255' value='10' label='low' color='#ff0000'/>"
+                            "<item alpha='255' value='20' label='high' color='#0000ff'/>";
+  ASSERT_TRUE(colors->ReadFile(WriteText("style.qml",
+    "<!DOCTYPE qgis><qgis><pipe><rasterrenderer><rastershader>"
+    "<colorrampshader colorRampType='INTERPOLATED'>" +
+      items + "</colorrampshader></rastershader></rasterrenderer></pipe></qgis>")))
+    << colors->GetErrorMessage();
+  ExpectColor(colors->MakeTable(0.0, 1.0), 15.0, 0.5, 0.0, 0.5);
+  EXPECT_EQ(colors->GetNumberOfCategories(), 2);
+  EXPECT_EQ(colors->GetCategoryName(1), "high");
+  EXPECT_EQ(colors->GetCategoryValue(1), 20.0);
+  ASSERT_TRUE(colors->ReadFile(WriteText("steps.qml",
+    "<qgis><colorrampshader colorRampType='DISCRETE'>" + items + "</colorrampshader></qgis>")));
+  ExpectColor(colors->MakeTable(0.0, 1.0), 9.0, 1.0, 0.0, 0.0);
+  ExpectColor(colors->MakeTable(0.0, 1.0), 11.0, 0.0, 0.0, 1.0);
+
+  ASSERT_TRUE(colors->ReadFile(WriteText("map.xml",
+    "<ColorMaps><ColorMap name='x' space='RGB'><Point x='-1' o='1' r='0' g='0' b='1'/>"
+    "<Point x='1' o='1' r='1' g='0' b='0'/><NaN r='0' g='1' b='0'/></ColorMap></ColorMaps>")));
+  const vtkSmartPointer<vtkColorTransferFunction> table = colors->MakeTable(50.0, 150.0);
+  ExpectColor(table, 50.0, 0.0, 0.0, 1.0);
+  ExpectColor(table, 100.0, 0.5, 0.0, 0.5);
+  EXPECT_EQ(table->GetNanColor()[1], 1.0);
+}
+
+// The value of a step has the upper colour; just below it lies the lower one.
+TEST(TerrainColors, StepsAtAValue)
+{
+  vtkNew<vtkTerrainColors> colors;
+  ASSERT_TRUE(
+    colors->ReadFile(WriteText("sea.cpt", "-100 0 0 255 0 0 0 255\n0 0 128 0 100 white\n")));
+  const vtkSmartPointer<vtkColorTransferFunction> table = colors->MakeTable(0.0, 1.0);
+  ExpectColor(table, 0.0, 0.0, 128.0 / 255.0, 0.0);
+  ExpectColor(table, -1e-9, 0.0, 0.0, 1.0);
+}
+
+// The same text and the same values through gdaldem, away from steps.
+TEST(TerrainColors, AgreesWithGdaldem)
+{
+  const std::string text =
+    WriteText("relief.txt", "0 10 20 200\n100 30:160:40\n250.5,200,180,90\n900 white\nnv 1 2 3\n");
+  constexpr int kCount = 901;
+  std::vector<float> ramp(kCount);
+  for (int k = 0; k < kCount; ++k)
+  {
+    ramp[static_cast<std::size_t>(k)] = static_cast<float>(k);
+  }
+  GDALAllRegister();
+  GDALDatasetH source =
+    GDALCreate(GDALGetDriverByName("MEM"), "", kCount, 1, 1, GDT_Float32, nullptr);
+  ASSERT_EQ(GDALRasterIO(GDALGetRasterBand(source, 1), GF_Write, 0, 0, kCount, 1, ramp.data(),
+              kCount, 1, GDT_Float32, 0, 0),
+    CE_None);
+  std::array<char, 4> option{ "-of" };
+  std::array<char, 4> format{ "MEM" };
+  std::array<char*, 3> arguments{ option.data(), format.data(), nullptr };
+  GDALDEMProcessingOptions* options = GDALDEMProcessingOptionsNew(arguments.data(), nullptr);
+  GDALDatasetH relief =
+    GDALDEMProcessing("", source, "color-relief", text.c_str(), options, nullptr);
+  ASSERT_TRUE(relief);
+  vtkNew<vtkTerrainColors> colors;
+  ASSERT_TRUE(colors->ReadFile(text)) << colors->GetErrorMessage();
+  const vtkSmartPointer<vtkColorTransferFunction> table = colors->MakeTable(0.0, 1.0);
+  for (int band = 0; band < 3; ++band)
+  {
+    std::vector<unsigned char> bytes(kCount);
+    ASSERT_EQ(GDALRasterIO(GDALGetRasterBand(relief, band + 1), GF_Read, 0, 0, kCount, 1,
+                bytes.data(), kCount, 1, GDT_Byte, 0, 0),
+      CE_None);
+    for (int k = 0; k < kCount; ++k)
+    {
+      const double own = 255.0 * ColorAt(table, k)[static_cast<std::size_t>(band)];
+      ASSERT_NEAR(own, bytes[static_cast<std::size_t>(k)], 1.0) << "at " << k;
+    }
+  }
+  GDALClose(relief);
+  GDALClose(source);
+  GDALDEMProcessingOptionsFree(options);
+}
