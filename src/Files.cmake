@@ -28,6 +28,7 @@ set(classes
   vtkTerrainSource
   vtkTerrainStrips
   vtkTerrainViewpoint
+  vtkTerrainViewshed
 )
 
 # Private to the module: one line a file, by rooms.
@@ -152,6 +153,7 @@ set(core
   rays/QueryWalk
   rays/RayQuery
   rays/ReferenceRayCaster
+  rays/Viewshed
   strips/BaseSteepness
   strips/DetailHierarchy
   strips/HierarchyBands

@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkWeakPointer.h"
 
@@ -447,6 +448,18 @@ std::string vtkTerrainHorizon::AddSun(vtkImageData* heights, vtkImageData* outpu
     this->UpdateProgress((step + 1.0) / steps);
   }
   return whyNot;
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainHorizon::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  // Any part may stand before any other.
+  vtkInformation* info = inputs[0]->GetInformationObject(0);
+  int whole[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+  return 1;
 }
 
 //------------------------------------------------------------------------------

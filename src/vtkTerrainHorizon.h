@@ -154,6 +154,8 @@ protected:
   vtkTerrainHorizon();
   ~vtkTerrainHorizon() override;
 
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 

@@ -290,6 +290,39 @@ TEST_F(TerrainAnalyze, ProfileAndLineOfSight)
   EXPECT_EQ(this->ReadText("profile.csv").rfind("distance,height\n", 0), 0u);
 }
 
+TEST_F(TerrainAnalyze, ViewshedBehindARidge)
+{
+  RasterDescription ridge;
+  ridge.Width = 61;
+  ridge.Height = 41;
+  ridge.CoordinateSystem = "EPSG:32632";
+  ridge.GeoTransform = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
+  ridge.HasNoData = true;
+  ridge.NoData = -1.0;
+  ridge.Sample = [](int column, int row) {
+    return column == 30 ? 50.0 : column == 5 && row == 5 ? -1.0 : 0.0;
+  };
+  const std::string path = this->WriteRaster("ridge.tif", ridge);
+  const Bands map =
+    this->Map({ "viewshed", path, "--observer", "500105,4999795", "--observer", "500205,4999795" });
+  EXPECT_EQ(map.At(1, 12, 20), 2.0f);
+  EXPECT_EQ(map.At(1, 30, 3), 2.0f); // the crest
+  EXPECT_EQ(map.At(1, 45, 20), 0.0f);
+  EXPECT_TRUE(std::isnan(map.At(1, 5, 5)));
+  // A mast of 200 m behind the ridge is seen, from near enough.
+  const Bands masts = this->Map({ "viewshed", path, "--observer", "500105,4999795",
+    "--target-height", "200", "--distance", "300" });
+  EXPECT_EQ(masts.At(1, 35, 20), 1.0f);
+  EXPECT_EQ(masts.At(1, 45, 20), 0.0f);
+  const std::vector<std::string> before = this->ListFiles();
+  ExpectRefused(
+    this->Analyze({ "viewshed", path, "--observer", "0,0", "--output", "none.tif" }), 1, "outside");
+  ExpectRefused(
+    this->Analyze({ "viewshed", path, "--observer", "500055,4999945", "--output", "none.tif" }), 1,
+    "no height");
+  EXPECT_EQ(this->ListFiles(), before);
+}
+
 TEST_F(TerrainAnalyze, RefusesInOneLineAndLeavesNothing)
 {
   const std::string ramp = this->WriteRamp();

@@ -39,8 +39,9 @@ std::string GetText(vtkImageData* image, const char* name)
   auto* array = vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray(name));
   return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : std::string();
 }
+}
 
-/// Numbers of a field array; empty if there is none.
+//------------------------------------------------------------------------------
 std::vector<double> GetNumbers(vtkImageData* image, const char* name)
 {
   std::vector<double> numbers;
@@ -50,7 +51,6 @@ std::vector<double> GetNumbers(vtkImageData* image, const char* name)
     numbers.push_back(array->GetVariantValue(i).ToDouble());
   }
   return numbers;
-}
 }
 
 //------------------------------------------------------------------------------

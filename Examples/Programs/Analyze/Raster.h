@@ -83,6 +83,9 @@ private:
   void* Dataset = nullptr;
 };
 
+/// Numbers of a field array of an image; empty if there is none.
+std::vector<double> GetNumbers(vtkImageData* image, const char* name);
+
 /// Metres between neighbouring samples of a row, east; by latitude if the heights are in degrees.
 std::vector<double> EastSpacings(vtkImageData* heights);
 

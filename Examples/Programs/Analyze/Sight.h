@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The commands profile and line-of-sight.
+ * The commands profile, line-of-sight and viewshed.
  */
 #ifndef terrain_analyze_Sight_h
 #define terrain_analyze_Sight_h
@@ -10,6 +10,7 @@
 #include "Raster.h"
 
 #include <string>
+#include <vector>
 
 /// Two places, as vtkTerrainViewpoint reads them.
 struct SightOptions
@@ -19,6 +20,22 @@ struct SightOptions
   int Count = 200;
   double Refraction = 0.13;
 };
+
+/// Who looks, at what, and how far.
+struct ViewshedOptions
+{
+  /// X and y of each observer in the CRS of the heights, one after the other.
+  std::vector<double> Observers;
+  double EyeHeight = 1.75;
+  double TargetHeight = 0.0;
+  bool Curvature = false;
+  double Refraction = 0.13;
+  double Radius = 6371008.8;
+  double Distance = 0.0; ///< 0: any
+};
+
+/// Writes how many observers see each sample.
+void WriteViewshed(const RasterOptions& raster, const ViewshedOptions& viewshed);
 
 /// Writes a table of distances and heights along the geodesic, with commas between them.
 void WriteProfile(const RasterOptions& raster, const SightOptions& sight);

@@ -32,6 +32,7 @@ public:
     this->App.require_subcommand(1);
     this->AddLightCommands();
     this->AddSightCommands();
+    this->AddViewshed();
     const std::vector<std::pair<const char*, const char*>> derivatives{
       { "slope", "Slope in degrees (Horn)" },
       { "aspect", "Where the slope goes down, degrees clockwise from grid north" },
@@ -139,10 +140,34 @@ private:
     }
   }
 
+  void AddViewshed()
+  {
+    CLI::App* command = this->AddCommand("viewshed", "How many observers see each sample",
+      [this] { WriteViewshed(this->Raster, this->Viewshed); });
+    command
+      ->add_option("--observer", this->Viewshed.Observers,
+        "X,Y in the CRS of HEIGHTS; may be given again for more observers")
+      ->required()
+      ->delimiter(',')
+      ->expected(2, CLI::detail::expected_max_vector_size);
+    command->add_option("--eye-height", this->Viewshed.EyeHeight, "Metres, default 1.75")
+      ->check(CLI::NonNegativeNumber);
+    command->add_option("--target-height", this->Viewshed.TargetHeight, "Metres, default 0")
+      ->check(CLI::NonNegativeNumber);
+    command->add_option("--distance", this->Viewshed.Distance, "Farthest, metres; default any")
+      ->check(CLI::PositiveNumber);
+    command->add_flag("--curvature", this->Viewshed.Curvature, "The planet is round");
+    command->add_option("--refraction", this->Viewshed.Refraction, "Share of the curvature, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0));
+    command->add_option("--radius", this->Viewshed.Radius, "Of the planet, metres")
+      ->check(CLI::PositiveNumber);
+  }
+
   CLI::App App;
   RasterOptions Raster;
   LightOptions Light;
   SightOptions Sight;
+  ViewshedOptions Viewshed;
   std::function<void()> Chosen;
 };
 

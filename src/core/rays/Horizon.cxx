@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/rays/Horizon.h"
 
-#include "core/grid/PaddedGrid.h"
 #include "core/rays/HorizonWay.h"
+#include "core/rays/PreparedGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,31 +15,7 @@ namespace
 {
 /// An error of slopes that is left to float: 0.001 degrees.
 constexpr double kLeastSlope = 2e-5;
-}
-
-template <typename Real>
-struct HorizonGrid::Prepared
-{
-  PaddedGrid<Real> Grid;
-  MinMaxPyramid<Real> Pyramid;
-  std::vector<typename LaneGrid<Real>::Level> Levels;
-  LaneGrid<Real> View;
-
-  Prepared(
-    std::int64_t width, std::int64_t height, const RowReader& read, const ParallelFor& parallelFor)
-    : Grid(width, height, read, parallelFor)
-  {
-    this->Pyramid.Build(this->Grid.WithMargin(), parallelFor);
-    for (int level = 1; level <= this->Pyramid.LevelCount(); ++level)
-    {
-      const glm::ivec2 size = this->Pyramid.LevelSize(level);
-      this->Levels.push_back({ this->Pyramid.LevelNodes(level), size.x, size.y });
-    }
-    this->View = { width, height, this->Grid.Stride, this->Grid.At(0, 0),
-      static_cast<int>(this->Grid.Margin), this->Pyramid.CellCount().x, this->Pyramid.CellCount().y,
-      this->Pyramid.LevelCount(), this->Levels.data() };
-  }
-};
+} // namespace
 
 HorizonGrid::HorizonGrid(
   std::int64_t width, std::int64_t height, const RowReader& read, const ParallelFor& parallelFor)
@@ -67,18 +43,18 @@ HorizonGrid::HorizonGrid(
       rounding = std::max(rounding, most);
     });
   this->Rounding = rounding;
-  this->Single = std::make_unique<Prepared<float>>(width, height, read, parallelFor);
+  this->Single = std::make_unique<PreparedGrid<float>>(width, height, read, parallelFor);
   if (rounding > 0.0)
   {
-    this->Double = std::make_unique<Prepared<double>>(width, height, read, parallelFor);
+    this->Double = std::make_unique<PreparedGrid<double>>(width, height, read, parallelFor);
   }
 }
 
 HorizonGrid::~HorizonGrid() = default;
 
 template <typename Real>
-void HorizonGrid::CastRows(const Prepared<Real>& prepared, HorizonKernel<Real> kernel, int lanes,
-  double azimuth, const HorizonOptions& options, const RowRange& rows, float* degrees,
+void HorizonGrid::CastRows(const PreparedGrid<Real>& prepared, HorizonKernel<Real> kernel,
+  int lanes, double azimuth, const HorizonOptions& options, const RowRange& rows, float* degrees,
   const ParallelFor& parallelFor) const
 {
   const glm::i64vec2 size(this->Width, this->Height);
@@ -112,4 +88,4 @@ void HorizonGrid::Cast(double azimuth, const HorizonOptions& options, const RowR
       azimuth, options, rows, degrees, parallelFor);
   }
 }
-}
+} // namespace terrain

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Loops over lanes (Lanes.h) that are compiled for several kinds of processors, the choice of one
- * of them, and the tables they work on, which are plain memory.
+ * Loops over lanes (Lanes.h) that are compiled for several kinds of processors,
+ * the choice of one of them, and the tables they work on, which are plain
+ * memory.
  */
 #ifndef terrain_LaneKernels_h
 #define terrain_LaneKernels_h
@@ -15,8 +16,8 @@
 
 namespace terrain
 {
-/// A PaddedGrid and the pyramid over it with its margin. Cell (i, j) of the grid is cell
-/// (i + Margin, j + 1) of the pyramid.
+/// A PaddedGrid and the pyramid over it with its margin. Cell (i, j) of the
+/// grid is cell (i + Margin, j + 1) of the pyramid.
 template <typename Real>
 struct LaneGrid
 {
@@ -38,7 +39,8 @@ struct LaneGrid
   const Level* Levels = nullptr; ///< level k of the pyramid at Levels[k - 1]
 };
 
-/// A cell of the way of a ray; offsets are those of samples in memory from where the ray starts.
+/// A cell of the way of a ray; offsets are those of samples in memory from
+/// where the ray starts.
 template <typename Real>
 struct WayStep
 {
@@ -55,7 +57,8 @@ struct WayStep
   Real ExitExit = 0;
   Real EnterShare = 0; ///< Enter / (Exit - Enter)
   Real ExitShare = 0;  ///< Exit / (Exit - Enter)
-  Real Bulge = 0;      ///< (Exit - Enter)^2 / (4 Enter): slope that a curvature of 1 adds at most
+  Real Bulge = 0;      ///< (Exit - Enter)^2 / (4 Enter): slope that a curvature of 1
+                       ///< adds at most
 };
 
 /// A stretch of a way.
@@ -81,7 +84,8 @@ struct LaneWay
 
   const WayStep<Real>* Steps = nullptr;
   int TreeLevels = 0;
-  /// Stretch k of a level covers the leaves k * 2^level to (k + 1) * 2^level - 1.
+  /// Stretch k of a level covers the leaves k * 2^level to (k + 1) * 2^level
+  /// - 1.
   const WayStretch<Real>* const* Tree = nullptr;
   /// Steps until a ray has left a grid with so many cells ahead.
   const int* StepsOfColumns = nullptr;
@@ -98,17 +102,41 @@ template <typename Real>
 using HorizonKernel = void (*)(const LaneGrid<Real>& grid, const LaneWay<Real>& way, Real eyeHeight,
   std::int64_t row, float* degrees);
 
-/// The loops for one kind of processor. Results of the kinds differ by rounding at most.
+/// An observer of a grid, as Viewshed.h has it; heights are those of the grid.
+struct LaneObserver
+{
+  double X = 0.0; ///< in cells
+  double Y = 0.0;
+  float Z = 0.0f; ///< of the eye
+  float Ground = 0.0f;
+  float TargetHeight = 0.0f;
+  float FallEast = 0.0f; ///< of the earth at a distance of one cell
+  float FallNorth = 0.0f;
+  float Tolerance = 0.0f;
+  /// Samples that lie as far east or west as north or south of the observer are
+  /// left out.
+  bool Strict = false;
+};
+
+/// Adds 1 to the counts of the samples of a row, not that of the observer, that
+/// are seen, as far as they lie rather north or south of the observer than east
+/// or west.
+using ViewshedKernel = void (*)(
+  const LaneGrid<float>& grid, const LaneObserver& eye, std::int64_t row, std::uint32_t* counts);
+
+/// The loops for one kind of processor. Results of the kinds differ by rounding
+/// at most.
 struct LaneKernels
 {
   const char* Name = "";
   int Bytes = 0; ///< of all lanes
   HorizonKernel<float> Horizon = nullptr;
   HorizonKernel<double> HorizonInDouble = nullptr;
+  ViewshedKernel Viewshed = nullptr;
 };
 
 /// The kinds that this processor runs, the fastest last; at least one.
 const std::vector<LaneKernels>& RunnableLaneKernels();
-}
+} // namespace terrain
 
 #endif

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/rays/HorizonLanes.h"
+#include "core/rays/ViewshedLanes.h"
 
 namespace terrain
 {
 extern const LaneKernels kLaneKernelsAvx2;
 const LaneKernels kLaneKernelsAvx2{ "avx2", TERRAIN_LANES_BYTES, CastHorizons<float>,
-  CastHorizons<double> };
-}
+  CastHorizons<double>, CountVisible };
+} // namespace terrain

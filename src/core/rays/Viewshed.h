@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which samples of a heightfield observers see.
+ */
+#ifndef terrain_Viewshed_h
+#define terrain_Viewshed_h
+
+#include "core/grid/Constants.h"
+#include "core/grid/Heightfield.h"
+#include "core/grid/ParallelFor.h"
+#include "core/rays/LaneKernels.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace terrain
+{
+/// Sights that the surface touches are free: they lead to points this part of
+/// the relief, of a cell and of the difference of heights above what is looked
+/// at.
+constexpr double kSightTolerance = 4e-6;
+
+/// Where an eye is.
+struct Observer
+{
+  /// In grid coordinates, on the grid.
+  glm::dvec2 Position{ 0.0, 0.0 };
+  /// Height of the surface there, and of the eye, in height units.
+  double Ground = 0.0;
+  double Eye = 0.0;
+};
+
+/// What is looked at, and over what earth.
+struct ViewshedOptions
+{
+  /// Distance of neighbouring samples east and north in height units, both > 0.
+  glm::dvec2 Spacing{ 1.0, 1.0 };
+  /// Height of what is looked at above the sample, in height units, >= 0.
+  double TargetHeight = 0.0;
+  /// As HorizonOptions::Drop.
+  double Drop = 0.0;
+  /// Seen are samples at these horizontal distances, in height units,
+  double NearestDistance = 0.0;
+  double FarthestDistance = kInfinity;
+  /// these directions, in degrees clockwise from north, from the first
+  /// clockwise to the last; all if they differ by 360 or more,
+  double FirstAzimuth = 0.0;
+  double LastAzimuth = 360.0;
+  /// and these elevations of the sight, in degrees.
+  double LowestElevation = -90.0;
+  double HighestElevation = 90.0;
+
+  bool HasLimits() const;
+  /// True if a target, by its place from the eye in height units, is within the
+  /// limits.
+  bool IsWithin(const glm::dvec3& target) const;
+};
+
+/**
+ * Viewsheds of a heightfield.
+ *
+ * An observer sees a sample if the straight line from the eye to the point
+ * TargetHeight above the sample does not run below the bilinear surface. The
+ * surface may touch the line: it hides where it stands above the line to a
+ * point that is raised by a millionth of a cell and of the difference of
+ * heights. Cells that touch a sample without data have no surface and hide
+ * nothing; such samples are not seen. An eye below the ground sees nothing.
+ *
+ * Method: lines of sight to 4 to 16 neighbours go together, one a SIMD lane
+ * (Lanes.h), from row to row, since those lines are never more than a cell
+ * apart. Targets that lie rather east or west of the observer are looked for on
+ * the transposed grid. Over each cell the height of the surface above the line
+ * is a parabola whose maximum decides. Stretches that the min-max pyramid's
+ * maximum shows to be below all lines are left out. What has hidden the
+ * neighbours is looked at first. Heights are floats relative to the middle of
+ * their range; positions keep their digits at any distance.
+ *
+ * Error: that of float, about 1e-7 of the relief. A sample whose line of sight
+ * clears the surface by less may come out either way.
+ *
+ * Cost: on one core with AVX-512 about 30 ns a sample and observer on rough
+ * terrain. Memory: two copies of the heights and their pyramids, 15 bytes a
+ * sample, and 4 bytes a sample while it counts.
+ */
+class ViewshedGrid
+{
+public:
+  /// Copies the heights; the view need not live on.
+  template <typename T>
+  ViewshedGrid(const HeightfieldView<T>& view, const ParallelFor& parallelFor)
+    : ViewshedGrid(
+        view.Width, view.Height, [&view](std::int64_t i, std::int64_t j) { return view.At(i, j); },
+        parallelFor)
+  {
+  }
+  ~ViewshedGrid();
+  ViewshedGrid(const ViewshedGrid&) = delete;
+  void operator=(const ViewshedGrid&) = delete;
+
+  /// Adds, to counts[i + Width * j], how many of the observers see sample (i,
+  /// j). Runs in parallel over rows. kernels: one of RunnableLaneKernels(), the
+  /// fastest if not given.
+  void Count(const std::vector<Observer>& observers, const ViewshedOptions& options,
+    std::uint32_t* counts, const ParallelFor& parallelFor,
+    const LaneKernels& kernels = RunnableLaneKernels().back()) const;
+
+private:
+  using HeightAt = std::function<double(std::int64_t i, std::int64_t j)>;
+  struct Side;
+  ViewshedGrid(
+    std::int64_t width, std::int64_t height, const HeightAt& heights, const ParallelFor&);
+  void CountSide(const Side& side, const std::vector<Observer>& observers,
+    const ViewshedOptions& options, std::uint32_t* counts, const ParallelFor& parallelFor,
+    const LaneKernels& kernels) const;
+
+  std::int64_t Width;
+  std::int64_t Height;
+  double Middle = 0.0; ///< height that is 0 in the copies
+  double Relief = 0.0; ///< highest less lowest height
+  std::unique_ptr<Side> Upright;
+  std::unique_ptr<Side> Transposed;
+};
+} // namespace terrain
+
+#endif
