@@ -43,14 +43,19 @@ def _check_place(spacing, origin):
         raise ValueError(f"origin must be two or three finite numbers, not {origin}")
 
 
-def _take_in(samples, name, nodata, height_unit):
-    """The samples as heights in metres, NaN for fill: themselves if they are so already."""
-    reader = make_reader(describe_samples(samples, None), nodata=nodata, height_unit=height_unit)
+def _take_in(samples, spacing, nodata, height_unit):
+    """Samples from the south as heights in metres, NaN for fill: themselves if they are so already."""
+    has_place = min(samples.shape) > 1
+    axes = [(name, {}, step * np.arange(size)) if has_place else None
+            for name, step, size in zip("yx", spacing[::-1], samples.shape)]
+    described = describe_samples(samples, None, rows=axes[0], columns=axes[1])
+    reader = make_reader(described, nodata=nodata, height_unit=height_unit)
     if reader.GetSamplesAreHeights():
         return samples
     if "is not found" in reader.Describe() and nodata is None and height_unit is None:
         return samples  # without GDAL there is nobody to ask
-    return array_from_heights(read(reader, ValueError))[::-1]
+    heights = array_from_heights(read(reader, ValueError))
+    return heights if has_place else heights[::-1]
 
 
 def heights_from_array(array, spacing=(1.0, 1.0), origin=(0.0, 0.0), *, first_row="south",
@@ -95,7 +100,7 @@ def heights_from_array(array, spacing=(1.0, 1.0), origin=(0.0, 0.0), *, first_ro
         raise ValueError(f"heights must be an array of rows and columns, not of shape {samples.shape}")
     if (first_row == "north") != bool(flip):
         samples = samples[::-1]
-    samples = _take_in(samples, name, nodata, height_unit)
+    samples = _take_in(samples, spacing, nodata, height_unit)
     rows, columns = samples.shape
     scalars = numpy_to_vtk(np.ascontiguousarray(samples).reshape(-1))
     scalars.SetName(name)

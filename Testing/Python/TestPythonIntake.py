@@ -1,0 +1,186 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of the kinds that people bring, each written here: heights, places and holes. Skipped without GDAL."""
+import os
+import tempfile
+import unittest
+
+import numpy as np
+import vtkTerrainTesting
+from vtkmodules.vtkCommonCore import vtkObject
+
+from vtkterrain import array_from_heights, heights_from_array, vtkTerrainRasterReader
+
+try:
+    from osgeo import gdal, osr
+
+    gdal.UseExceptions()
+except ImportError:
+    gdal = None
+
+ROWS, COLUMNS = 40, 50
+
+
+def ground():
+    """Row 0 in the north: a slope that rises to the east and the south, a block in the north-west."""
+    row, column = np.mgrid[0:ROWS, 0:COLUMNS]
+    heights = 100.0 + 2.0 * column + row
+    heights[4:8, 4:8] = 400.0
+    return heights
+
+
+@unittest.skipIf(gdal is None, "GDAL's Python module is not installed")
+class TestIntake(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        vtkObject.GlobalWarningDisplayOff()
+
+    def path(self, name):
+        path = os.path.join(self.folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        return path
+
+    def write(self, name, heights, transform=(5e5, 10.0, 0.0, 5e6, 0.0, -10.0), system="EPSG:32631",
+              kind=None, unit=None, nodata=None, driver="GTiff"):
+        kind = gdal.GDT_Float32 if kind is None else kind
+        memory = gdal.GetDriverByName("MEM").Create("", heights.shape[1], heights.shape[0], 1, kind)
+        memory.SetGeoTransform(transform)
+        if system:
+            reference = osr.SpatialReference()
+            reference.SetFromUserInput(system)
+            memory.SetProjection(reference.ExportToWkt(["FORMAT=WKT2_2019"]))
+        memory.GetRasterBand(1).WriteArray(heights)
+        if unit:
+            memory.GetRasterBand(1).SetUnitType(unit)
+        if nodata is not None:
+            memory.GetRasterBand(1).SetNoDataValue(nodata)
+        gdal.GetDriverByName(driver).CreateCopy(self.path(name), memory)
+        return self.path(name)
+
+    def netcdf(self, name, heights, y, x, order=("lat", "lon"), **attributes):
+        text = gdal.ExtendedDataType.CreateString()
+        number = gdal.ExtendedDataType.Create(gdal.GDT_Float64)
+        file = gdal.GetDriverByName("netCDF").CreateMultiDimensional(self.path(name))
+        group = file.GetRootGroup()
+        places = {"lat": (y, "degrees_north"), "lon": (x, "degrees_east")}
+        axes = {}
+        for key in order:
+            axes[key] = group.CreateDimension(key, None, None, len(places[key][0]))
+            array = group.CreateMDArray(key, [axes[key]], number)
+            array.CreateAttribute("units", [], text).Write(places[key][1])
+            array.Write(np.asarray(places[key][0], dtype=np.float64))
+        z = group.CreateMDArray("z", [axes[key] for key in order], number)
+        for key, value in attributes.items():
+            z.CreateAttribute(key, [], text).Write(value)
+        z.Write(np.ascontiguousarray(heights, dtype=np.float64))
+        return self.path(name)
+
+    def read(self, path, **options):
+        reader = vtkTerrainRasterReader()
+        reader.SetFileName(path)
+        for name, value in options.items():
+            getattr(reader, f"Set{name}")(value)
+        reader.Update()
+        self.assertEqual(reader.GetErrorMessage(), "")
+        image = reader.GetOutput()
+        return array_from_heights(image)[::-1].astype(float), image, reader.GetWarningMessage()
+
+    def test_units_by_name_and_by_number(self):
+        for unit, metres in (("fathom", 1.8288), ("US feet", 1200 / 3937), ("Feet (US)", 1200 / 3937), ("yd", 0.9144),
+                             ("mm", 1e-3), ("international feet", 0.3048)):
+            heights, _, warning = self.read(self.write(f"{unit[:4]}.tif", ground(), unit=unit))
+            np.testing.assert_allclose(heights, metres * ground(), rtol=1e-6, err_msg=unit)
+        heights, _, warning = self.read(self.write("irish.tif", ground(), (3e5, 30, 0, 2.5e5, 0, -30), "EPSG:29903+5754"))
+        np.testing.assert_allclose(heights, 0.3048007491 * ground(), rtol=1e-6)
+        self.assertEqual(warning, "")
+
+    def test_feet_that_nobody_names_are_guessed_and_told(self):
+        path = self.write("feet.tif", ground(), (985000.0, 30.0, 0.0, 210000.0, 0.0, -30.0), "EPSG:2263")
+        heights, _, warning = self.read(path)
+        np.testing.assert_allclose(heights, 1200 / 3937 * ground(), rtol=1e-6)
+        self.assertIn("--height-unit m", warning)
+        np.testing.assert_allclose(self.read(path, HeightUnit="m")[0], ground())
+
+    def test_depths_are_turned(self):
+        for path in (self.write("depth.tif", ground(), system="EPSG:32631+5715"),
+                     self.netcdf("depth.nc", ground()[::-1], 20 + 0.01 * np.arange(ROWS), 10 + 0.01 * np.arange(COLUMNS),
+                                 positive="down", units="m")):
+            np.testing.assert_allclose(self.read(path)[0], -ground())
+            np.testing.assert_allclose(self.read(path, HeightUnit="1")[0], ground())
+
+    def test_degrees_without_grid_mapping_and_turned_dimensions(self):
+        y, x = 20 + 0.5 * np.arange(ROWS), 10 + 0.5 * np.arange(COLUMNS)
+        plain = self.read(self.netcdf("plain.nc", ground()[::-1], y, x))
+        turned = self.read(self.netcdf("turned.nc", ground()[::-1].T, y, x, order=("lon", "lat")))
+        for heights, image, _ in (plain, turned):
+            np.testing.assert_allclose(heights, ground())
+            self.assertGreater(image.GetSpacing()[0], 40000.0)
+            self.assertGreater(image.GetSpacing()[1], 55000.0)
+
+    def test_uneven_latitudes_are_where_they_are(self):
+        y = np.degrees(2 * np.arctan(np.exp(np.radians(50 + np.arange(300) / 10))) - np.pi / 2)
+        heights, image, _ = self.read(self.netcdf("mercator.nc", np.repeat(y[:, None] * 100, 20, 1), y, np.arange(20) * 0.1))
+        expected = np.linspace(y[-1], y[0], heights.shape[0]) * 100
+        np.testing.assert_allclose(heights[:, 7], expected, atol=1e-6)
+
+    def test_undeclared_fill_is_none_and_plausible_heights_stay(self):
+        holes = np.zeros((ROWS, COLUMNS), bool)
+        holes[30:, 20:30] = True
+        kinds = [(fill, gdal.GDT_Float32) for fill in (1e20, 1e6, -999.0, -10000.0, -99999.0, -9999.0)]
+        for fill, kind in kinds + [(32767, gdal.GDT_Int16), (65535, gdal.GDT_UInt16)]:
+            heights, _, warning = self.read(self.write("fill.tif", np.where(holes, fill, ground()), kind=kind))
+            np.testing.assert_array_equal(np.isnan(heights), holes, err_msg=str(fill))
+            self.assertIn("--nodata none", warning)
+        sea = ground() * -20.0  # from -2000 to -8000 and on: -9999 is a depth there
+        sea[holes] = -9999.0
+        sea[20:30] = np.linspace(-8100.0, -9990.0, 10)[:, None]
+        self.assertEqual(np.isnan(self.read(self.write("sea.tif", sea))[0]).sum(), 0)
+        array = np.where(holes, -32768, ground()).astype(np.int16)
+        np.testing.assert_array_equal(np.isnan(array_from_heights(heights_from_array(array))), holes)
+
+    def test_folders_honour_each_tile(self):
+        z = ground()
+        self.write("units/metres.tif", z[:, :25])
+        self.write("units/deeper/feet.tif", z[:, 25:] / 0.3048, (500250.0, 10.0, 0.0, 5e6, 0.0, -10.0), unit="ft")
+        self.write("units/metres_hillshade.tif", z % 255, kind=gdal.GDT_Byte)
+        heights, _, warning = self.read(self.path("units"))
+        np.testing.assert_allclose(heights, z, rtol=1e-6)
+        self.assertIn("hillshade", warning)
+
+    def test_the_date_line_is_joined(self):
+        z, step = ground(), 0.01
+        self.write("fiji/west.tif", z[:, :25], (179.75, step, 0.0, -16.5, 0.0, -step), "EPSG:4326")
+        self.write("fiji/east.tif", z[:, 25:], (-180.0, step, 0.0, -16.5, 0.0, -step), "EPSG:4326")
+        heights, _, _ = self.read(self.path("fiji"))
+        np.testing.assert_allclose(heights, z)
+
+    def test_axes_that_point_west_and_south(self):
+        source = self.write("source.tif", ground(), (18.42, 0.001, 0.0, -33.92, 0.0, -0.001), "EPSG:4326")
+        krovak = self.write("source2.tif", ground(), (14.42, 0.001, 0.0, 50.08, 0.0, -0.001), "EPSG:4326")
+        for path, system in ((source, "EPSG:2048"), (krovak, "EPSG:5513")):
+            gdal.Warp(self.path("turned.tif"), path, dstSRS=system, dstNodata=-9999)
+            heights, image, _ = self.read(self.path("turned.tif"))
+            row, column = np.argwhere(heights == 400.0).mean(0)
+            self.assertLess(row, 0.3 * heights.shape[0])
+            self.assertLess(column, 0.3 * heights.shape[1])
+            self.assertLess(image.GetBounds()[1], 0.0)
+
+    def test_masks_without_flags(self):
+        z = ground().astype("i2")
+        z[20, :5] = -32768, -32767, -32766, -32765, -32764
+        moon = "+proj=eqc +lat_ts=0 +R=1737400 +units=m"
+        path = self.write("special.cub", z, (0, 100, 0, 0, 0, -100), moon, gdal.GDT_Int16, driver="ISIS3")
+        self.assertEqual(np.isnan(self.read(path)[0]).sum(), 5)
+
+    def test_flip_and_describe(self):
+        path = self.write("flip.tif", ground())
+        heights, image, _ = self.read(path, Flip=True)
+        np.testing.assert_allclose(heights, ground()[::-1])
+        self.assertEqual(image.GetBounds(), self.read(path)[1].GetBounds())
+        reader = vtkTerrainRasterReader()
+        reader.SetFileName(path)
+        self.assertIn("CRS: WGS 84 / UTM zone 31N (file)", reader.Describe())
+
+
+if __name__ == "__main__":
+    vtkTerrainTesting.run()
