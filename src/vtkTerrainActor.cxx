@@ -6,6 +6,7 @@
 #include "data/HierarchyData.h"
 #include "data/ImageHeights.h"
 #include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainColors.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainStrips.h"
@@ -33,20 +34,6 @@ vtkStandardNewMacro(vtkTerrainActor);
 namespace
 {
 /// One colour of a scale: position in 0..1 from the lowest to the highest, and red, green, blue.
-struct Tint
-{
-  double Position;
-  std::array<double, 3> Color;
-};
-
-constexpr std::array<Tint, 6> LandTints = { { { 0.0, { 0.46, 0.58, 0.38 } },
-  { 0.2, { 0.62, 0.67, 0.43 } }, { 0.45, { 0.80, 0.73, 0.52 } }, { 0.7, { 0.66, 0.53, 0.42 } },
-  { 0.88, { 0.71, 0.68, 0.66 } }, { 1.0, { 0.97, 0.97, 0.98 } } } };
-constexpr std::array<Tint, 3> SeaTints = { { { 0.0, { 0.07, 0.19, 0.36 } },
-  { 0.7, { 0.25, 0.48, 0.66 } }, { 0.999, { 0.60, 0.77, 0.83 } } } };
-/// Part of the range that lies below 0 from which on there is a sea.
-constexpr double LeastSea = 0.1;
-
 /// Length of what a matrix makes of a unit of one axis.
 double scaleOf(vtkMatrix4x4* matrix, int axis)
 {
@@ -91,17 +78,6 @@ bool hasSurface(const terrain::HeightfieldView<T>& view)
     }
   }
   return false;
-}
-
-template <std::size_t N>
-void addTints(
-  vtkColorTransferFunction* colors, const std::array<Tint, N>& tints, double lowest, double highest)
-{
-  for (const Tint& tint : tints)
-  {
-    colors->AddRGBPoint(
-      lowest + tint.Position * (highest - lowest), tint.Color[0], tint.Color[1], tint.Color[2]);
-  }
 }
 }
 
@@ -202,23 +178,57 @@ vtkTerrainHierarchy* vtkTerrainActor::GetHierarchy()
 //------------------------------------------------------------------------------
 bool vtkTerrainActor::SetFileName(const std::string& path)
 {
-  vtkNew<vtkTerrainRasterReader> reader;
-  reader->SetFileName(path);
-  if (!vtkTerrainHierarchy::IsPreparedFile(path))
+  const bool isOpen =
+    vtkTerrainHierarchy::IsPreparedFile(path) ? this->OpenPrepared(path) : this->OpenRaster(path);
+  if (!isOpen)
   {
-    this->SetHierarchy(nullptr);
-    this->SetInputConnection(reader->GetOutputPort());
-    return true;
+    vtkErrorMacro("Cannot draw the heights: " << this->ErrorMessage);
   }
-  vtkNew<vtkTerrainHierarchy> hierarchy;
-  if (!hierarchy->OpenFile(path))
+  return isOpen;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainActor::OpenPrepared(const std::string& path)
+{
+  const vtkNew<vtkTerrainHierarchy> hierarchy;
+  const bool isOpen = hierarchy->OpenFile(path);
+  this->ErrorMessage = isOpen ? "" : hierarchy->GetErrorMessage();
+  if (isOpen)
   {
-    vtkErrorMacro("Cannot draw the prepared heights: " << hierarchy->GetErrorMessage());
+    const vtkNew<vtkTerrainRasterReader> reader;
+    reader->SetFileName(path);
+    this->SetInputConnection(nullptr);
+    this->TerrainMapper->SetTileSource(nullptr);
+    this->SetHierarchy(hierarchy);
+    this->PreparedReader = reader;
+  }
+  return isOpen;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainActor::OpenRaster(const std::string& path)
+{
+  constexpr int largestTexture = 16384;
+  constexpr int besideTiles = 4096; // samples a side of the image that the other techniques draw
+  const vtkNew<vtkTerrainRasterReader> reader;
+  reader->SetFileName(path);
+  reader->UseLevelsOn();
+  reader->SetMaximumSize(largestTexture);
+  reader->UpdateInformation();
+  if (reader->GetLevel() > 0)
+  {
+    reader->SetMaximumSize(besideTiles);
+    reader->WarnOfLevelsOff();
+  }
+  reader->Update();
+  this->ErrorMessage = reader->GetErrorMessage();
+  if (!this->ErrorMessage.empty())
+  {
     return false;
   }
-  this->SetInputConnection(nullptr);
-  this->SetHierarchy(hierarchy);
-  this->PreparedReader = reader;
+  this->SetHierarchy(nullptr);
+  this->SetInputConnection(reader->GetOutputPort());
+  this->TerrainMapper->SetTileSource(reader->GetTileSource());
   return true;
 }
 
@@ -305,22 +315,8 @@ vtkScalarsToColors* vtkTerrainActor::GetLookupTable()
 vtkSmartPointer<vtkColorTransferFunction> vtkTerrainActor::MakeReliefColors(
   double lowest, double highest)
 {
-  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
-  const bool sea = lowest < -LeastSea * (highest - lowest) && highest > 0.0;
-  if (sea)
-  {
-    addTints(colors, SeaTints, lowest, 0.0);
-  }
-  if (highest > lowest)
-  {
-    addTints(colors, LandTints, sea ? 0.0 : lowest, highest);
-  }
-  else
-  {
-    const std::array<double, 3>& color = LandTints[1].Color;
-    colors->AddRGBPoint(lowest, color[0], color[1], color[2]);
-  }
-  return colors;
+  const vtkNew<vtkTerrainColors> colors;
+  return colors->MakeTable(lowest, highest);
 }
 
 //------------------------------------------------------------------------------
@@ -537,7 +533,10 @@ void vtkTerrainActor::RenderInTime(vtkRenderer* renderer, vtkMapper* mapper)
   const double tolerance = this->TerrainMapper->GetPixelTolerance();
   this->TerrainMapper->SetPixelTolerance(std::max(tolerance, this->InteractionTolerance));
   const auto begin = std::chrono::steady_clock::now();
+  const bool waits = this->TerrainMapper->GetWaitForTiles();
+  this->TerrainMapper->SetWaitForTiles(false);
   this->Superclass::Render(renderer, mapper);
+  this->TerrainMapper->SetWaitForTiles(waits);
   renderer->GetRenderWindow()->WaitForCompletion(); // drivers draw when it suits them
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   this->TerrainMapper->SetPixelTolerance(tolerance);

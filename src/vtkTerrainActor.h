@@ -48,7 +48,7 @@
 #include "vtkTerrainModule.h"       // For export macro
 
 #include <array>  // For members
-#include <string> // For file names
+#include <string> // For names of files
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
@@ -81,14 +81,20 @@ public:
   vtkTerrainHierarchy* GetHierarchy();
   ///@}
 
-  ///@{
-  /// Takes the heights from a file, whose content decides what it is: a file of terrain-prepare, or
-  /// any raster that vtkTerrainRasterReader reads. A prepared file is not read as an image while
-  /// the technique is Strips, and is read once another one needs it. Replaces all other input.
-  /// Returns false, after an error of one line, if a prepared file cannot be used; a raster tells
-  /// when it is read.
+  /// Takes the heights from a file, whose content decides what it is, in place of all other input.
+  /// A file of terrain-prepare is not read as an image while the technique is Strips, and is read
+  /// once another one needs it. Any other is a raster that vtkTerrainRasterReader reads, of any
+  /// size: one of more than 16384 samples a side is drawn from tiles by the technique Pyramid, and
+  /// at the finest level that fits by the others. It is prepared on first use
+  /// (vtkTerrainRasterReader::SetUseLevels()). Frames that are allotted little time show the tiles
+  /// that are there. Returns false, after an error of one line that GetErrorMessage() has, too, if
+  /// the file cannot be used; the actor is left as it was then.
   bool SetFileName(VTK_FILEPATH const std::string& path);
-  ///@}
+  /// Why the last file could not be used, one line; empty if it could.
+  const char* GetErrorMessage() const
+  {
+    return this->ErrorMessage.c_str();
+  }
 
   /// What draws; the actor keeps its port 0, technique and colours as the methods here say.
   vtkOpenGLTerrainMapper* GetTerrainMapper();
@@ -186,6 +192,8 @@ private:
   bool DrawsStripsAlone() const;
   double GetOriginOfHeights();
   void UpdateInput();
+  bool OpenPrepared(const std::string& path);
+  bool OpenRaster(const std::string& path);
   void RefineFor(vtkRenderer* renderer);
   void UpdateMesh();
   void UpdateColors();
@@ -206,6 +214,7 @@ private:
   bool ColorByHeight = true;
   bool LevelOfDetail = true;
   double InteractionTolerance = 0.0;
+  std::string ErrorMessage;
 };
 
 #endif

@@ -116,6 +116,7 @@ struct Texts
   std::string Exaggeration;
   std::string Frames;
   std::string Memory;
+  std::string LargestTexture;
   PlaceArguments Place;
   std::string PixelTolerance;
   std::string Steps;
@@ -132,8 +133,9 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   add("HEIGHTS", options.Heights, "FILE",
     "file of heights, any raster GDAL opens; the built-in landscape without");
   add("--memory", texts.Memory, "MIB",
-    "most memory for a raster that is larger than 16384 samples a side, which is drawn at the "
-    "finest level that fits; default 1024");
+    "most memory for a raster that is larger than a texture; default 1024");
+  add("--largest-texture", texts.LargestTexture, "SAMPLES",
+    "samples a side above which a raster is drawn from tiles; default and most 16384");
   app.add_flag("--no-cache", options.NoCache,
     "neither use nor keep the levels of such a raster (~/.cache/vtkterrain)");
   add("--output", options.Output, "FILE", "picture, PNG; default terrain.png");
@@ -242,6 +244,11 @@ void Interpret(const Texts& texts, Options& options)
     options.Frames = ParseInteger("--frames", texts.Frames, 1, 1000000);
   }
   InterpretSteps(texts, options.Search, options.Steps);
+  if (!texts.LargestTexture.empty())
+  {
+    options.LargestTexture =
+      ParseInteger("--largest-texture", texts.LargestTexture, 256, kLargestTexture);
+  }
   if (!texts.Memory.empty())
   {
     options.Memory = ParseInteger("--memory", texts.Memory, 1, kMostMemory);

@@ -63,6 +63,8 @@ struct Options
   /// levels are kept for the next time.
   int Memory = 1024;
   bool NoCache = false;
+  /// Samples a side above which a raster is drawn from tiles, 256 to kLargestTexture.
+  int LargestTexture = 16384;
   std::string Output = "terrain.png";
   /// Width and height of the picture, in pixels, 1 to kMaximumSize.
   std::array<int, 2> Size{ 1280, 720 };
@@ -98,6 +100,8 @@ struct Options
 
 /// Largest width and height of a picture, in pixels.
 constexpr int kMaximumSize = 16384;
+/// Samples a side that every graphics driver takes in a texture.
+constexpr int kLargestTexture = 16384;
 /// Largest budget of memory, in MiB: 1 TiB.
 constexpr int kMostMemory = 1 << 20;
 

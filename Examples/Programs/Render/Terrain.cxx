@@ -45,9 +45,6 @@ namespace
 {
 using Techniques = vtkTerrainActor::Techniques;
 
-/// Samples a side that every graphics driver takes; larger rasters are drawn at a level.
-constexpr int kLargestTexture = 16384;
-
 /// Shares of the progress bar.
 constexpr double kReadShare = 0.5;
 constexpr double kMeshShare = 0.3;
@@ -55,7 +52,13 @@ constexpr double kMeshShare = 0.3;
 const char* const kNoSurface =
   "there is no surface to draw, for no four neighbouring samples all have heights";
 
-vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
+/// Twice the most bytes of tiles on the graphics card.
+constexpr vtkIdType kMostMemoryOfCard = vtkIdType{ 1 } << 30;
+
+/// Samples a side of the image beside tiles.
+constexpr int kBesideTiles = 4096;
+
+vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options, bool drawsTiles)
 {
   if (options.Heights.empty())
   {
@@ -64,7 +67,13 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
   auto reader = vtkSmartPointer<vtkTerrainRasterReader>::New();
   reader->SetFileName(options.Heights);
   reader->UseLevelsOn();
-  reader->SetMaximumSize(kLargestTexture);
+  reader->SetMaximumSize(options.LargestTexture);
+  reader->UpdateInformation();
+  if (drawsTiles && reader->GetLevel() > 0)
+  {
+    reader->SetMaximumSize(std::min(kBesideTiles, options.LargestTexture));
+    reader->WarnOfLevelsOff();
+  }
   reader->SetMemoryBudget(vtkIdType{ options.Memory } << 20);
   reader->SetUseCache(!options.NoCache);
   options.Input.Apply(reader);
@@ -197,8 +206,14 @@ bool DrawsFileAlone(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadHeights(
-  const Options& options, ProgressBar& progress, Statistics& statistics)
+bool CanDrawTiles(const Options& options)
+{
+  return options.Search == Techniques::Pyramid && options.Detail.File.empty();
+}
+
+//------------------------------------------------------------------------------
+ReadHeightsResult ReadHeights(
+  const Options& options, bool drawsTiles, ProgressBar& progress, Statistics& statistics)
 {
   const Stopwatch watch;
   if (DrawsFileAlone(options))
@@ -206,9 +221,9 @@ vtkSmartPointer<vtkImageData> ReadHeights(
     const vtkSmartPointer<vtkImageData> described = DescribePreparedFile(options);
     statistics.SetText("heights", HeightsName(options));
     CountSamples(described, statistics);
-    return described;
+    return { described, nullptr };
   }
-  const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(options);
+  const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(options, drawsTiles);
   progress.Watch(source, kReadShare, "reading");
   source->Update();
   auto* reader = vtkTerrainRasterReader::SafeDownCast(source);
@@ -219,7 +234,7 @@ vtkSmartPointer<vtkImageData> ReadHeights(
   ThrowOnError(HeightsName(options));
   statistics.AddTime("read", watch.GetMilliseconds());
 
-  vtkSmartPointer<vtkImageData> heights = source->GetOutput();
+  vtkImageData* heights = source->GetOutput();
   statistics.SetText("heights", HeightsName(options));
   CountSamples(heights, statistics);
   if (reader)
@@ -227,7 +242,7 @@ vtkSmartPointer<vtkImageData> ReadHeights(
     statistics.SetCount("level", reader->GetLevel());
   }
   DescribeHeights(heights, statistics);
-  return heights;
+  return { heights, drawsTiles && reader ? reader->GetTileSource() : nullptr };
 }
 
 //------------------------------------------------------------------------------
@@ -259,14 +274,20 @@ void CountSamples(vtkImageData* heights, Statistics& statistics)
 }
 
 //------------------------------------------------------------------------------
-Terrain PrepareTerrain(
-  vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics)
+Terrain PrepareTerrain(const ReadHeightsResult& read, const Options& options, ProgressBar& progress,
+  Statistics& statistics)
 {
   const Stopwatch watch;
+  vtkImageData* heights = read.Image;
   const std::string name = HeightsName(options);
   auto actor = vtkSmartPointer<vtkTerrainActor>::New();
-  const PreparedDetail detail = PrepareDetail(heights, options.Detail, statistics);
+  const PreparedDetail detail = PrepareDetail(read.Image, options.Detail, statistics);
   actor->SetInputData(heights);
+  actor->GetTerrainMapper()->SetTileSource(read.Tiles);
+  // of --memory a quarter for tiles on the host; a software driver's card is the host, too
+  const vtkIdType memory = vtkIdType{ options.Memory } << 20;
+  actor->GetTerrainMapper()->SetHostMemoryBudget(memory / 4);
+  actor->GetTerrainMapper()->SetCardMemoryBudget(std::min(memory, kMostMemoryOfCard) / 2);
   actor->SetTechnique(options.Search);
   actor->SetVerticalExaggeration(options.Exaggeration);
   ColorByPlaceHeight(actor, heights);
@@ -341,6 +362,7 @@ void DescribeTerrain(
   }
   statistics.SetNumbers("height_range", { range.begin(), range.end() });
   statistics.SetCount("texture_bytes", terrain.Actor->GetTerrainMapper()->GetTextureMemorySize());
+  statistics.SetCount("tiles", terrain.Actor->GetTerrainMapper()->GetNumberOfTiles());
 }
 
 //------------------------------------------------------------------------------

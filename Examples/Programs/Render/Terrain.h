@@ -11,12 +11,18 @@
 #include "vtkSmartPointer.h"
 #include "vtkTerrainActor.h"
 
+#include <memory>
+
 class ProgressBar;
 class Statistics;
 class vtkImageData;
 class vtkRenderWindow;
 class vtkRenderer;
 struct Options;
+namespace terrain
+{
+class TileSource;
+}
 
 /// What is drawn.
 struct Terrain
@@ -30,18 +36,29 @@ struct Terrain
 /// asked for needs the samples.
 bool DrawsFileAlone(const Options& options);
 
-/// Reads the file of heights, or raises the built-in landscape. Of a file that DrawsFileAlone() the
+/// Heights, and the tiles of which they are a level; null where they are all there is.
+struct ReadHeightsResult
+{
+  vtkSmartPointer<vtkImageData> Image;
+  std::shared_ptr<terrain::TileSource> Tiles;
+};
+
+/// Reads the file of heights, or raises the built-in landscape. A raster larger than a texture is
+/// read at a level: a coarse one if its tiles are to be drawn. Of a file that DrawsFileAlone() the
 /// image has size and place, no samples. Throws a Failure.
-vtkSmartPointer<vtkImageData> ReadHeights(
-  const Options& options, ProgressBar& progress, Statistics& statistics);
+ReadHeightsResult ReadHeights(
+  const Options& options, bool drawsTiles, ProgressBar& progress, Statistics& statistics);
+
+/// True if the options leave it to tiles to show a raster larger than a texture.
+bool CanDrawTiles(const Options& options);
 
 /// Tells the number and size of the samples that are drawn.
 void CountSamples(vtkImageData* heights, Statistics& statistics);
 
 /// Builds what the technique draws with, coloured by height. Throws a Failure, also if the heights
 /// have no surface at all.
-Terrain PrepareTerrain(
-  vtkImageData* heights, const Options& options, ProgressBar& progress, Statistics& statistics);
+Terrain PrepareTerrain(const ReadHeightsResult& read, const Options& options, ProgressBar& progress,
+  Statistics& statistics);
 
 /// Refines strips for the camera of the renderer; the other techniques need nothing. Throws a
 /// Failure.

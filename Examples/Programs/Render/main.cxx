@@ -43,9 +43,16 @@ void Render(const Options& options)
   PendingFile stats(options.Stats);
 
   auto progress = std::make_unique<ProgressBar>();
-  const PlacedHeights heights =
-    PlaceHeights(ReadHeights(options, *progress, statistics), options, *progress, statistics);
-  const Terrain terrain = PrepareTerrain(heights.Image, options, *progress, statistics);
+  ReadHeightsResult read = ReadHeights(options, CanDrawTiles(options), *progress, statistics);
+  PlacedHeights heights = PlaceHeights(read.Image, options, *progress, statistics);
+  if (read.Tiles && heights.Image != read.Image)
+  {
+    // resampled: tiles lie elsewhere, and the finest level that fits is drawn
+    read = ReadHeights(options, false, *progress, statistics);
+    heights = PlaceHeights(read.Image, options, *progress, statistics);
+  }
+  const Terrain terrain =
+    PrepareTerrain({ heights.Image, read.Tiles }, options, *progress, statistics);
   DrapePicture(terrain, heights, options, statistics);
   progress.reset();
 

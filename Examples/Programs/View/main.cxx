@@ -12,7 +12,9 @@
 #include "Viewer.h"
 
 #include "vtkImageAlgorithm.h"
+#include "vtkOpenGLTerrainMapper.h"
 #include "vtkSmartPointer.h"
+#include "vtkTerrainActor.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainSource.h"
@@ -37,8 +39,10 @@ struct Options
   int Height = 720;
 };
 
-/// Samples a side that every graphics driver takes; larger rasters are drawn at a level.
+/// Samples a side that every graphics driver takes; larger rasters are drawn from tiles.
 constexpr int kLargestTexture = 16384;
+/// Samples a side of the image beside tiles.
+constexpr int kBesideTiles = 4096;
 
 vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
 {
@@ -51,6 +55,12 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
   options.Input.Apply(reader);
   reader->UseLevelsOn();
   reader->SetMaximumSize(kLargestTexture);
+  reader->UpdateInformation();
+  if (reader->GetLevel() > 0)
+  {
+    reader->SetMaximumSize(kBesideTiles);
+    reader->WarnOfLevelsOff();
+  }
   return reader;
 }
 
@@ -72,6 +82,10 @@ void Show(const Options& options)
   if (!viewer.GetTerrain()->HasSurface())
   {
     throw Failure(name, "no four neighbouring samples all have heights");
+  }
+  if (auto* reader = vtkTerrainRasterReader::SafeDownCast(source))
+  {
+    viewer.GetTerrain()->GetTerrainMapper()->SetTileSource(reader->GetTileSource());
   }
   viewer.GetTerrain()->SetVerticalExaggeration(options.Exaggeration);
   if (vtkTerrainHierarchy::IsPreparedFile(options.Heights))

@@ -35,11 +35,15 @@ def _is_prepared(heights):
     return isinstance(heights, (str, os.PathLike)) and vtkTerrainHierarchy.IsPreparedFile(os.fspath(heights))
 
 
-def _open_prepared(path):
-    hierarchy = vtkTerrainHierarchy()
-    if not hierarchy.OpenFile(os.fspath(path)):
-        raise OSError(hierarchy.GetErrorMessage())
-    return hierarchy
+def _is_large(heights):
+    """True for a file that is drawn from tiles."""
+    if not isinstance(heights, (str, os.PathLike)):
+        return False
+    reader = make_reader(os.fspath(heights))
+    reader.UseLevelsOn()
+    reader.SetMaximumSize(_LARGEST_TEXTURE)
+    reader.UpdateInformation()
+    return reader.GetLevel() > 0
 
 
 def heights_from(heights, *, scene=None, **place):
@@ -124,7 +128,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
     heights : array_like, pyvista.ImageData, xarray.DataArray, str or path
         Heights: an array of rows, from the south, and columns; an image of W x H x 1 points with one
         scalar each; a DataArray (see ``vtkterrain.xarrays``); or the name of any raster that GDAL
-        opens, or of a file of terrain-prepare.
+        opens, of any size, or of a file of terrain-prepare. A raster of more than 16384 samples a side
+        is drawn from tiles, as far as a view needs them, after one pass over the file on first use.
     technique : {"pyramid", "linear", "exponential", "equidistant", "mesh", "strips"}
         How the surface is found. "pyramid" is exact; "mesh" draws all cells as triangles, "strips"
         as few as the view needs. Of a prepared file, "strips" reads no more than it draws.
@@ -164,8 +169,9 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
     if not exaggeration > 0:
         raise ValueError(f"exaggeration must be above 0, not {exaggeration}")
     actor.SetTechnique(techniques[technique])
-    if technique == "strips" and _is_prepared(heights) and not place:
-        actor.SetHierarchy(_open_prepared(heights))
+    if not place and (_is_prepared(heights) or _is_large(heights)):
+        if not actor.SetFileName(os.fspath(heights)):
+            raise OSError(actor.GetErrorMessage())
     else:
         actor.SetInputData(heights_from(heights, scene=scene or terrain_scene(plotter), **place))
     if not actor.HasSurface():

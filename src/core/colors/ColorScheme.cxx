@@ -12,6 +12,9 @@ namespace terrain
 {
 namespace
 {
+/// Where flat ground stands in a scheme: with the plains.
+constexpr double kFlatShare = 0.2;
+
 /// A scheme of colours at even distances, 0xRRGGBB.
 struct Table
 {
@@ -182,7 +185,7 @@ ColorScheme LaidOver(const ColorScheme& scheme, const ColorRange& range)
   }
   else if (laid.Stops.empty())
   {
-    laid.Stops.push_back({ range.Lowest, ColorOf(scheme, 0.5) });
+    laid.Stops.push_back({ range.Lowest, ColorOf(scheme, kFlatShare) });
   }
   return laid;
 }

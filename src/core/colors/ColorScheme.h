@@ -81,7 +81,7 @@ struct ColorRange
 
 /// The scheme with values of the data: shares are laid over the range, a sea from the lowest to 0
 /// and the rest from 0, or from the lowest where that lies above, to the highest. A scheme that has
-/// values already is returned as it is. An empty range has the middle colour.
+/// values already is returned as it is. An empty range has the colour of plains.
 ColorScheme LaidOver(const ColorScheme& scheme, const ColorRange& range);
 
 /// The scheme stretched so that its first stop lies at the lowest value and its last at the
