@@ -165,7 +165,7 @@ void vtkTerrainHorizon::SetDate(const std::string& date)
 //------------------------------------------------------------------------------
 std::string vtkTerrainHorizon::WhyNot(vtkImageData* heights) const
 {
-  const std::string whyNot = terrain::ImageHeights::WhyNotHeights(heights);
+  std::string whyNot = terrain::ImageHeights::WhyNotHeights(heights);
   if (!whyNot.empty())
   {
     return whyNot;
@@ -222,7 +222,7 @@ std::string vtkTerrainHorizon::AddHorizons(vtkImageData* heights, vtkImageData* 
   vtkNew<vtkFloatArray> degrees;
   for (int k = 0; k < count && !this->GetAbortExecute(); ++k)
   {
-    const std::string whyNot = this->ComputeHorizon(heights, 360.0 * k / count, degrees);
+    std::string whyNot = this->ComputeHorizon(heights, 360.0 * k / count, degrees);
     if (!whyNot.empty())
     {
       return whyNot;

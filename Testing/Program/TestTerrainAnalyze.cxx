@@ -68,7 +68,8 @@ protected:
   /// Runs a command that must succeed, and returns what it wrote.
   Bands Map(std::vector<std::string> arguments) const
   {
-    arguments.insert(arguments.end(), { "--output", "map.tif" });
+    // towers and wells look odd, as the program rightly warns
+    arguments.insert(arguments.end(), { "--output", "map.tif", "--quiet" });
     const RunResult result = this->Analyze(arguments);
     EXPECT_EQ(result.Status, 0) << result.Errors;
     EXPECT_EQ(result.Errors, "");
@@ -316,11 +317,24 @@ TEST_F(TerrainAnalyze, ViewshedBehindARidge)
   EXPECT_EQ(masts.At(1, 45, 20), 0.0f);
   const std::vector<std::string> before = this->ListFiles();
   ExpectRefused(
-    this->Analyze({ "viewshed", path, "--observer", "0,0", "--output", "none.tif" }), 1, "outside");
-  ExpectRefused(
-    this->Analyze({ "viewshed", path, "--observer", "500055,4999945", "--output", "none.tif" }), 1,
-    "no height");
+    this->Analyze({ "viewshed", path, "--quiet", "--observer", "0,0", "--output", "none.tif" }), 1,
+    "outside");
+  ExpectRefused(this->Analyze({ "viewshed", path, "--quiet", "--observer", "500055,4999945",
+                  "--output", "none.tif" }),
+    1, "no height");
   EXPECT_EQ(this->ListFiles(), before);
+}
+
+TEST_F(TerrainAnalyze, NeverReplacesItsRaster)
+{
+  const std::string ramp = this->WriteRamp();
+  for (const char* command : { "slope", "horizon" })
+  {
+    const std::vector<std::string> files = this->ListFiles();
+    ExpectRefused(this->Analyze({ command, ramp, "--output", ramp }), 1, ramp);
+    EXPECT_EQ(this->ListFiles(), files);
+  }
+  EXPECT_EQ(this->Analyze({ "slope", ramp, "--output", "again.tif" }).Status, 0);
 }
 
 TEST_F(TerrainAnalyze, RefusesInOneLineAndLeavesNothing)

@@ -135,7 +135,7 @@ ColorFileResult ReadMap(vtkXMLDataElement* map)
       return Refused(
         "point " + std::to_string(k + 1) + " needs x, r, g and b, colours from 0 to 1");
     }
-    if (name == "Point")
+    if (name == "Point" && color)
     {
       scheme.Stops.push_back({ value, *color });
     }

@@ -34,7 +34,7 @@ struct Line
 
 const std::vector<Line>& Lines()
 {
-#define VTKTERRAIN_LINE(name) { #name, &name.Address },
+#define VTKTERRAIN_LINE(name) { #name, &(name).Address },
   static const std::vector<Line> lines{ VTKTERRAIN_GDAL_FUNCTIONS(VTKTERRAIN_LINE) };
 #undef VTKTERRAIN_LINE
   return lines;

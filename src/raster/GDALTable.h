@@ -233,6 +233,7 @@ public:
 // A pointer does not keep what GDAL promises of results, such as that they must be looked at.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wignored-attributes"
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a name that is declared takes none
 #define VTKTERRAIN_DECLARE(name) inline GDALFunction<decltype(::name)> name;
 VTKTERRAIN_GDAL_FUNCTIONS(VTKTERRAIN_DECLARE)
 #undef VTKTERRAIN_DECLARE

@@ -31,7 +31,7 @@ std::string OpenPrepared(const std::string& path, const PreparedWishes& wishes, 
     return "a prepared file has one band; choose the band of the raster that it was prepared from";
   }
   data.IsFile = true;
-  const std::string error = data.File.Open(path, false);
+  std::string error = data.File.Open(path, false);
   if (!error.empty())
   {
     return error;

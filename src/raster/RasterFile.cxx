@@ -30,8 +30,8 @@ bool IsColor(GDALColorInterp color)
 }
 
 //------------------------------------------------------------------------------
-RasterFile::RasterFile(const std::string& fileName, const std::string& part)
-  : Name(fileName)
+RasterFile::RasterFile(std::string fileName, const std::string& part)
+  : Name(std::move(fileName))
 {
   this->Dataset = OpenRaster(this->Name, part, this->Record);
   GDALDriverH driver = GDALGetDatasetDriver(this->Dataset);

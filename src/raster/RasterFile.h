@@ -116,7 +116,7 @@ class RasterFile
 {
 public:
   /// Opens what a name stands for (RasterOpen.h) for reading. Throws RasterError.
-  explicit RasterFile(const std::string& fileName, const std::string& part = std::string());
+  explicit RasterFile(std::string fileName, const std::string& part = std::string());
   /// Takes samples in memory. Throws RasterError.
   explicit RasterFile(const RasterMemory& memory);
   ~RasterFile();

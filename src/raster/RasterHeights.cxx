@@ -341,6 +341,7 @@ std::string RasterHeights::ReadRows(
   return error;
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type in a template's arguments takes none
 #define TERRAIN_INSTANTIATE(T)                                                                     \
   template std::string RasterHeights::Read<T>(glm::i64vec2, glm::i64vec2, T*) const;               \
   template std::string RasterHeights::ReadRows<T>(                                                 \
@@ -349,4 +350,5 @@ TERRAIN_INSTANTIATE(short)
 TERRAIN_INSTANTIATE(unsigned short)
 TERRAIN_INSTANTIATE(float)
 #undef TERRAIN_INSTANTIATE
+// NOLINTEND(bugprone-macro-parentheses)
 }

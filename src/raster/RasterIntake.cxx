@@ -82,7 +82,7 @@ std::string ProjectPolarField(std::vector<double>& x, std::vector<double>& y)
   {
     return {};
   }
-  const std::string system = std::string("+proj=stere +lat_0=") + (north ? "90" : "-90") +
+  std::string system = std::string("+proj=stere +lat_0=") + (north ? "90" : "-90") +
     " +lon_0=0 +datum=WGS84 +units=m +type=crs";
   CoordinateSystem projection;
   if (!projection.Read(system).empty())
@@ -207,6 +207,7 @@ void RasterFile::FindHoles(const RasterOptions& options)
   if (isDeclared)
   {
     std::vector<std::string> names;
+    names.reserve(this->Holes.Declared.size());
     for (const double value : this->Holes.Declared)
     {
       names.push_back(NumberText(value));

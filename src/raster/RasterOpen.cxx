@@ -230,6 +230,7 @@ bool IsCalledHeights(const std::string& label)
 std::string ListLabels(const std::vector<Part>& parts)
 {
   std::vector<std::string> labels;
+  labels.reserve(parts.size());
   for (const Part& part : parts)
   {
     labels.push_back(part.Label);

@@ -45,6 +45,7 @@ void RasterRecord::Forget(const std::string& text)
 std::vector<std::string> RasterRecord::GetLines() const
 {
   std::vector<std::string> lines;
+  lines.reserve(this->Entries.size());
   for (const Entry& entry : this->Entries)
   {
     lines.push_back(entry.Topic + ": " + entry.Value +

@@ -59,7 +59,7 @@ std::string HorizontalSystem(OGRSpatialReferenceH reference)
   {
     OSRStripVertical(flat);
   }
-  const std::string wkt = WktOf(flat);
+  std::string wkt = WktOf(flat);
   OSRRelease(flat);
   return wkt;
 }

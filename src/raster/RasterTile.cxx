@@ -142,6 +142,7 @@ void LeaveOutProducts(std::vector<RasterTile>& tiles, RasterRecord& record)
   const bool hasWide = std::any_of(tiles.begin(), tiles.end(),
     [](const RasterTile& tile) { return tile.Type != GDT_Byte && !IsNamedAsProduct(tile.Path); });
   std::vector<bool> isLeftOut;
+  isLeftOut.reserve(tiles.size());
   for (const RasterTile& tile : tiles)
   {
     isLeftOut.push_back(

@@ -86,7 +86,7 @@ std::string Take(const std::string& fileName, const std::shared_ptr<RasterHeight
   const TileFileKey& key, PreparedRaster& tiles)
 {
   auto file = std::make_unique<TileFile>();
-  const std::string error = file->Open(fileName);
+  std::string error = file->Open(fileName);
   if (!error.empty())
   {
     return error;

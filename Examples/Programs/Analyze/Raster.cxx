@@ -19,9 +19,9 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <limits>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -96,20 +96,29 @@ vtkSmartPointer<vtkImageData> ReadHeights(const RasterOptions& options)
 {
   vtkNew<vtkTerrainRasterReader> reader;
   reader->SetFileName(options.Heights);
-  reader->SetBand(options.Band);
-  reader->SetCoordinateSystem(options.CoordinateSystem);
+  options.Input.Apply(reader);
   reader->Update();
   const std::string error = reader->GetErrorMessage();
   if (!error.empty())
   {
     throw Failure(error);
   }
-  const std::string warning = reader->GetWarningMessage();
-  if (!options.Quiet && !warning.empty())
+  std::istringstream warnings(options.Quiet ? std::string() : reader->GetWarningMessage());
+  for (std::string warning; std::getline(warnings, warning);)
   {
-    std::cerr << "terrain-analyze: " << warning << "\n";
+    std::cerr << "terrain-analyze: warning: " << warning << "\n";
   }
   return reader->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+void OpenOutput(vtkTerrainOutputFile* file, const RasterOptions& options)
+{
+  file->AddInput(options.Heights);
+  if (!file->Open(options.Output))
+  {
+    throw Failure(file->GetErrorMessage());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -145,6 +154,7 @@ ResultWriter::ResultWriter(const RasterOptions& options, vtkImageData* heights, 
   , Width(heights->GetDimensions()[0])
   , Height(heights->GetDimensions()[1])
 {
+  OpenOutput(this->File, options);
   GDALAllRegister();
   CPLPushErrorHandler(CPLQuietErrorHandler);
   this->Dataset = GDALCreate(
@@ -213,7 +223,7 @@ void ResultWriter::SetBand(int band, const std::string& description, const float
 
 void ResultWriter::Write()
 {
-  const std::string partial = this->Options.Output + ".partial.tif";
+  const std::string partial = this->File->GetPartialFileName();
   GDALDriverH driver = GDALGetDriverByName("COG");
   this->Check(driver != nullptr, "this GDAL writes no cloud-optimized GeoTIFF");
   char** creation = nullptr;
@@ -233,18 +243,11 @@ void ResultWriter::Write()
   {
     GDALClose(written);
   }
-  std::error_code error;
-  if (written && failure.empty() && CPLGetLastErrorType() < CE_Failure)
-  {
-    std::filesystem::rename(partial, this->Options.Output, error);
-    if (!error)
-    {
-      return;
-    }
-  }
-  const std::string reason = error ? error.message() : failure;
-  std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
   CPLErrorReset();
-  this->Check(false, reason.empty() ? "it cannot be written" : reason);
+  this->Check(
+    written != nullptr && failure.empty(), failure.empty() ? "it cannot be written" : failure);
+  if (!this->File->Commit())
+  {
+    throw Failure(this->File->GetErrorMessage());
+  }
 }

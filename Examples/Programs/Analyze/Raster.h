@@ -8,9 +8,12 @@
 #ifndef terrain_analyze_Raster_h
 #define terrain_analyze_Raster_h
 
+#include "HeightOptions.h"
+
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
+#include <vtkTerrainOutputFile.h>
 
 #include <stdexcept>
 #include <string>
@@ -48,9 +51,8 @@ struct RasterOptions
 {
   std::string Heights;
   std::string Output;
-  std::string CoordinateSystem;
+  HeightOptions Input;
   std::string Compression = "NONE";
-  int Band = 0;
   bool Quiet = false;
 };
 
@@ -81,7 +83,11 @@ private:
   bool NorthFirst = true;
   bool EastFirst = false;
   void* Dataset = nullptr;
+  vtkNew<vtkTerrainOutputFile> File;
 };
+
+/// Opens the output, which must not be a file that the heights are read from. Throws Failure.
+void OpenOutput(vtkTerrainOutputFile* file, const RasterOptions& options);
 
 /// Numbers of a field array of an image; empty if there is none.
 std::vector<double> GetNumbers(vtkImageData* image, const char* name);

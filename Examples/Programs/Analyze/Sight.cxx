@@ -8,6 +8,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTerrainGeoreference.h>
+#include <vtkTerrainOutputFile.h>
 #include <vtkTerrainReproject.h>
 #include <vtkTerrainViewpoint.h>
 #include <vtkTerrainViewshed.h>
@@ -15,10 +16,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
+#include <sstream>
 
 namespace
 {
@@ -74,31 +74,25 @@ void WriteProfile(const RasterOptions& raster, const SightOptions& sight)
     raster.Heights, scene.Viewpoint->GetProfile(scene.From, scene.To, sight.Count, profile));
   vtkDataArray* distances = profile->GetPointData()->GetArray("Distance");
   vtkDataArray* heights = profile->GetPointData()->GetArray("Height");
-  const std::string partial = raster.Output + ".partial";
-  std::ofstream file(partial);
-  file << "distance,height\n";
-  file.precision(10);
+  std::ostringstream text;
+  text << "distance,height\n";
+  text.precision(10);
   for (vtkIdType i = 0; i < profile->GetNumberOfPoints(); ++i)
   {
     const double height = heights->GetComponent(i, 0);
-    file << distances->GetComponent(i, 0) << ",";
+    text << distances->GetComponent(i, 0) << ",";
     if (!std::isnan(height))
     {
-      file << height;
+      text << height;
     }
-    file << "\n";
+    text << "\n";
   }
-  file.close();
-  std::error_code error;
-  if (file)
+  const std::string lines = text.str();
+  vtkNew<vtkTerrainOutputFile> file;
+  OpenOutput(file, raster);
+  if (!file->Write(lines.data(), lines.size()) || !file->Commit())
   {
-    std::filesystem::rename(partial, raster.Output, error);
-  }
-  if (!file || error)
-  {
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-    throw Failure(raster.Output + ": it cannot be written");
+    throw Failure(file->GetErrorMessage());
   }
 }
 

@@ -71,10 +71,7 @@ private:
   {
     CLI::App* command = this->App.add_subcommand(name, text);
     command->add_option("HEIGHTS", this->Raster.Heights, "Any raster that GDAL opens")->required();
-    command->add_option("--band", this->Raster.Band, "Band of heights; 0: the first one")
-      ->check(CLI::NonNegativeNumber);
-    command->add_option(
-      "--crs", this->Raster.CoordinateSystem, "CRS in place of the file's: EPSG:n, WKT or PROJ");
+    this->Raster.Input.Declare(*command);
     command->add_flag("--quiet", this->Raster.Quiet, "No progress bar, no warnings");
     if (name != "line-of-sight")
     {

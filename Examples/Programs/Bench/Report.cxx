@@ -181,7 +181,7 @@ void AddAxes(std::ostream& svg, const Plot& plot, const Axis& x, const Axis& y)
 void AddCurve(std::ostream& svg, const Series& series, const Axis& x, const Axis& y, int index)
 {
   const char* color = kColors[static_cast<std::size_t>(index) % kColors.size()];
-  svg << "<polyline fill=\"none\" stroke-width=\"2\" stroke=\"" << color << "\" points=\"";
+  svg << R"(<polyline fill="none" stroke-width="2" stroke=")" << color << "\" points=\"";
   for (const auto& [a, b] : series.Points)
   {
     svg << x.At(a) << "," << y.At(b) << " ";
@@ -189,12 +189,12 @@ void AddCurve(std::ostream& svg, const Series& series, const Axis& x, const Axis
   svg << "\"/>\n";
   for (const auto& [a, b] : series.Points)
   {
-    svg << "<circle r=\"3\" fill=\"" << color << "\" cx=\"" << x.At(a) << "\" cy=\"" << y.At(b)
+    svg << R"(<circle r="3" fill=")" << color << "\" cx=\"" << x.At(a) << "\" cy=\"" << y.At(b)
         << "\"><title>" << Escaped(series.Name) << ": " << Digits(a) << ", " << Digits(b)
         << "</title></circle>\n";
   }
   const double line = y.End + 8.0 + 18.0 * index;
-  svg << "<rect x=\"" << x.End + 12.0 << "\" y=\"" << line << "\" width=\"14\" height=\"4\" fill=\""
+  svg << "<rect x=\"" << x.End + 12.0 << "\" y=\"" << line << R"(" width="14" height="4" fill=")"
       << color << "\"/>\n";
   AddText(svg, x.End + 32.0, line + 6.0, "start", series.Name);
 }
@@ -279,8 +279,8 @@ std::string ToSvg(const Plot& plot)
   y.Begin = kHeight - kBottom;
   y.End = kTop;
   std::ostringstream svg;
-  svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << kWidth << "\" height=\"" << kHeight
-      << "\" viewBox=\"0 0 " << kWidth << " " << kHeight << "\" role=\"img\"><title>"
+  svg << R"(<svg xmlns="http://www.w3.org/2000/svg" width=")" << kWidth << "\" height=\"" << kHeight
+      << "\" viewBox=\"0 0 " << kWidth << " " << kHeight << R"(" role="img"><title>)"
       << Escaped(plot.Title) << "</title>\n";
   AddAxes(svg, plot, x, y);
   int index = 0;

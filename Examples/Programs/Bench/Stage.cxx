@@ -256,6 +256,7 @@ double Stage::Draw()
 Times Stage::Draw(int frames)
 {
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(std::max(frames, 0)));
   for (int frame = 0; frame < frames; ++frame)
   {
     times.push_back(this->Draw());

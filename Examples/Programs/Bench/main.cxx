@@ -13,6 +13,8 @@
 
 #include "vtkVersion.h"
 
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -120,6 +122,7 @@ void Run(const Options& options)
 void Declare(CLI::App& app, Options& options)
 {
   std::vector<std::string> names;
+  names.reserve(kParts.size());
   for (const Part& part : kParts)
   {
     names.emplace_back(part.Name);
@@ -142,11 +145,10 @@ void Declare(CLI::App& app, Options& options)
     "tiny landscapes and pictures, one frame: to see that all runs, in seconds");
   app.set_version_flag("--version", TERRAIN_BENCH_VERSION);
 }
-}
 
-int main(int argc, char* argv[])
+/// The program between the command line and its exit status.
+int RunCommandLine(int argc, char** argv)
 {
-  EndOnSignals("terrain-bench: ended by a signal\n");
   CLI::App app("Measures the drawing of terrain on this machine, beside the papers' figures.",
     "terrain-bench");
   Options options;
@@ -154,14 +156,6 @@ int main(int argc, char* argv[])
   try
   {
     app.parse(argc, argv);
-    if (options.Measured.IsSmoke)
-    {
-      options.Measured.Frames = 1;
-      options.Measured.Seconds = 0.001;
-    }
-    CatchMessages("terrain-bench");
-    Run(options);
-    return EXIT_SUCCESS;
   }
   catch (const CLI::ParseError& error)
   {
@@ -172,9 +166,27 @@ int main(int argc, char* argv[])
     std::cerr << "terrain-bench: " << error.what() << '\n';
     return 2;
   }
+  if (options.Measured.IsSmoke)
+  {
+    options.Measured.Frames = 1;
+    options.Measured.Seconds = 0.001;
+  }
+  CatchMessages("terrain-bench");
+  Run(options);
+  return EXIT_SUCCESS;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  EndOnSignals("terrain-bench: ended by a signal\n");
+  try
+  {
+    return RunCommandLine(argc, argv);
+  }
   catch (const std::exception& error)
   {
-    std::cerr << "terrain-bench: " << error.what() << '\n';
+    std::fprintf(stderr, "terrain-bench: %s\n", error.what());
   }
   return EXIT_FAILURE;
 }

@@ -336,7 +336,9 @@ void CheckFiles(const Options& options)
     const std::string input = files->FindInput(output);
     if (!input.empty())
     {
-      Refuse(option, "'" + output + "' is a file that the input '" + input + "' is read from");
+      std::string why = "'";
+      why.append(output).append("' is a file that the input '").append(input);
+      Refuse(option, why.append("' is read from"));
     }
     const std::string path = CanonicalPath(output);
     if (!path.empty() && std::find(paths.begin(), paths.end(), path) != paths.end())

@@ -120,7 +120,7 @@ struct HorizonLanes
     const Value root = L::Root(within ? deficit * step.Inverse : Value{}) -
       L::Root(within ? curvature * step.Exit : Value{});
     const Value summit = exit * step.Inverse + root * root;
-    this->Best = within & (summit > this->Best) ? summit : this->Best;
+    this->Best = (within & (summit > this->Best)) ? summit : this->Best;
   }
 
   /// Raises the horizons by the cells of a leaf.
@@ -144,7 +144,7 @@ struct HorizonLanes
       const Value curvature = this->CurvatureOf(*step);
       const Value border = enterSlope > exitSlope ? enterSlope : exitSlope;
       const Mask higher = border > this->Best;
-      this->Best = higher & (curvature == curvature) ? border : this->Best;
+      this->Best = (higher & (curvature == curvature)) ? border : this->Best;
       const Value deficit = DeficitOf(*step, curvature, enter, exit);
       rising |= unsigned(L::Any(this->RisesWithin(*step, curvature, deficit, border)))
         << (k - first);

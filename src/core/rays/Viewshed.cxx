@@ -80,6 +80,7 @@ ViewshedGrid::ViewshedGrid(
   const bool isEmpty = range.x > range.y;
   this->Relief = isEmpty ? 0.0 : range.y - range.x;
   this->Middle = isEmpty ? 0.0 : 0.5 * (range.x + range.y);
+  // NOLINTNEXTLINE(modernize-make-unique): it is an aggregate that cannot be moved
   this->Upright.reset(new Side{ PreparedGrid<float>(
                                   this->Width, this->Height,
                                   [&](std::int64_t row, double* to)
@@ -92,6 +93,7 @@ ViewshedGrid::ViewshedGrid(
                                   parallelFor),
     false });
   const PaddedGrid<float>& grid = this->Upright->Grid.Grid;
+  // NOLINTNEXTLINE(modernize-make-unique): it is an aggregate that cannot be moved
   this->Transposed.reset(new Side{ PreparedGrid<float>(
                                      this->Height, this->Width,
                                      [&](std::int64_t column, double* to)

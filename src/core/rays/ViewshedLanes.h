@@ -150,7 +150,7 @@ struct ViewshedLanes
     {
       const Value west = (Pick(nearRow, enterCell - 1) - enterNearWest) -
         (Pick(farRow, enterCell - 1) - enterFarWest);
-      enterTwist = this->Along & (enterTwist != enterTwist) ? west : enterTwist;
+      enterTwist = (this->Along & (enterTwist != enterTwist)) ? west : enterTwist;
     }
     const Value enterLength = crossing - start;
     const Value exitLength = far - (behind ? start : crossing);

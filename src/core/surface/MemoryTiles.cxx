@@ -88,7 +88,8 @@ MemoryTiles<T>::MemoryTiles(
 template <typename T>
 PyramidNode<float> MemoryTiles<T>::GetBounds(const TileKey& key) const
 {
-  const auto level = static_cast<std::size_t>(key.Level + this->Layout.TileLevel);
+  const auto level =
+    static_cast<std::size_t>(key.Level) + static_cast<std::size_t>(this->Layout.TileLevel);
   return ToCodes(this->Levels[level].NodePlane().At(key.Column, key.Row), this->Codes);
 }
 

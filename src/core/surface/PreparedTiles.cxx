@@ -49,7 +49,7 @@ std::string PreparedTiles<T>::ReadBounds()
   for (std::int64_t tile = 0; tile < tiles.x * tiles.y; ++tile)
   {
     const TileKey key{ this->BoundsLevel, tile % tiles.x, tile / tiles.x };
-    const std::string error = this->ReadStored(key, samples, nodes);
+    std::string error = this->ReadStored(key, samples, nodes);
     if (!error.empty())
     {
       return error;
@@ -111,7 +111,7 @@ std::string PreparedTiles<T>::MakeWindow(
   const Rectangle finerSamples{ glm::max(std::int64_t{ 2 } * samples.First - one, zero),
     glm::min(std::int64_t{ 2 } * samples.End, finerCells + one) };
   Window finer;
-  const std::string error = this->MakeWindow(level - 1, finerSamples, finerNodes, finer);
+  std::string error = this->MakeWindow(level - 1, finerSamples, finerNodes, finer);
   if (!error.empty())
   {
     return error;

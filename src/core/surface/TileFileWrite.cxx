@@ -195,7 +195,7 @@ private:
       const std::int64_t count =
         std::clamp<std::int64_t>(p.CountRows(first), 1, p.Layout.Height - first);
       T* rows = pyramid.AddRows(count);
-      const std::string error = p.Read(first, count, rows);
+      std::string error = p.Read(first, count, rows);
       if (!error.empty())
       {
         return error;

@@ -77,7 +77,6 @@ private:
   std::map<TileKey, float> Reliefs;
   std::map<TileKey, bool> Failed;
   std::vector<TileKey> Queue; ///< the next one last
-  std::size_t Reading = 0;
   std::map<TileKey, bool> InHand;
   std::size_t MemorySize = 0;
   std::size_t NumberOfReads = 0;

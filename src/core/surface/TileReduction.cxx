@@ -54,8 +54,8 @@ struct ColumnExtremes
     {
       this->Maxima[i] = std::max(std::max(a[i], b[i]), c[i]);
       this->Minima[i] = std::min(std::min(a[i], b[i]), c[i]);
-      this->Lacks[i] = static_cast<unsigned char>(
-        !IsStoredHeight(a[i]) | !IsStoredHeight(b[i]) | !IsStoredHeight(c[i]));
+      this->Lacks[i] = static_cast<unsigned char>(unsigned{ !IsStoredHeight(a[i]) } |
+        unsigned{ !IsStoredHeight(b[i]) } | unsigned{ !IsStoredHeight(c[i]) });
     }
   }
 };
@@ -77,8 +77,8 @@ struct ColumnSums
     for (std::size_t i = 0; i < this->Sums.size(); ++i)
     {
       this->Sums[i] = SumType<T>(a[i]) + 2 * SumType<T>(b[i]) + SumType<T>(c[i]);
-      this->Lacks[i] = static_cast<unsigned char>(
-        !IsStoredHeight(a[i]) | !IsStoredHeight(b[i]) | !IsStoredHeight(c[i]));
+      this->Lacks[i] = static_cast<unsigned char>(unsigned{ !IsStoredHeight(a[i]) } |
+        unsigned{ !IsStoredHeight(b[i]) } | unsigned{ !IsStoredHeight(c[i]) });
     }
   }
 };
@@ -280,6 +280,7 @@ void CutTile(const TileLayout& layout, const TileKey& key, const LevelPlane<cons
   }
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type in a template's arguments takes none
 #define TERRAIN_INSTANTIATE(T)                                                                     \
   template void ReduceSamplesToNodes<T>(                                                           \
     const LevelPlane<const T>&, glm::i64vec2, const LevelPlane<PyramidNode<T>>&);                  \
@@ -293,4 +294,5 @@ TERRAIN_INSTANTIATE(short)
 TERRAIN_INSTANTIATE(unsigned short)
 TERRAIN_INSTANTIATE(float)
 #undef TERRAIN_INSTANTIATE
+// NOLINTEND(bugprone-macro-parentheses)
 }
