@@ -7,6 +7,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+
 from vtkterrain import heights_from_array, vtkTerrainHorizon, vtkTerrainViewshed
 
 

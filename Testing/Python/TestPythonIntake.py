@@ -90,7 +90,8 @@ class TestIntake(unittest.TestCase):
                              ("mm", 1e-3), ("international feet", 0.3048)):
             heights, _, warning = self.read(self.write(f"{unit[:4]}.tif", ground(), unit=unit))
             np.testing.assert_allclose(heights, metres * ground(), rtol=1e-6, err_msg=unit)
-        heights, _, warning = self.read(self.write("irish.tif", ground(), (3e5, 30, 0, 2.5e5, 0, -30), "EPSG:29903+5754"))
+        irish = self.write("irish.tif", ground(), (3e5, 30, 0, 2.5e5, 0, -30), "EPSG:29903+5754")
+        heights, _, warning = self.read(irish)
         np.testing.assert_allclose(heights, 0.3048007491 * ground(), rtol=1e-6)
         self.assertEqual(warning, "")
 
@@ -103,8 +104,8 @@ class TestIntake(unittest.TestCase):
 
     def test_depths_are_turned(self):
         for path in (self.write("depth.tif", ground(), system="EPSG:32631+5715"),
-                     self.netcdf("depth.nc", ground()[::-1], 20 + 0.01 * np.arange(ROWS), 10 + 0.01 * np.arange(COLUMNS),
-                                 positive="down", units="m")):
+                     self.netcdf("depth.nc", ground()[::-1], 20 + 0.01 * np.arange(ROWS),
+                                 10 + 0.01 * np.arange(COLUMNS), positive="down", units="m")):
             np.testing.assert_allclose(self.read(path)[0], -ground())
             np.testing.assert_allclose(self.read(path, HeightUnit="1")[0], ground())
 
@@ -119,7 +120,8 @@ class TestIntake(unittest.TestCase):
 
     def test_uneven_latitudes_are_where_they_are(self):
         y = np.degrees(2 * np.arctan(np.exp(np.radians(50 + np.arange(300) / 10))) - np.pi / 2)
-        heights, image, _ = self.read(self.netcdf("mercator.nc", np.repeat(y[:, None] * 100, 20, 1), y, np.arange(20) * 0.1))
+        mercator = self.netcdf("mercator.nc", np.repeat(y[:, None] * 100, 20, 1), y, np.arange(20) * 0.1)
+        heights, image, _ = self.read(mercator)
         expected = np.linspace(y[-1], y[0], heights.shape[0]) * 100
         np.testing.assert_allclose(heights[:, 7], expected, atol=1e-6)
 

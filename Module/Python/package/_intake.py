@@ -17,9 +17,9 @@ def _texts(name, pairs):
     array = vtkStringArray()
     array.SetName(name)
     for key, value in pairs.items():
-        if isinstance(value, (list, tuple, np.ndarray)):
-            value = next(iter(np.ravel(value)), "")
-        array.InsertNextValue(f"{key}={value}")
+        is_list = isinstance(value, (list, tuple, np.ndarray))
+        first = next(iter(np.ravel(value)), "") if is_list else value
+        array.InsertNextValue(f"{key}={first}")
     return array
 
 
