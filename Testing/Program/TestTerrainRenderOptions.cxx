@@ -3,6 +3,7 @@
 // The command line of terrain-render: what is refused, and with which sentence.
 #include "TerrainRenderFixture.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -87,7 +88,10 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--detail", "builtin", "--detail-cells", "0" }, "--detail-cells" },
   { { "--detail", "builtin", "--detail-cells", "1e9" }, "--detail-cells" },
   { { "--detail", "builtin", "--detail-height", "-1" }, "--detail-height" },
-  { { "--detail", "a.png", "--output", "a.png" }, "a.png" } };
+  { { "--detail", "a.png", "--output", "a.png" }, "a.png" },
+  { { "--colors", "virids" }, "viridis" }, { { "--colors", "none.cpt" }, "none.cpt" },
+  { { "--range", "5" }, "LOWEST,HIGHEST" }, { { "--range", "5,1" }, "LOWEST,HIGHEST" },
+  { { "--range", "nan,1" }, "LOWEST,HIGHEST" }, { { "--below-sea", "often" }, "--below-sea" } };
 }
 
 TEST_F(TerrainRenderOptions, WrongOnesAreRefused)
@@ -105,15 +109,53 @@ TEST_F(TerrainRenderOptions, HelpAndVersionAreNoErrors)
 {
   const RunResult help = this->Run({ "--help" });
   EXPECT_EQ(help.Status, 0);
-  for (const char* option : { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells",
-         "--camera", "--view-angle", "--exaggeration", "--depth", "--window", "--frames", "--stats",
-         "--crs", "--frame", "--curvature", "--origin", "--utm-zone", "--cell", "--cubic",
-         "--vertical", "--geoid", "--drape", "--track", "--track-mode", "--look-from", "--look-at",
-         "--sun", "--graticule", "--scale-bar", "--north-arrow", "--pixel-tolerance", "--crossings",
-         "--steps", "--long-steps", "--step-length", "--secant-steps" })
+  for (const char* option :
+    { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells", "--camera", "--view-angle",
+      "--exaggeration", "--depth", "--window", "--frames", "--stats", "--crs", "--frame",
+      "--curvature", "--origin", "--utm-zone", "--cell", "--cubic", "--vertical", "--geoid",
+      "--drape", "--track", "--track-mode", "--look-from", "--look-at", "--sun", "--graticule",
+      "--scale-bar", "--north-arrow", "--pixel-tolerance", "--crossings", "--steps", "--long-steps",
+      "--step-length", "--secant-steps", "--colors", "--range", "--reverse", "--below-sea" })
   {
     EXPECT_NE(help.Output.find(option), std::string::npos) << option;
   }
   EXPECT_EQ(this->Run({ "--version" }).Status, 0);
   EXPECT_TRUE(this->ListFiles().empty());
+}
+
+// Lights make colours darker or lighter, and leave red red. Rays and strips, a file and a range.
+TEST_F(TerrainRenderOptions, ColoursAreThoseAskedFor)
+{
+  const std::string hill = this->WriteHill();
+  this->WriteText("red.cpt", "0 red 100 red\n");
+  this->WriteText("low.txt", "0 255 0 0\n1000 0 0 255\n");
+  for (const char* technique : { "pyramid", "strips" })
+  {
+    for (const std::vector<std::string>& colors : { std::vector<std::string>{ "red.cpt" },
+           std::vector<std::string>{ "low.txt", "--range", "1000,2000" } })
+    {
+      std::vector<std::string> arguments{ "--technique", technique, "--colors" };
+      arguments.insert(arguments.end(), colors.begin(), colors.end());
+      const RunResult result = this->Draw(hill, arguments);
+      ASSERT_EQ(result.Status, 0) << result.Errors;
+      const Picture picture = this->ReadPicture();
+      const Depths depths = this->ReadDepths("depth.tif");
+      int red = 0;
+      int other = 0;
+      for (int y = 1; y < picture.Height - 1; ++y)
+      {
+        for (int x = 1; x < picture.Width - 1; ++x)
+        {
+          const bool isOther = picture.At(x, y, 1) > 0 || picture.At(x, y, 2) > 0;
+          const bool isInside = std::isfinite(depths.At(x - 1, y)) &&
+            std::isfinite(depths.At(x + 1, y)) && std::isfinite(depths.At(x, y - 1)) &&
+            std::isfinite(depths.At(x, y + 1)) && std::isfinite(depths.At(x, y));
+          red += isInside && !isOther && picture.At(x, y, 0) > 40 ? 1 : 0;
+          other += isInside && isOther ? 1 : 0;
+        }
+      }
+      EXPECT_GT(red, 1000) << technique << " " << colors[0];
+      EXPECT_EQ(other, 0) << technique << " " << colors[0];
+    }
+  }
 }

@@ -173,6 +173,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   app.add_flag("--describe", options.Describe,
     "print what HEIGHTS is taken for and what was taken from where, and draw nothing");
   options.Input.Declare(app);
+  options.Colors.Declare(app);
   texts.Place.Declare(app, options.Place);
   texts.Detail.Declare(app, options.Detail);
   app.set_version_flag("--version", TERRAIN_RENDER_VERSION);

@@ -7,6 +7,7 @@
 #ifndef terrain_render_Options_h
 #define terrain_render_Options_h
 
+#include "ColorOptions.h"
 #include "Detail.h"
 #include "HeightOptions.h"
 #include "PlaceOptions.h"
@@ -92,6 +93,7 @@ struct Options
   std::string Stats;
   /// What the file of heights does not say.
   HeightOptions Input;
+  ColorOptions Colors;
   /// True to tell what the heights are, and to draw nothing.
   bool Describe = false;
   PlaceOptions Place;

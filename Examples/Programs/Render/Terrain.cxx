@@ -23,6 +23,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTerrainActor.h"
@@ -95,6 +96,25 @@ void ColorByPlaceHeight(vtkTerrainActor* actor, vtkImageData* heights)
   actor->SetLookupTable(vtkTerrainActor::MakeReliefColors(range[0], range[1]));
   actor->GetTerrainMapper()->SetScalarModeToUsePointFieldData();
   actor->GetTerrainMapper()->SelectColorArray(kArray);
+}
+
+/// The colours that are asked for, over all heights.
+void UseColors(const Terrain& terrain, vtkImageData* heights, const Options& options)
+{
+  if (!options.Colors.IsGiven() || options.Levels)
+  {
+    return;
+  }
+  std::array<double, 6> bounds{};
+  terrain.Bounds.GetBounds(bounds.data());
+  const double base = heights->GetOrigin()[2];
+  std::array<double, 2> range{ { (bounds[4] - base) / options.Exaggeration,
+    (bounds[5] - base) / options.Exaggeration } };
+  if (vtkDataArray* array = heights->GetPointData()->GetArray("PlaceHeight"))
+  {
+    array->GetFiniteRange(range.data());
+  }
+  terrain.Actor->SetLookupTable(options.Colors.MakeTable(range[0], range[1]));
 }
 
 std::vector<std::string> TextsOf(vtkImageData* heights, const char* name)
@@ -315,6 +335,7 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, const Options& options, Pr
   terrain.Actor = actor;
   terrain.Bounds.SetBounds(actor->GetBounds());
   ThrowOnError(name);
+  UseColors(terrain, heights, options);
   vtkProperty* property = actor->GetProperty();
   property->SetAmbient(0.0);
   property->SetDiffuse(1.0);

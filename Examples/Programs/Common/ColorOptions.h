@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The options by which a person chooses the colours of heights: the same words in every program.
+ */
+#ifndef terrain_common_ColorOptions_h
+#define terrain_common_ColorOptions_h
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+class vtkScalarsToColors;
+namespace CLI
+{
+class App;
+}
+
+struct ColorOptions
+{
+  /// A scheme or a file (vtkTerrainColors); empty for the program's own colours.
+  std::string Colors;
+  /// "LOWEST,HIGHEST": heights of the first and last colour, in metres; empty for the default.
+  std::string Range;
+  bool Reverse = false;
+  /// Whether heights below 0 are a sea: "auto", "always" or "never".
+  std::string BelowSea = "auto";
+
+  /// Adds the options to a command line, which fills this object and refuses what is no value.
+  void Declare(CLI::App& app);
+
+  /// True if anything is asked for.
+  bool IsGiven() const;
+
+  /// The table for heights from lowest to highest, in metres.
+  vtkSmartPointer<vtkScalarsToColors> MakeTable(double lowest, double highest) const;
+};
+
+#endif
