@@ -5,9 +5,9 @@
 #include "core/mesh/CoarseMesh.h"
 #include "core/mesh/CoarseMeshSurface.h"
 #include "data/ImageHeights.h"
+#include "data/PointArrays.h"
 #include "data/SMPParallelFor.h"
 
-#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -23,7 +23,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -96,19 +95,7 @@ void AddPointArrays(
   samples->SetNumberOfIds(surface.NumberOfVertices());
   surface.ForEachVertex([&](std::int64_t id, const terrain::CoarseMeshVertex& vertex)
     { samples->SetId(id, vertex.Column + width * vertex.Row); });
-  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* from = image->GetPointData()->GetAbstractArray(i);
-    if (from != image->GetPointGhostArray())
-    {
-      auto to = vtkSmartPointer<vtkAbstractArray>::Take(from->NewInstance());
-      to->SetName(from->GetName());
-      to->SetNumberOfComponents(from->GetNumberOfComponents());
-      to->SetNumberOfTuples(surface.NumberOfVertices());
-      from->GetTuples(samples, to);
-      output->GetPointData()->AddArray(to);
-    }
-  }
+  terrain::AddPointArrays(image, samples, output);
 }
 
 void FillOutput(const terrain::CoarseMeshSurface& surface, const terrain::GridGeometry& geometry,

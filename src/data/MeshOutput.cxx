@@ -3,8 +3,8 @@
 #include "data/MeshOutput.h"
 
 #include "data/ImageHeights.h"
+#include "data/PointArrays.h"
 
-#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
@@ -181,7 +181,7 @@ void AddTextureCoordinates(vtkImageData* image, const MeshParts& parts, vtkPolyD
   output->GetPointData()->SetTCoords(coordinates);
 }
 
-void AddPointArrays(vtkImageData* image, const MeshParts& parts, vtkPolyData* output)
+void AddArraysOfSamples(vtkImageData* image, const MeshParts& parts, vtkPolyData* output)
 {
   const vtkIdType width = image->GetDimensions()[0];
   vtkNew<vtkIdList> samples;
@@ -191,19 +191,7 @@ void AddPointArrays(vtkImageData* image, const MeshParts& parts, vtkPolyData* ou
     const glm::ivec2& sample = parts.Points[k].Sample;
     samples->SetId(static_cast<vtkIdType>(k), sample.x + width * sample.y);
   }
-  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* from = image->GetPointData()->GetAbstractArray(i);
-    if (from != image->GetPointGhostArray())
-    {
-      auto to = vtkSmartPointer<vtkAbstractArray>::Take(from->NewInstance());
-      to->SetName(from->GetName());
-      to->SetNumberOfComponents(from->GetNumberOfComponents());
-      to->SetNumberOfTuples(samples->GetNumberOfIds());
-      from->GetTuples(samples, to);
-      output->GetPointData()->AddArray(to);
-    }
-  }
+  AddPointArrays(image, samples, output);
 }
 
 vtkSmartPointer<vtkCellArray> MakeTriangles(const MeshParts& parts)
@@ -254,7 +242,7 @@ void FillMeshOutput(vtkImageData* image, const GridMesh& mesh, const GridGeometr
   }
   if (options.PointArrays)
   {
-    AddPointArrays(image, parts, output);
+    AddArraysOfSamples(image, parts, output);
   }
 }
 }
