@@ -215,6 +215,11 @@ bool vtkTerrainActor::OpenRaster(const std::string& path)
   reader->UseLevelsOn();
   reader->SetMaximumSize(largestTexture);
   reader->UpdateInformation();
+  this->ErrorMessage = reader->GetErrorMessage();
+  if (!this->ErrorMessage.empty())
+  {
+    return false;
+  }
   if (reader->GetLevel() > 0)
   {
     reader->SetMaximumSize(besideTiles);
