@@ -233,6 +233,18 @@ TEST_F(TileFileTest, AFullDiskIsNoticedFirst)
 }
 
 // What a process that was killed has left is written anew.
+// Its index alone would take terabytes of memory.
+TEST_F(TileFileTest, ARasterThatFitsNoDiskIsRefusedAtOnce)
+{
+  const std::vector<short> none;
+  auto preparation = Prepare(none, TileLayout{ 2000000000, 2000000000, 8 }, 2);
+  preparation.Read = [](std::int64_t, std::int64_t, short*) { return std::string("was read"); };
+  const std::string error = terrain::WriteTileFile<short>(this->Path, preparation);
+  // 4e18 samples / 16 * 3 numbers * 2 bytes.
+  EXPECT_NE(error.find("it needs 1500000000 GB"), std::string::npos) << error;
+  EXPECT_FALSE(this->Exists(this->Path + ".partial"));
+}
+
 TEST_F(TileFileTest, StartsAgainAfterADeadProcess)
 {
   const std::vector<short> samples = Hills(70, 45);

@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <mutex>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -122,6 +125,30 @@ private:
   std::string Path;
   int Descriptor = -1;
 };
+
+/// One sentence if the disk has less space than the finest level alone takes, or empty. It is asked
+/// before the index is made, which takes memory in proportion.
+template <typename T>
+std::string WhyNoSpace(const std::string& path, const TilePreparation<T>& preparation)
+{
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
+  const std::filesystem::space_info space = std::filesystem::space(folder, error);
+  // A cell has a sample and its two bounds.
+  const double needed =
+    std::ldexp(static_cast<double>(preparation.Layout.Width), -preparation.FirstLevel) *
+    std::ldexp(static_cast<double>(preparation.Layout.Height), -preparation.FirstLevel) * 3.0 *
+    sizeof(T);
+  if (error || needed <= static_cast<double>(space.available))
+  {
+    return {};
+  }
+  const auto gigabytes = [](double bytes)
+  { return std::to_string(static_cast<std::int64_t>(std::ceil(bytes / 1e9))); };
+  return "it needs " + gigabytes(needed) + " GB, and " +
+    gigabytes(static_cast<double>(space.available)) +
+    " GB are free there; draw a part of the raster";
+}
 
 /// The first error of several threads.
 class FirstError
@@ -311,6 +338,10 @@ std::string WriteTileFile(const std::string& path, const TilePreparation<T>& pre
   if (preparation.FirstLevel < 1 || preparation.Layout.LevelCount() <= preparation.FirstLevel)
   {
     return "the raster is too small to need levels";
+  }
+  if (const std::string lack = WhyNoSpace(path, preparation); !lack.empty())
+  {
+    return lack;
   }
   PartialTileFile file(path);
   std::string error = file.Lock();
