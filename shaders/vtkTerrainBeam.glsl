@@ -3,8 +3,8 @@
 //
 // Beams: a safe common start for all rays of a tile of pixels. Twin, with the documentation of the
 // method and why it is conservative: src/core/rays/PyramidBeam.h. Needs vtkTerrainPyramid.glsl and its
-// uniforms; no further ones, no defines. Constants: terrainBeamSteps, terrainBeamMargin,
-// terrainBeamReach (src/render/Features.h).
+// uniforms; no further ones. Defines: TERRAIN_TILES as there. Constants: terrainBeamSteps,
+// terrainBeamMargin, terrainBeamReach (src/render/Features.h).
 
 struct TerrainBeam
 {
@@ -149,6 +149,9 @@ bool terrainSlopeBound(ivec2 cell, out vec2 slope, out vec4 codes)
 // patch that the steepest slope around cannot reach the box.
 TerrainBeamStep terrainBeamOverCell(TerrainPath path, TerrainBeamEdges edges, TerrainBeamStep at)
 {
+#ifdef TERRAIN_TILES
+  return TerrainBeamStep(at.s, 0, true); // no slope bounds the step between tiles of two levels
+#else
   vec2 position = path.origin.xy + path.direction.xy * at.s;
   ivec2 cell = ivec2(floor(position + terrainBeamReach)) + path.anchor;
   vec2 leave = (vec2(cell + 1 - path.anchor) - path.lineOrigin) * path.inverse.xy;
@@ -177,6 +180,7 @@ TerrainBeamStep terrainBeamOverCell(TerrainPath path, TerrainBeamEdges edges, Te
   ivec2 next = ivec2(floor(after + terrainBeamReach)) + path.anchor;
   bool leavesBlock = any(notEqual(next >> 1, cell >> 1)) || terrainBeamLevel(edges, s) > 0;
   return TerrainBeamStep(clear ? s : at.s, leavesBlock ? 1 : 0, !clear);
+#endif
 }
 
 // A distance sBegin <= s <= sEnd of the beam's ray that no ray of the tile has met the surface

@@ -97,7 +97,7 @@ int terrainLevelBegin(ivec2 parts, int levels, int level)
 vec2 terrainTexelExtremes(ivec2 node, int level)
 {
 #ifdef TERRAIN_TILES
-  ivec2 cell = node << level;
+  ivec2 cell = min(node << level, terrainSize - 2); // a tile at the border is not full
   int slot = terrainFinestSlot(cell, level);
   return terrainSlotBounds(cell >> level, slot);
 #else

@@ -210,6 +210,32 @@ TEST(TerrainTiles, ShowTheSurfaceOfOneTexture)
   EXPECT_LT(one.Background(one.Draw(kLooks[1])), 50000);
 }
 
+// A beam ends before any of its rays meets the surface, also at steps between tiles.
+TEST(TerrainTiles, BeamsLeaveOutNothing)
+{
+  Drawing single(true);
+  Drawing beams(true);
+  single.Mapper()->SetUseBeams(false);
+  for (std::size_t k = 0; k < kLooks.size(); ++k)
+  {
+    SCOPED_TRACE(k);
+    single.Draw(kLooks[k]);
+    const std::vector<float> depths = vtkTerrainTesting::ReadDepth(single.Scene.Window);
+    beams.Draw(kLooks[k]);
+    const std::vector<float> found = vtkTerrainTesting::ReadDepth(beams.Scene.Window);
+    int missed = 0;
+    int wrong = 0;
+    for (std::size_t i = 0; i < depths.size(); ++i)
+    {
+      missed += (depths[i] < 1.0F) != (found[i] < 1.0F) ? 1 : 0;
+      wrong += std::fabs(depths[i] - found[i]) > 2e-3F * (1.0F - depths[i]) + 1e-6F ? 1 : 0;
+    }
+    // Where a node is within the tolerance, its box is met; which one depends on the start.
+    EXPECT_LE(missed, 2);
+    EXPECT_LE(wrong, 4);
+  }
+}
+
 // The first frame shows the coarsest tile; the last one is that of who waits, to the bit.
 TEST(TerrainTiles, ComeWhileTheyAreDrawn)
 {

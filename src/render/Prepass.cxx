@@ -26,6 +26,7 @@ Features ofHeights(const Features& program)
   features.IntegerHeights = program.IntegerHeights;
   features.BuffersPyramid = program.BuffersPyramid;
   features.Gathers = program.Gathers;
+  features.Tiles = program.Tiles;
   features.Detail = program.Detail;
   return features;
 }

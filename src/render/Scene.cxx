@@ -141,7 +141,7 @@ PrepassFrame Scene::MakeFrame(vtkRenderer* renderer, vtkActor* actor, const Feat
 std::string Scene::PrepareBeams(vtkRenderer* renderer, vtkActor* actor, const Features& features)
 {
   const bool uses = this->Look->GetUseBeams() && features.CastsRays() && !features.Columns &&
-    !features.Tiles && !features.Block && // walls may lie before the start
+    !features.Block && // walls may lie before the start
     ComputeProgram::IsSupported();
   return uses ? this->Prepass.ComputeBeams(this->MakeFrame(renderer, actor, features))
               : std::string();

@@ -64,6 +64,12 @@ public:
     return this->Residency ? this->Residency->GetNumberOfTiles() : 0;
   }
 
+  /// The coarsest level, which has one tile.
+  int GetTop() const
+  {
+    return this->Residency ? this->Residency->GetPages().Top() : 0;
+  }
+
   void Activate();
   void Deactivate();
   void SetUniforms(Uniforms& uniforms);
