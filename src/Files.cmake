@@ -71,6 +71,7 @@ set(private_sources
   render/DetailTexture
   render/Driver
   render/Features
+  render/ModelCamera
   render/Paint
   render/Prepass
   render/Proxy

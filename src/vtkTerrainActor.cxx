@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainActor.h"
 
-#include "core/grid/Coordinates.h"
 #include "data/HierarchyData.h"
 #include "data/ImageHeights.h"
+#include "data/Setting.h"
+#include "render/ModelCamera.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainColors.h"
 #include "vtkTerrainHierarchy.h"
@@ -33,36 +34,6 @@ vtkStandardNewMacro(vtkTerrainActor);
 
 namespace
 {
-/// One colour of a scale: position in 0..1 from the lowest to the highest, and red, green, blue.
-/// Length of what a matrix makes of a unit of one axis.
-double scaleOf(vtkMatrix4x4* matrix, int axis)
-{
-  return std::hypot(
-    matrix->GetElement(0, axis), matrix->GetElement(1, axis), matrix->GetElement(2, axis));
-}
-
-/// Makes a camera see a model as another one sees it in the world; toWorld: turns, shifts, and
-/// scales all axes by as much.
-void placeInModel(vtkCamera* world, vtkMatrix4x4* toWorld, vtkCamera* model)
-{
-  vtkNew<vtkMatrix4x4> toModel;
-  vtkMatrix4x4::Invert(toWorld, toModel);
-  const auto place = [&toModel](const double* vector, double w)
-  {
-    std::array<double, 4> placed{ vector[0], vector[1], vector[2], w };
-    toModel->MultiplyPoint(placed.data(), placed.data());
-    return placed;
-  };
-  model->SetPosition(place(world->GetPosition(), 1.0).data());
-  model->SetFocalPoint(place(world->GetFocalPoint(), 1.0).data());
-  model->SetViewUp(place(world->GetViewUp(), 0.0).data());
-  model->SetParallelProjection(world->GetParallelProjection());
-  model->SetParallelScale(world->GetParallelScale() / scaleOf(toWorld, 0));
-  model->SetUseHorizontalViewAngle(world->GetUseHorizontalViewAngle());
-  model->SetViewAngle(world->GetViewAngle());
-  model->SetWindowCenter(world->GetWindowCenter()[0], world->GetWindowCenter()[1]);
-}
-
 /// True if some cell has a surface. Cost: up to the first such cell.
 template <typename T>
 bool hasSurface(const terrain::HeightfieldView<T>& view)
@@ -282,31 +253,19 @@ double vtkTerrainActor::GetVerticalExaggeration() const
 //------------------------------------------------------------------------------
 void vtkTerrainActor::SetColorByHeight(bool color)
 {
-  if (this->ColorByHeight != color)
-  {
-    this->ColorByHeight = color;
-    this->Modified();
-  }
+  terrain::Setting::Set(this, this->ColorByHeight, color);
 }
 
 //------------------------------------------------------------------------------
 void vtkTerrainActor::SetLookupTable(vtkScalarsToColors* colors)
 {
-  if (this->LookupTable != colors)
-  {
-    this->LookupTable = colors;
-    this->Modified();
-  }
+  terrain::Setting::Set(this, this->LookupTable, colors);
 }
 
 //------------------------------------------------------------------------------
 void vtkTerrainActor::SetLevelOfDetail(bool use)
 {
-  if (this->LevelOfDetail != use)
-  {
-    this->LevelOfDetail = use;
-    this->Modified();
-  }
+  terrain::Setting::Set(this, this->LevelOfDetail, use);
 }
 
 //------------------------------------------------------------------------------
@@ -386,18 +345,15 @@ void vtkTerrainActor::RefineFor(vtkRenderer* renderer)
 {
   vtkNew<vtkMatrix4x4> toWorld;
   this->GetMatrix(toWorld);
-  const double horizontal = std::min(scaleOf(toWorld, 0), scaleOf(toWorld, 1));
-  const double vertical = scaleOf(toWorld, 2) / horizontal;
-  terrain::GridGeometry unscaled;
-  unscaled.Origin.z = this->GetOriginOfHeights();
-  unscaled.Exaggeration = 1.0 / vertical;
-  const glm::dmat4 matrix = glm::transpose(unscaled.TrueToDrawn());
-  vtkMatrix4x4::Multiply4x4(toWorld->GetData(), &matrix[0][0], toWorld->GetData());
+  const double horizontal =
+    std::min(terrain::AxisScale(toWorld, 0), terrain::AxisScale(toWorld, 1));
+  const double vertical = terrain::AxisScale(toWorld, 2) / horizontal;
+  terrain::Exaggerate(toWorld, this->GetOriginOfHeights(), 1.0 / vertical);
   if (!this->Strips->GetCamera())
   {
     this->Strips->SetCamera(vtkSmartPointer<vtkCamera>::New());
   }
-  placeInModel(renderer->GetActiveCamera(), toWorld, this->Strips->GetCamera());
+  terrain::PlaceInModel(renderer->GetActiveCamera(), toWorld, this->Strips->GetCamera());
   this->Strips->SetExaggeration(this->GetVerticalExaggeration() * vertical);
   // with the heights, the mapper exaggerates, lights and colours the points
   const bool alone = this->DrawsStripsAlone();
@@ -406,7 +362,8 @@ void vtkTerrainActor::RefineFor(vtkRenderer* renderer)
   this->Strips->SetHeightScalars(alone);
   this->Strips->SetViewportSize(renderer->GetSize());
   // the camera's sides are planes that cut other parts where the ground is stretched one way
-  const bool isStretched = std::abs(scaleOf(toWorld, 0) / scaleOf(toWorld, 1) - 1.0) > 1e-6;
+  const bool isStretched =
+    std::abs(terrain::AxisScale(toWorld, 0) / terrain::AxisScale(toWorld, 1) - 1.0) > 1e-6;
   this->Strips->SetCulling(
     isStretched ? vtkTerrainStrips::CullingMode::Off : vtkTerrainStrips::CullingMode::Nested);
 }
@@ -487,14 +444,13 @@ double* vtkTerrainActor::GetBounds()
   vtkBoundingBox box;
   if (bounds[0] <= bounds[1])
   {
-    terrain::GridGeometry drawn;
-    drawn.Origin.z = this->GetOriginOfHeights();
-    drawn.Exaggeration = this->GetVerticalExaggeration();
-    vtkMatrix4x4* toWorld = this->GetMatrix();
+    vtkNew<vtkMatrix4x4> toWorld;
+    this->GetMatrix(toWorld);
+    terrain::Exaggerate(toWorld, this->GetOriginOfHeights(), this->GetVerticalExaggeration());
     for (int corner = 0; corner < 8; ++corner)
     {
       const std::array<double, 4> point{ bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
-        drawn.ToDrawnZ(bounds[4 + (corner >> 2)]), 1.0 };
+        bounds[4 + (corner >> 2)], 1.0 };
       std::array<double, 4> moved{};
       toWorld->MultiplyPoint(point.data(), moved.data());
       box.AddPoint(moved.data());
@@ -502,6 +458,25 @@ double* vtkTerrainActor::GetBounds()
   }
   box.GetBounds(this->Bounds);
   return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::PlaceAsDrawn(vtkProp3D* other)
+{
+  this->PlaceAsDrawn(other, this->GetOriginOfHeights());
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainActor::PlaceAsDrawn(vtkProp3D* other, double originZ)
+{
+  vtkNew<vtkMatrix4x4> toWorld;
+  this->GetMatrix(toWorld);
+  terrain::Exaggerate(toWorld, originZ, this->GetVerticalExaggeration());
+  other->SetOrigin(0.0, 0.0, 0.0);
+  other->SetPosition(0.0, 0.0, 0.0);
+  other->SetOrientation(0.0, 0.0, 0.0);
+  other->SetScale(1.0, 1.0, 1.0);
+  other->SetUserMatrix(toWorld);
 }
 
 //------------------------------------------------------------------------------

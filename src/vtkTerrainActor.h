@@ -169,6 +169,13 @@ public:
   /// Up to date with the heights.
   using vtkOpenGLActor::GetBounds;
   double* GetBounds() VTK_SIZEHINT(6) override;
+  ///@{
+  /// Places another prop, whose points have true heights, where this terrain draws its own: with
+  /// its matrix and its exaggeration, from the z of its heights' origin or from the z given. The
+  /// other's user matrix says so; its own position, orientation and scale are taken back.
+  void PlaceAsDrawn(vtkProp3D* other);
+  void PlaceAsDrawn(vtkProp3D* other, double originZ);
+  ///@}
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
   /// As vtkActor, with the mapper's look.
   vtkMTimeType GetRedrawMTime() override;

@@ -17,7 +17,9 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkScalarBarActor.h"
 #include "vtkTestErrorObserver.h"
@@ -450,6 +452,42 @@ TEST_F(TerrainActor, BoundsFollowEveryChange)
 }
 
 // What a change costs: uploads of heights, builds of shaders and of vertex buffers.
+// Points at the samples' true heights: where the terrain has them, exaggerated, turned and shifted.
+TEST_F(TerrainActor, PlacesOthersAsItDraws)
+{
+  this->Heights->SetOrigin(5.0, 6.0, 700.0);
+  this->Terrain->SetVerticalExaggeration(3.0);
+  vtkNew<vtkActor> other;
+  other->SetPosition(1.0, 2.0, 3.0); // which no longer counts
+  other->SetScale(7.0, 7.0, 7.0);
+  this->Terrain->PlaceAsDrawn(other);
+  vtkNew<vtkPolyData> points;
+  vtkNew<vtkPoints> samples;
+  vtkDataArray* heights = this->Heights->GetPointData()->GetScalars();
+  for (vtkIdType id = 0; id < this->Heights->GetNumberOfPoints(); ++id)
+  {
+    const double* sample = this->Heights->GetPoint(id);
+    samples->InsertNextPoint(sample[0], sample[1], sample[2] + heights->GetComponent(id, 0));
+  }
+  points->SetPoints(samples);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(points);
+  other->SetMapper(mapper);
+  for (int axis = 0; axis < 6; ++axis)
+  {
+    EXPECT_NEAR(other->GetBounds()[axis], this->Terrain->GetBounds()[axis], 1e-3) << axis;
+  }
+  this->Terrain->SetOrientation(0.0, 0.0, 90.0);
+  this->Terrain->SetPosition(30.0, 40.0, 50.0);
+  this->Terrain->PlaceAsDrawn(other);
+  for (int axis = 0; axis < 6; ++axis)
+  {
+    EXPECT_NEAR(other->GetBounds()[axis], this->Terrain->GetBounds()[axis], 1e-3) << axis;
+  }
+  this->Terrain->PlaceAsDrawn(other, 0.0);
+  EXPECT_NEAR(other->GetBounds()[5], this->Terrain->GetBounds()[5] + 2.0 * 700.0, 1e-3);
+}
+
 TEST_F(TerrainActor, BuildsOnlyWhatChanged)
 {
   vtkOpenGLTerrainMapper* mapper = this->Terrain->GetTerrainMapper();

@@ -157,8 +157,7 @@ void AddNormals(const HeightfieldView<T>& view, const MeshParts& parts,
     {
       const glm::ivec2& sample = parts.Points[k].Sample;
       normal = glm::normalize(
-        glm::dvec3(-geometry.Exaggeration * Slope(view, sample, 0) / geometry.Spacing.x,
-          -geometry.Exaggeration * Slope(view, sample, 1) / geometry.Spacing.y, 1.0));
+        geometry.NormalToModel({ -Slope(view, sample, 0), -Slope(view, sample, 1), 1.0 }));
     }
     normals->SetTuple3(static_cast<vtkIdType>(k), normal.x, normal.y, normal.z);
   }

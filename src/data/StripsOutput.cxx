@@ -18,7 +18,6 @@ namespace terrain
 {
 namespace
 {
-using OutputOptions = StripsOptions;
 using MeshSource = StripsSource;
 
 /// Rounding of heights with detail, which are sums of floats, relative to the largest.
@@ -88,7 +87,8 @@ void AddCells(const StripMesh& mesh, bool triangles, vtkPolyData* output)
   output->SetStrips(cells);
 }
 
-/// Slopes of the base at a vertex; between samples those at the cell's corners, bilinear.
+/// Slopes of the base at a vertex, in height units over model units; between samples those at the
+/// cell's corners, bilinear.
 glm::dvec2 BaseSlopes(const StripVertex& vertex, const MeshSource& source)
 {
   const HierarchyView& hierarchy = source.Hierarchy;
@@ -126,8 +126,8 @@ glm::dvec2 DetailSlopes(const StripVertex& vertex, const MeshSource& source)
     (2.0 * source.Part() * source.Hierarchy.Geometry.Spacing);
 }
 
-void AddNormals(const StripMesh& mesh, const MeshSource& source, const OutputOptions& options,
-  vtkPolyData* output)
+void AddNormals(const StripMesh& mesh, const MeshSource& source, const GridGeometry& geometry,
+  double detailScale, vtkPolyData* output)
 {
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
@@ -139,9 +139,10 @@ void AddNormals(const StripMesh& mesh, const MeshSource& source, const OutputOpt
     glm::dvec2 slopes = BaseSlopes(vertex, source);
     if (source.Detail)
     {
-      slopes += options.DetailScale * DetailSlopes(vertex, source);
+      slopes += detailScale * DetailSlopes(vertex, source);
     }
-    const glm::dvec3 normal = glm::normalize(glm::dvec3(-options.Exaggeration * slopes, 1.0));
+    const glm::dvec3 normal =
+      glm::normalize(geometry.NormalToModel({ -slopes * geometry.Spacing, 1.0 }));
     for (int i = 0; i < 3; ++i)
     {
       *out++ = static_cast<float>(normal[i]);
@@ -249,7 +250,7 @@ void FillStrips(const StripMesh& mesh, const StripsSource& source, const StripsO
   AddCells(mesh, options.TriangleOutput, output);
   if (options.Normals)
   {
-    AddNormals(mesh, source, options, output);
+    AddNormals(mesh, source, geometry, options.DetailScale, output);
   }
   if (options.TextureCoordinates)
   {

@@ -451,8 +451,8 @@ void Paint::SetColorUniforms(Uniforms& uniforms, const HeightCodes& codes) const
 }
 
 //------------------------------------------------------------------------------
-void Paint::SetLineUniforms(
-  Uniforms& uniforms, const HeightCodes& codes, const vtkTerrainLook* look) const
+void Paint::SetLineUniforms(Uniforms& uniforms, const HeightCodes& codes,
+  const GridGeometry& geometry, const vtkTerrainLook* look) const
 {
   const bool shown = !look->GetShowCrossings();
   const double azimuth = vtkMath::RadiansFromDegrees(look->GetHillshadeAzimuth());
@@ -460,7 +460,7 @@ void Paint::SetLineUniforms(
   const glm::vec3 sun(std::sin(azimuth) * std::cos(altitude),
     std::cos(azimuth) * std::cos(altitude), std::sin(altitude));
   uniforms.SetArray("terrainSunDirection", 1, &sun);
-  uniforms.Set("terrainShadeRelief", static_cast<float>(look->GetVerticalExaggeration()));
+  uniforms.Set("terrainShadeRelief", static_cast<float>(geometry.Exaggeration));
   uniforms.Set("terrainShadeStrength", look->GetHillshade() && shown ? 1.0f : 0.0f);
 
   const double interval = look->GetContourInterval();
@@ -494,7 +494,7 @@ void Paint::SetUniforms(Uniforms& uniforms, const HeightCodes& codes, const Grid
     return;
   }
   this->SetColorUniforms(uniforms, codes);
-  this->SetLineUniforms(uniforms, codes, look);
+  this->SetLineUniforms(uniforms, codes, geometry, look);
   uniforms.Set("terrainGradientScale", glm::vec2(codes.Scale / geometry.Spacing));
   uniforms.Set(
     "terrainMaximumShownCrossings", static_cast<float>(look->GetMaximumShownCrossings()));

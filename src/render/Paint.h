@@ -87,8 +87,8 @@ private:
   bool StartsToMake(Made& made, const std::string& from);
   glm::dvec2 ValueScale(const HeightCodes& codes) const;
   void SetColorUniforms(Uniforms& uniforms, const HeightCodes& codes) const;
-  void SetLineUniforms(
-    Uniforms& uniforms, const HeightCodes& codes, const vtkTerrainLook* look) const;
+  void SetLineUniforms(Uniforms& uniforms, const HeightCodes& codes, const GridGeometry& geometry,
+    const vtkTerrainLook* look) const;
   std::array<Made*, 4> Textures()
   {
     return { &this->ColorMap, &this->Values, &this->Colors, &this->DrapeTexture };

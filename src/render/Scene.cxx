@@ -196,10 +196,11 @@ void Scene::AddFeatures(Features& features) const
 //------------------------------------------------------------------------------
 void Scene::SetUniforms(Uniforms& uniforms, vtkActor* actor)
 {
-  this->Surface.SetUniforms(uniforms, this->Look);
+  const GridGeometry geometry = this->Geometry();
+  this->Surface.SetUniforms(uniforms, geometry, this->Look);
   this->View.SetUniforms(uniforms);
   this->View.SetTolerance(uniforms, this->GetPixelTolerance());
-  this->GetTechnique().SetSearchUniforms(uniforms, this->Look, this->Surface);
+  this->GetTechnique().SetSearchUniforms(uniforms, this->Look, this->Surface, geometry);
   this->Prepass.SetUniforms(uniforms, this->Surface);
   vtkProperty* property = actor->GetProperty();
   uniforms.Set("terrainLayer", this->Layer);
@@ -217,7 +218,7 @@ void Scene::ExaggerateVertices(Uniforms& uniforms, vtkRenderer* renderer, vtkAct
   {
     const CameraMatrices camera(renderer);
     const glm::dmat4 viewFromBuffer = camera.ViewFromWorld * ToGlm(actor->GetMatrix()) *
-      ExaggeratedModel(this->Geometry()) * ModelFromBuffer(buffers);
+      this->Geometry().TrueToDrawn() * ModelFromBuffer(buffers);
     uniforms.Set("MCVCMatrix", glm::mat4(viewFromBuffer));
     uniforms.Set("MCDCMatrix", glm::mat4(camera.DisplayFromView * viewFromBuffer));
   }

@@ -388,7 +388,8 @@ void SurfaceTextures::AddFeatures(Features& features) const
 }
 
 //------------------------------------------------------------------------------
-void SurfaceTextures::SetUniforms(Uniforms& uniforms, const vtkTerrainLook* look)
+void SurfaceTextures::SetUniforms(
+  Uniforms& uniforms, const GridGeometry& geometry, const vtkTerrainLook* look)
 {
   uniforms.Set("terrainSize", this->Sum.Size);
   uniforms.Set("terrainBias", static_cast<float>(this->Codes.Bias));
@@ -397,12 +398,12 @@ void SurfaceTextures::SetUniforms(Uniforms& uniforms, const vtkTerrainLook* look
   {
     this->Tiles.SetUniforms(uniforms);
     uniforms.Set("terrainArrayLevel", this->ImageLevel);
-    this->Colors.SetUniforms(uniforms, this->Sum.Codes, this->Sum.Geometry, look);
+    this->Colors.SetUniforms(uniforms, this->Sum.Codes, geometry, look);
     return;
   }
   uniforms.Set("terrainHeights", this->Texture->GetTextureUnit());
   this->Slopes.SetUniforms(uniforms);
-  this->Colors.SetUniforms(uniforms, this->Sum.Codes, this->Sum.Geometry, look);
+  this->Colors.SetUniforms(uniforms, this->Sum.Codes, geometry, look);
   this->Detail.SetUniforms(uniforms, this->DetailLevel, this->DetailScale);
   if (uniforms.Uses("terrainPyramid"))
   {

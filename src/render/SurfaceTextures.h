@@ -101,7 +101,7 @@ public:
   /// vtkTerrainColor.glsl).
   void Activate();
   void Deactivate();
-  void SetUniforms(Uniforms& uniforms, const vtkTerrainLook* look);
+  void SetUniforms(Uniforms& uniforms, const GridGeometry& geometry, const vtkTerrainLook* look);
   /// Adds what shaders have to know of these textures.
   void AddFeatures(Features& features) const;
 

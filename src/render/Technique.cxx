@@ -24,8 +24,6 @@
 #include "vtkTerrainTrace.h"
 #include "vtkTerrainView.h"
 
-#include <cmath>
-
 namespace terrain
 {
 namespace
@@ -108,21 +106,19 @@ std::string Technique::SightingSource(const Features& features)
 }
 
 //------------------------------------------------------------------------------
-void Technique::SetSearchUniforms(
-  Uniforms& uniforms, const vtkTerrainLook* look, const SurfaceTextures& surface) const
+void Technique::SetSearchUniforms(Uniforms& uniforms, const vtkTerrainLook* look,
+  const SurfaceTextures& surface, const GridGeometry& geometry) const
 {
   if (!uniforms.Uses("terrainSecantSteps"))
   {
     return;
   }
   const HeightCodes& codes = surface.GetCodes();
-  const glm::dvec2 spacing = surface.GetGeometry().Spacing;
   SearchScene scene;
   scene.Width = surface.GetSize().x;
   scene.Height = surface.GetSize().y;
   scene.MaximumCode = codes.MaximumCode;
-  scene.CodesPerCell =
-    std::sqrt(spacing.x * spacing.y) / (look->GetVerticalExaggeration() * codes.Scale);
+  scene.CodesPerCell = geometry.HeightOfCellSide() / codes.Scale;
 
   const SearchKind kind = searchKind(this->Way);
   SearchParameters search = ChooseSearchParameters(scene, kind);

@@ -8,6 +8,7 @@
 #ifndef vtkTerrain_render_Technique_h
 #define vtkTerrain_render_Technique_h
 
+#include "core/grid/Coordinates.h"
 #include "render/Features.h"
 #include "vtkTerrainLook.h"
 
@@ -39,9 +40,9 @@ public:
     return this->Way == Features::Ways::Pyramid;
   }
 
-  /// Uniforms of shaders/vtkTerrainSearch.glsl.
-  void SetSearchUniforms(
-    Uniforms& uniforms, const vtkTerrainLook* look, const SurfaceTextures& surface) const;
+  /// Uniforms of shaders/vtkTerrainSearch.glsl, for a surface and where it is drawn.
+  void SetSearchUniforms(Uniforms& uniforms, const vtkTerrainLook* look,
+    const SurfaceTextures& surface, const GridGeometry& geometry) const;
 
   ///@{
   /// The functions of a fragment shader; the sources of the compute shaders that find where beams

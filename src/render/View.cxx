@@ -52,21 +52,10 @@ glm::dmat4 ToGlm(vtkMatrix4x4* matrix)
 //------------------------------------------------------------------------------
 glm::dmat4 ModelFromGrid(const GridGeometry& geometry, const HeightCodes& codes)
 {
-  glm::dmat4 matrix(1.0);
-  matrix[0][0] = geometry.Spacing.x;
-  matrix[1][1] = geometry.Spacing.y;
-  matrix[2][2] = geometry.Exaggeration * codes.Scale;
-  matrix[3] = glm::dvec4(geometry.ToModel({ 0.0, 0.0 }, codes.Offset), 1.0);
-  return matrix;
-}
-
-//------------------------------------------------------------------------------
-glm::dmat4 ExaggeratedModel(const GridGeometry& geometry)
-{
-  glm::dmat4 matrix(1.0);
-  matrix[2][2] = geometry.Exaggeration;
-  matrix[3][2] = (1.0 - geometry.Exaggeration) * geometry.Origin.z;
-  return matrix;
+  glm::dmat4 heightsFromCodes(1.0);
+  heightsFromCodes[2][2] = codes.Scale;
+  heightsFromCodes[3][2] = codes.Offset;
+  return geometry.GridToModel() * heightsFromCodes;
 }
 
 //------------------------------------------------------------------------------

@@ -33,9 +33,6 @@ glm::dmat4 ToGlm(vtkMatrix4x4* matrix);
 /// Matrix from grid coordinates, z in height codes, to model coordinates.
 glm::dmat4 ModelFromGrid(const GridGeometry& geometry, const HeightCodes& codes);
 
-/// Matrix from model coordinates without to those with exaggeration, of what stands on the grid.
-glm::dmat4 ExaggeratedModel(const GridGeometry& geometry);
-
 /// The matrices of a renderer's camera: world to view to display coordinates.
 struct CameraMatrices
 {

@@ -194,7 +194,6 @@ void Viewer::AddMesh(vtkImageData* heights)
   this->Mesh->SetInputData(heights);
   this->MeshMapper->SetInputConnection(this->Mesh->GetOutputPort());
   this->MeshActor->SetMapper(this->MeshMapper);
-  this->MeshActor->SetOrigin(0.0, 0.0, heights->GetOrigin()[2]); // exaggerated from there
   this->MeshActor->GetProperty()->SetRepresentationToWireframe();
   this->MeshActor->GetProperty()->LightingOff();
   this->MeshActor->GetProperty()->SetColor(0.1, 0.1, 0.25);
@@ -336,15 +335,14 @@ void Viewer::SavePicture()
 void Viewer::Refresh()
 {
   const auto technique = static_cast<std::size_t>(this->Terrain->GetTechnique());
-  const double exaggeration = this->Terrain->GetVerticalExaggeration();
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(), "%s  exaggeration %.2f  colours %s   h: help",
-    kTechniqueNames[technique], exaggeration, NameOf(this->Colors));
+    kTechniqueNames[technique], this->Terrain->GetVerticalExaggeration(), NameOf(this->Colors));
   this->Status->SetInput(text.data());
   this->ScalarBar->SetLookupTable(this->Terrain->GetLookupTable());
   this->ScalarBar->SetVisibility(
     this->Terrain->GetColorByHeight() && !this->Terrain->GetTerrainMapper()->GetShowCrossings());
-  this->MeshActor->SetScale(1.0, 1.0, exaggeration);
+  this->Terrain->PlaceAsDrawn(this->MeshActor);
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();
 }

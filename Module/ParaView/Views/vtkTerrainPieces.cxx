@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainPieces.h"
 
+#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -11,8 +12,10 @@
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTerrainActor.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cstddef>
@@ -164,8 +167,7 @@ void AddBox(const double bounds[6], vtkMatrix4x4* toWorld, vtkBoundingBox& box)
 }
 
 //------------------------------------------------------------------------------
-void AddOwnBox(
-  vtkImageData* heights, double exaggeration, vtkMatrix4x4* toWorld, vtkBoundingBox& box)
+void AddOwnBox(vtkImageData* heights, vtkTerrainActor* terrain, vtkBoundingBox& box)
 {
   std::array<int, 2> first{};
   std::array<int, 2> last{};
@@ -185,9 +187,12 @@ void AddOwnBox(
     const double start = origin[axis] + extent[2 * axis] * spacing[axis];
     bounds[2 * axis] = start + first[axis] * spacing[axis];
     bounds[2 * axis + 1] = start + last[axis] * spacing[axis];
-    bounds[4 + axis] = origin[2] + exaggeration * range[axis];
+    bounds[4 + axis] = origin[2] + range[axis];
   }
-  AddBox(bounds, toWorld, box);
+  vtkNew<vtkActor> placed;
+  terrain->PlaceAsDrawn(placed, origin[2]);
+  placed->ComputeMatrix();
+  AddBox(bounds, placed->GetMatrix(), box);
 }
 
 //------------------------------------------------------------------------------

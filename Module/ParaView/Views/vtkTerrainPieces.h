@@ -18,6 +18,7 @@ class vtkDataObject;
 class vtkImageData;
 class vtkMatrix4x4;
 class vtkPolyData;
+class vtkTerrainActor;
 
 namespace vtkTerrainPieces
 {
@@ -46,9 +47,9 @@ std::array<double, 2> HeightRange(const std::vector<vtkImageData*>& images);
 /// Adds to a box in world coordinates the corners of another one that is placed there.
 void AddBox(const double bounds[6], vtkMatrix4x4* toWorld, vtkBoundingBox& box);
 
-/// Adds to a box in world coordinates that of the own samples, if any has a height.
-void AddOwnBox(
-  vtkImageData* heights, double exaggeration, vtkMatrix4x4* toWorld, vtkBoundingBox& box);
+/// Adds to a box in world coordinates that of the own samples, if any has a height, where a terrain
+/// that is placed and exaggerated like another one draws them.
+void AddOwnBox(vtkImageData* heights, vtkTerrainActor* terrain, vtkBoundingBox& box);
 
 /// Makes of a box a column as high as that of any other process, and the matrix that brings it
 /// back.

@@ -239,14 +239,12 @@ void vtkTerrainRepresentation::PassPieces(vtkInformation* inInfo, vtkInformation
 // composited in.
 void vtkTerrainRepresentation::GetOwnBounds(double bounds[6])
 {
-  this->Actor->ComputeMatrix();
   vtkBoundingBox box;
   for (vtkImageData* heights : vtkTerrainPieces::FindImages(this->Pieces))
   {
     if (vtkTerrainPieces::HasCells(heights))
     {
-      vtkTerrainPieces::AddOwnBox(
-        heights, this->Actor->GetVerticalExaggeration(), this->Actor->GetMatrix(), box);
+      vtkTerrainPieces::AddOwnBox(heights, this->Actor, box);
     }
   }
   vtkNew<vtkActor> placed;
@@ -322,9 +320,7 @@ void vtkTerrainRepresentation::TakeSurfaces(vtkDataObject* delivered)
 void vtkTerrainRepresentation::PlaceSurface(vtkActor* actor)
 {
   vtkTerrainLooks::ShareActor(this->Actor, actor);
-  std::array<double, 3> scale{};
-  actor->GetScale(scale.data());
-  actor->SetScale(scale[0], scale[1], scale[2] * this->Actor->GetVerticalExaggeration());
+  this->Actor->PlaceAsDrawn(actor, 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,8 @@ import warnings
 import numpy as np
 import pyvista
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from ._intake import lay_out, make_reader, read
@@ -234,12 +236,19 @@ def _serialize_stand_in(parent, terrain, terrain_id, context, depth):
                       "use the mode \"server\"", RuntimeWarning, stacklevel=2)
         mesh = terrain.GetCoarseMesh()
         mesh.Update()
+        place = vtkActor()
+        terrain.PlaceAsDrawn(place)
+        transform = vtkTransform()
+        transform.SetMatrix(place.GetUserMatrix())
+        drawn = vtkTransformPolyDataFilter()
+        drawn.SetInputData(mesh.GetOutput())
+        drawn.SetTransform(transform)
+        drawn.Update()
         mapper = vtkPolyDataMapper()
-        mapper.SetInputData(mesh.GetOutput())
+        mapper.SetInputData(drawn.GetOutput())
         mapper.ScalarVisibilityOff()
         terrain.stand_in = vtkActor()
         terrain.stand_in.SetMapper(mapper)
-        terrain.stand_in.SetScale(1.0, 1.0, terrain.GetVerticalExaggeration())
         terrain.stand_in.GetProperty().SetColor(0.55, 0.60, 0.45)
     return SERIALIZERS["vtkOpenGLActor"](parent, terrain.stand_in, terrain_id, context, depth)
 

@@ -22,7 +22,7 @@
 
 #include <glm/glm.hpp>
 
-#include <cstdint>
+#include <cmath>
 
 namespace terrain
 {
@@ -74,6 +74,18 @@ struct GridGeometry
   glm::dvec3 NormalToModel(const glm::dvec3& normalGC) const
   {
     return normalGC / this->Scale();
+  }
+
+  /// How much higher a point is drawn that is higher by so many height units.
+  double RiseToModel(double rise) const
+  {
+    return this->Exaggeration * rise;
+  }
+
+  /// Height units that are drawn as long as the side of a cell (the mean of its two sides).
+  double HeightOfCellSide() const
+  {
+    return std::sqrt(this->Spacing.x * this->Spacing.y) / this->Exaggeration;
   }
 
   ///@{
