@@ -40,6 +40,7 @@ set(private_sources
   data/MeshOutput
   data/StripsOutput
   place/GeoreferencePrepare
+  place/GroundPlaces
   place/ReprojectPlan
   raster/CoordinateSystem
   raster/GDALTable

@@ -5,6 +5,8 @@
 #include "core/rays/SurfacePath.h"
 #include "data/ImageHeights.h"
 #include "data/Setting.h"
+#include "place/GroundPlaces.h"
+#include "vtkTerrainGeoreference.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -187,6 +189,38 @@ void DrapeVertex(const terrain::HeightfieldView<T>& heights, const Rule& rule, D
   }
 }
 
+/// The input with its points on the surface, each on the vertical of its place; z counts from the
+/// surface, as drawn. Points above or below no surface stay where they are.
+vtkSmartPointer<vtkPolyData> OnVerticals(
+  vtkPolyData* input, vtkTerrainGeoreference* georeference, vtkImageData* heights)
+{
+  const vtkIdType count = input->GetNumberOfPoints();
+  std::vector<double> scene(3 * static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    input->GetPoint(i, scene.data() + 3 * i);
+  }
+  std::vector<double> places(scene.size());
+  georeference->SceneToPlaces(scene.data(), places.data(), count);
+  std::vector<double> ground = places;
+  terrain::LowerToGround(georeference, heights, ground);
+  georeference->PlacesToScene(ground.data(), ground.data(), count);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double* from =
+      std::isnan(ground[static_cast<std::size_t>(3 * i)]) ? scene.data() : ground.data();
+    points->SetPoint(i, from[3 * i], from[3 * i + 1],
+      georeference->GetVerticalExaggeration() * places[static_cast<std::size_t>(3 * i + 2)]);
+  }
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->ShallowCopy(input);
+  output->SetPoints(points);
+  return output;
+}
+
 /// Point ids of a cell; polygons close.
 std::vector<vtkIdType> IdsOf(vtkCellArray* cells, vtkIdType cell, bool closed)
 {
@@ -209,6 +243,8 @@ vtkTerrainDrape::vtkTerrainDrape()
   this->SetNumberOfInputPorts(2);
 }
 
+vtkTerrainDrape::~vtkTerrainDrape() = default;
+
 void vtkTerrainDrape::SetHeightsData(vtkImageData* heights)
 {
   this->SetInputDataInternal(1, heights);
@@ -217,6 +253,22 @@ void vtkTerrainDrape::SetHeightsData(vtkImageData* heights)
 void vtkTerrainDrape::SetHeightsConnection(vtkAlgorithmOutput* heights)
 {
   this->SetInputConnection(1, heights);
+}
+
+void vtkTerrainDrape::SetGeoreference(vtkTerrainGeoreference* georeference)
+{
+  terrain::Setting::Set(this, this->Georeference, georeference);
+}
+
+vtkTerrainGeoreference* vtkTerrainDrape::GetGeoreference() const
+{
+  return this->Georeference;
+}
+
+vtkMTimeType vtkTerrainDrape::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Georeference ? std::max(time, this->Georeference->GetMTime()) : time;
 }
 
 void vtkTerrainDrape::SetMode(ModeType mode)
@@ -233,7 +285,7 @@ int vtkTerrainDrape::FillInputPortInformation(int port, vtkInformation* info)
 int vtkTerrainDrape::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkSmartPointer<vtkPolyData> input = vtkPolyData::GetData(inputs[0]);
   vtkImageData* image = vtkImageData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   const std::string why = terrain::ImageHeights::WhyNotHeights(image);
@@ -241,6 +293,12 @@ int vtkTerrainDrape::RequestData(
   {
     vtkErrorMacro(<< why);
     return 0;
+  }
+  if (this->Georeference && this->Mode != ModeType::Absolute &&
+    this->Georeference->GetFrame() == vtkTerrainGeoreference::FrameType::Local &&
+    this->Georeference->IsOnEarth())
+  {
+    input = OnVerticals(input, this->Georeference, image);
   }
   Rule rule;
   rule.Geometry = terrain::ImageHeights::Geometry(image, this->Exaggeration);
@@ -287,4 +345,5 @@ void vtkTerrainDrape::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Offset: " << this->Offset << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "Georeference: " << this->Georeference.Get() << "\n";
 }

@@ -15,6 +15,10 @@
  * points left out; a hole swallows the cells that touch it. Point data are interpolated, cell data
  * copied.
  *
+ * In the round frame Local the vertical of a place is not that of the scene. With a Georeference,
+ * points go up and down their own vertical, and z counts from the surface along it; without one,
+ * that of the scene, which shifts a place by its height times the angle between the two.
+ *
  * Error: Tolerance; 0 height at inserted points. Cost: proportional to the cells crossed.
  *
  * @sa vtkTerrainGeoTransform vtkTerrainGraticule
@@ -23,9 +27,11 @@
 #define vtkTerrainDrape_h
 
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"  // For members
 #include "vtkTerrainModule.h" // For export macro
 
 class vtkImageData;
+class vtkTerrainGeoreference;
 
 class VTKTERRAIN_EXPORT vtkTerrainDrape : public vtkPolyDataAlgorithm
 {
@@ -38,6 +44,12 @@ public:
   /// The heights, input port 1.
   void SetHeightsData(vtkImageData* heights);
   void SetHeightsConnection(vtkAlgorithmOutput* heights);
+  ///@}
+
+  ///@{
+  /// The scene of points and heights, which matters in the frame Local; null (default): flat.
+  void SetGeoreference(vtkTerrainGeoreference* georeference);
+  vtkTerrainGeoreference* GetGeoreference() const;
   ///@}
 
   enum class ModeType
@@ -75,12 +87,15 @@ public:
   vtkGetMacro(Exaggeration, double);
   ///@}
 
+  /// Also that of the georeference.
+  vtkMTimeType GetMTime() override;
+
   vtkTerrainDrape(const vtkTerrainDrape&) = delete;
   void operator=(const vtkTerrainDrape&) = delete;
 
 protected:
   vtkTerrainDrape();
-  ~vtkTerrainDrape() override = default;
+  ~vtkTerrainDrape() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
@@ -91,6 +106,7 @@ private:
   double Offset = 0.0;
   double Tolerance = 0.0;
   double Exaggeration = 1.0;
+  vtkSmartPointer<vtkTerrainGeoreference> Georeference;
 };
 
 #endif

@@ -505,6 +505,7 @@ void vtkTerrainGeoreference::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Extent: " << terrain::PlaceExtent::ToText(this->Extent) << "\n";
   os << indent << "Frame: " << static_cast<int>(this->Frame) << "\n";
   os << indent << "Origin: " << origin[0] << ", " << origin[1] << ", " << origin[2] << "\n";
+  os << indent << "VerticalExaggeration: " << this->VerticalExaggeration << "\n";
   os << indent << "Zone: " << this->GetZone() << (this->GetNorthern() ? " north" : " south")
      << "\n";
   os << indent << "HeightUnit: " << this->GetHeightUnit() << " m\n";

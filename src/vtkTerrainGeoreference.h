@@ -126,6 +126,15 @@ public:
   /// The origin in use, automatic or not; NaN if there is none.
   void GetOrigin(double origin[3]);
 
+  ///@{
+  /// How much higher than on earth heights are in the round frame Local, > 0; default 1. Heights
+  /// above the ellipsoid are meant, those of the origin included; the earth's curve below them
+  /// stays as it is. No other frame uses this: a flat scene is exaggerated where it is drawn
+  /// (vtkTerrainActor::SetVerticalExaggeration), which needs no other heights.
+  vtkSetClampMacro(VerticalExaggeration, double, 1e-30, VTK_DOUBLE_MAX);
+  vtkGetMacro(VerticalExaggeration, double);
+  ///@}
+
   /// Zone of the frame Zone: 1 to 60 UTM, 0 UPS, -1 (default) the standard zone of the middle of
   /// the extent. northern tells the hemisphere; it is not used with -1.
   void SetZone(int zone, bool northern);
@@ -229,6 +238,7 @@ private:
   FrameType Frame = FrameType::Plane;
   bool IsOriginGiven = false;
   double Origin[3] = { 0.0, 0.0, 0.0 };
+  double VerticalExaggeration = 1.0;
   int Zone = -1;
   bool Northern = true;
   double HeightUnit = 0.0;

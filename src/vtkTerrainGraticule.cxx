@@ -260,6 +260,7 @@ int vtkTerrainGraticule::RequestData(
   vtkNew<vtkTerrainDrape> drape;
   drape->SetInputData(this->MakeLines(frame));
   drape->SetHeightsData(heights);
+  drape->SetGeoreference(this->Georeference);
   drape->SetOffset(this->Offset);
   drape->SetExaggeration(this->Exaggeration);
   drape->Update();

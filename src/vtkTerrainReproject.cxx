@@ -36,8 +36,8 @@ using Frame = vtkTerrainGeoreference::FrameType;
 using terrain::kNaN;
 // Samples of a block, the unit of progress and abort.
 constexpr vtkIdType kBlockSamples = 1 << 18;
-// Steps after which the iteration of a Local frame ends in any case.
-constexpr int kMostSteps = 12;
+// Heights from which a search begins anew where it met no data.
+constexpr int kTrials = 8;
 constexpr double kEarthRadius = 6371008.8;
 // Samples handed to one thread at a time.
 constexpr vtkIdType kSamplesPerTask = 4096;
@@ -268,6 +268,7 @@ void vtkTerrainReproject::PlaceBlock(const int extent[4], std::vector<double>& s
   const bool round = internals.Georeference->GetFrame() == Frame::Local;
   double origin[3];
   internals.Georeference->GetOrigin(origin);
+  origin[2] *= internals.Georeference->GetVerticalExaggeration();
   scene.resize(static_cast<std::size_t>(3 * count));
   vtkSMPTools::For(0, count, kSamplesPerTask,
     [&](vtkIdType begin, vtkIdType end)
@@ -285,6 +286,32 @@ void vtkTerrainReproject::PlaceBlock(const int extent[4], std::vector<double>& s
     });
 }
 
+std::vector<terrain::VerticalSearch> vtkTerrainReproject::vtkInternals::BeginSearches(
+  const std::vector<double>& scene) const
+{
+  double lowest = HUGE_VAL;
+  double highest = -HUGE_VAL;
+  for (const std::unique_ptr<Tile>& tile : this->Tiles)
+  {
+    lowest = std::min(lowest, tile->Heights[0] * tile->Reference->GetHeightUnit());
+    highest = std::max(highest, tile->Heights[1] * tile->Reference->GetHeightUnit());
+  }
+  const double range = this->Georeference->GetVerticalExaggeration() * highest;
+  // Terrain that stands so high that its foot lies more than a cell off may be where its foot is
+  // not: beyond the border, or in a hole.
+  const double reach = std::max(
+    std::hypot(scene[0], scene[1]), std::hypot(scene[scene.size() - 3], scene[scene.size() - 2]));
+  const double sideways = std::abs(range) * reach / kEarthRadius;
+  const int trials = lowest <= highest && sideways > this->Spacing ? kTrials : 0;
+  std::vector<terrain::VerticalSearch> searches;
+  searches.reserve(scene.size() / 3);
+  for (std::size_t i = 2; i < scene.size(); i += 3)
+  {
+    searches.emplace_back(scene[i], range, trials);
+  }
+  return searches;
+}
+
 void vtkTerrainReproject::FillBlock(const int extent[4], double* heights, double* placeHeights)
 {
   vtkTerrainGeoreference* reference = this->Internals->Georeference;
@@ -294,8 +321,14 @@ void vtkTerrainReproject::FillBlock(const int extent[4], double* heights, double
   const vtkIdType count = static_cast<vtkIdType>(scene.size() / 3);
   const double bounds[4] = { scene[0], scene[scene.size() - 3], scene[1], scene[scene.size() - 2] };
   std::vector<double> places(scene.size(), 0.0);
+  const double exaggeration = reference->GetVerticalExaggeration();
+  std::vector<terrain::VerticalSearch> searches;
+  if (round)
+  {
+    searches = this->Internals->BeginSearches(scene);
+  }
   bool isMoving = true;
-  for (int step = 0; step < kMostSteps && isMoving; ++step)
+  while (isMoving)
   {
     reference->SceneToPlaces(scene.data(), places.data(), count);
     this->SampleTiles(scene, places, bounds, heights);
@@ -304,24 +337,20 @@ void vtkTerrainReproject::FillBlock(const int extent[4], double* heights, double
     {
       break;
     }
-    // Up the scene's vertical by what the place's own vertical lacks: a contraction, since both are
-    // nearly parallel.
+    // Up the scene's vertical by what the place's own vertical lacks.
     std::atomic<bool> moved{ false };
     vtkSMPTools::For(0, count, kSamplesPerTask,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          const double change = heights[i] - places[3 * i + 2];
-          if (!std::isnan(change))
+          terrain::VerticalSearch& search = searches[static_cast<std::size_t>(i)];
+          if (search.Take(exaggeration * (heights[i] - places[3 * i + 2]), kVerticalTolerance))
           {
-            scene[3 * i + 2] += change;
-            heights[i] = scene[3 * i + 2];
-            if (std::abs(change) > kVerticalTolerance)
-            {
-              moved = true;
-            }
+            moved = true;
           }
+          scene[3 * i + 2] = search.GetZ();
+          heights[i] = search.IsFound() ? search.GetZ() : kNaN;
         }
       });
     isMoving = moved;

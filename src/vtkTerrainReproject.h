@@ -19,9 +19,10 @@
  *     the extent, a warning says by how much (GetFlatError).
  *   - Local: the earth is round. z includes the earth's drop, x and y the tilt of the vertical, so
  *     that distant summits sink as they do in nature: each sample is where the vertical line of the
- *     scene meets the terrain, found by fixed point iteration to kVerticalTolerance. What is left
- *     of the heights for colours is the point array "PlaceHeight" (float): metres as in flat
- * frames.
+ *     scene meets the terrain, found to kVerticalTolerance. The Georeference's exaggeration is in
+ *     these heights, which are drawn as they are. Where exaggerated terrain overhangs in the scene,
+ *     the sample is one of its points. What is left of the heights for colours is the point array
+ *     "PlaceHeight" (float): metres as in flat frames.
  *   - Geocentric is refused: z is not up in it.
  *
  * Samples are taken from the bilinear surface, or by cubic convolution (smoother; where a
@@ -56,7 +57,7 @@ public:
   vtkTypeMacro(vtkTerrainReproject, vtkImageAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Largest vertical error of the iteration in Local frames, in metres.
+  /// Largest vertical error of the search in Local frames, in metres.
   static constexpr double kVerticalTolerance = 1e-3;
 
   /// The scene; never null, a Plane round the middle of the data by default. Null restores that.

@@ -9,6 +9,7 @@
 #include "data/ImageHeights.h"
 #include "data/ImageSurface.h"
 #include "data/Setting.h"
+#include "place/GroundPlaces.h"
 #include "vtkTerrainGeoreference.h"
 
 #include "vtkCamera.h"
@@ -224,22 +225,17 @@ std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene
   }
   double place[3] = { written.Longitude, written.Latitude,
     written.IsAboveGround ? 0.0 : written.Height };
-  this->Georeference->PlacesToScene(place, scene, 1);
-  if (written.IsAboveGround && std::isfinite(scene[0]))
+  if (written.IsAboveGround)
   {
-    // In round frames the foot moves with the height: twice is enough for metres.
-    for (int step = 0; step < 3; ++step)
+    std::vector<double> ground(place, place + 3);
+    terrain::LowerToGround(this->Georeference, this->Heights, ground);
+    if (std::isnan(ground[2]))
     {
-      double ground[3] = { scene[0], scene[1], this->GetGround(scene[0], scene[1]) };
-      double there[3];
-      if (!this->ToPlace(ground, there))
-      {
-        return "'" + text + "' does not lie on the terrain";
-      }
-      place[2] = there[2] + written.Height;
-      this->Georeference->PlacesToScene(place, scene, 1);
+      return "'" + text + "' does not lie on the terrain";
     }
+    place[2] = ground[2] + written.Height;
   }
+  this->Georeference->PlacesToScene(place, scene, 1);
   scene[2] = terrain::ImageHeights::Geometry(this->Heights, this->Exaggeration).ToDrawnZ(scene[2]);
   return std::isfinite(scene[0]) ? "" : "'" + text + "' has no image in the scene";
 }
@@ -386,20 +382,21 @@ std::string vtkTerrainViewpoint::GetProfile(
   heights->SetName("Height");
   vtkNew<vtkCellArray> line;
   line->InsertNextCell(static_cast<int>(places.size()));
+  std::vector<double> ground;
+  ground.reserve(3 * places.size());
   for (const glm::dvec3& place : places)
   {
-    double point[3] = { place.x, place.y, place.z };
+    ground.insert(ground.end(), { place.x, place.y, place.z });
+  }
+  terrain::LowerToGround(this->Georeference, this->Heights, ground);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const double height = ground[3 * i + 2];
+    double point[3] = { places[i].x, places[i].y, std::isnan(height) ? places[i].z : height };
     this->Georeference->PlacesToScene(point, point, 1);
-    const double ground = this->GetGround(point[0], point[1]);
-    double height = kNaN;
-    point[2] = std::isnan(ground) ? frame.ToDrawnZ(point[2]) : ground;
-    double there[3];
-    if (!std::isnan(ground) && this->ToPlace(point, there))
-    {
-      height = there[2];
-    }
+    point[2] = frame.ToDrawnZ(point[2]);
     line->InsertCellPoint(points->InsertNextPoint(point));
-    distances->InsertNextValue(terrain::GeodesicBetween(start, place).Distance);
+    distances->InsertNextValue(terrain::GeodesicBetween(start, places[i]).Distance);
     heights->InsertNextValue(height);
   }
   profile->Initialize();
@@ -417,13 +414,18 @@ bool vtkTerrainViewpoint::IsVisible(const double from[3], const double to[3], do
   line.Origin = { from[0], from[1], from[2] };
   line.Direction = glm::dvec3(to[0], to[1], to[2]) - line.Origin;
   line.End = 1.0;
-  // Between its ends, the line is t (1 - t) Bend lower over a flat map than on earth.
+  // Between its ends, the line is t (1 - t) Bend lower over a flat map than on earth. A round scene
+  // has that curve itself, unless its heights are exaggerated and so those of the line, too.
   const double length = glm::length(glm::dvec2(line.Direction));
-  line.Bend =
-    terrain::EarthBend(length, this->Refraction) - (round ? terrain::EarthBend(length, 0.0) : 0.0);
-  line.Direction.z -= this->Exaggeration * line.Bend;
-  const terrain::SurfaceSummit summit =
-    this->Internals->QueryOf(this->Heights, this->Exaggeration).Highest(line);
+  line.Bend = terrain::EarthBend(length, this->Refraction);
+  if (round)
+  {
+    line.Bend =
+      this->Georeference->GetVerticalExaggeration() * line.Bend - terrain::EarthBend(length, 0.0);
+  }
+  const terrain::RayQuery query = this->Internals->QueryOf(this->Heights, this->Exaggeration);
+  line.Direction.z -= query.GetSurface().Frame.RiseToModel(line.Bend);
+  const terrain::SurfaceSummit summit = query.Highest(line);
   if (obstruction)
   {
     const double part = std::isnan(summit.Distance) ? 0.0 : summit.Distance;

@@ -302,6 +302,6 @@ void vtkTerrainGeoreference::PrepareFrame()
     }
     internals.Frame = terrain::SceneFrame::AtOrigin(
       this->Frame == FrameType::Plane ? terrain::SceneKind::Plane : terrain::SceneKind::Local,
-      { origin[0], origin[1], origin[2] });
+      { origin[0], origin[1], origin[2] }, this->VerticalExaggeration);
   }
 }

@@ -8,6 +8,7 @@
 #define vtkTerrain_place_ReprojectInternals_h
 
 #include "core/grid/Coordinates.h"
+#include "core/place/VerticalSearch.h"
 #include "data/FieldData.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainReproject.h"
@@ -50,6 +51,9 @@ struct vtkTerrainReproject::Tile
 class vtkTerrainReproject::vtkInternals
 {
 public:
+  /// Searches of a round scene along the verticals of points, whose z is that of the height 0.
+  std::vector<terrain::VerticalSearch> BeginSearches(const std::vector<double>& scene) const;
+
   vtkSmartPointer<vtkTerrainGeoreference> Georeference;
   /// Modification time of the georeference after this filter filled it in itself.
   vtkMTimeType OwnTime = 0;

@@ -95,8 +95,9 @@ vtkIdType AddTrack(vtkRenderer* renderer, const PlacedHeights& heights, const Op
   const vtkNew<vtkTerrainDrape> drape;
   drape->SetInputData(ReadVectors(path, heights.Georeference));
   drape->SetHeightsData(heights.Image);
+  drape->SetGeoreference(heights.Georeference);
   drape->SetMode(options.Place.TrackMode);
-  drape->SetExaggeration(options.Exaggeration);
+  drape->SetExaggeration(heights.Exaggeration);
   drape->Update();
   ThrowOnError(path);
   vtkPolyData* lines = drape->GetOutput();
@@ -125,7 +126,7 @@ void AddLabels(
   BringNearer(labels->GetPoints(), camera);
   const vtkNew<vtkTerrainViewpoint> viewpoint;
   viewpoint->SetHeights(heights.Image);
-  viewpoint->SetExaggeration(options.Exaggeration);
+  viewpoint->SetExaggeration(heights.Exaggeration);
   viewpoint->SetRefraction(1.0); // straight lines, as the picture has them
   for (vtkIdType i = 0; texts && i < labels->GetNumberOfPoints(); ++i)
   {
@@ -156,7 +157,7 @@ void AddGraticule(vtkRenderer* renderer, const PlacedHeights& heights, const Opt
   graticule->SetInputData(heights.Image);
   graticule->SetGeoreference(heights.Georeference);
   graticule->SetGrid(grid);
-  graticule->SetExaggeration(options.Exaggeration);
+  graticule->SetExaggeration(heights.Exaggeration);
   graticule->Update();
   ThrowOnError("--graticule");
   if (graticule->GetOutput()->GetNumberOfCells() > 0)

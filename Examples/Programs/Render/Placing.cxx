@@ -122,6 +122,7 @@ PlacedHeights PlaceHeights(
   const PlaceOptions& wanted = options.Place;
   PlacedHeights placed;
   placed.Image = read;
+  placed.Exaggeration = options.Exaggeration;
   if (DrawsFileAlone(options))
   {
     placed.Georeference = vtkSmartPointer<vtkTerrainGeoreference>::New();
@@ -137,6 +138,12 @@ PlacedHeights PlaceHeights(
   else if (!placed.Georeference->GetWhyNot().empty())
   {
     throw Failure(name, placed.Georeference->GetWhyNot());
+  }
+  if (placed.Georeference->GetFrame() == FrameType::Local)
+  {
+    // heights alone, not the earth's curve
+    placed.Georeference->SetVerticalExaggeration(options.Exaggeration);
+    placed.Exaggeration = 1.0;
   }
   if (placed.Georeference->GetFrame() != FrameType::Grid || wanted.Cell > 0.0 ||
     wanted.Vertical != HeightType::AsIs)

@@ -27,6 +27,8 @@ struct PlacedHeights
   vtkSmartPointer<vtkTerrainGeoreference> Georeference;
   /// Empty if the scene has places on earth, else one sentence that says why not.
   std::string WhyNoPlaces;
+  /// What the terrain still has to be exaggerated by: 1 where its heights are exaggerated already.
+  double Exaggeration = 1.0;
 };
 
 /**

@@ -50,6 +50,8 @@ using Techniques = vtkTerrainActor::Techniques;
 constexpr double kReadShare = 0.5;
 constexpr double kMeshShare = 0.3;
 
+/// Point array of vtkTerrainReproject in round scenes.
+const char* const kPlaceHeight = "PlaceHeight";
 const char* const kNoSurface =
   "there is no surface to draw, for no four neighbouring samples all have heights";
 
@@ -81,12 +83,31 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options, bool draws
   return reader;
 }
 
+/// Lowest and highest height of all of the terrain, as colours show them.
+std::array<double, 2> HeightRange(vtkTerrainActor* actor, vtkImageData* heights)
+{
+  std::array<double, 2> range{};
+  // In a round scene z is not the height.
+  if (vtkDataArray* array = heights->GetPointData()->GetArray(kPlaceHeight))
+  {
+    array->GetFiniteRange(range.data());
+    return range;
+  }
+  actor->GetTerrainMapper()->GetHeightRange(range.data());
+  if (range[0] > range[1] && actor->GetHierarchy())
+  {
+    std::array<double, 6> bounds{};
+    actor->GetHierarchy()->GetBounds(bounds.data());
+    range = { bounds[4] - heights->GetOrigin()[2], bounds[5] - heights->GetOrigin()[2] };
+  }
+  return range;
+}
+
 /// In a round scene z is not the height: colours come from the array of heights that
 /// vtkTerrainReproject adds there.
 void ColorByPlaceHeight(vtkTerrainActor* actor, vtkImageData* heights)
 {
-  static const char* const kArray = "PlaceHeight";
-  vtkDataArray* array = heights->GetPointData()->GetArray(kArray);
+  vtkDataArray* array = heights->GetPointData()->GetArray(kPlaceHeight);
   if (!array)
   {
     return;
@@ -95,7 +116,7 @@ void ColorByPlaceHeight(vtkTerrainActor* actor, vtkImageData* heights)
   array->GetFiniteRange(range.data());
   actor->SetLookupTable(vtkTerrainActor::MakeReliefColors(range[0], range[1]));
   actor->GetTerrainMapper()->SetScalarModeToUsePointFieldData();
-  actor->GetTerrainMapper()->SelectColorArray(kArray);
+  actor->GetTerrainMapper()->SelectColorArray(kPlaceHeight);
 }
 
 /// The colours that are asked for, over all heights.
@@ -105,15 +126,7 @@ void UseColors(const Terrain& terrain, vtkImageData* heights, const Options& opt
   {
     return;
   }
-  std::array<double, 6> bounds{};
-  terrain.Bounds.GetBounds(bounds.data());
-  const double base = heights->GetOrigin()[2];
-  std::array<double, 2> range{ { (bounds[4] - base) / options.Exaggeration,
-    (bounds[5] - base) / options.Exaggeration } };
-  if (vtkDataArray* array = heights->GetPointData()->GetArray("PlaceHeight"))
-  {
-    array->GetFiniteRange(range.data());
-  }
+  const std::array<double, 2> range = HeightRange(terrain.Actor, heights);
   terrain.Actor->SetLookupTable(options.Colors.MakeTable(range[0], range[1]));
 }
 
@@ -294,8 +307,8 @@ void CountSamples(vtkImageData* heights, Statistics& statistics)
 }
 
 //------------------------------------------------------------------------------
-Terrain PrepareTerrain(const ReadHeightsResult& read, const Options& options, ProgressBar& progress,
-  Statistics& statistics)
+Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const Options& options,
+  ProgressBar& progress, Statistics& statistics)
 {
   const Stopwatch watch;
   vtkImageData* heights = read.Image;
@@ -309,7 +322,7 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, const Options& options, Pr
   actor->GetTerrainMapper()->SetHostMemoryBudget(memory / 4);
   actor->GetTerrainMapper()->SetCardMemoryBudget(std::min(memory, kMostMemoryOfCard) / 2);
   actor->SetTechnique(options.Search);
-  actor->SetVerticalExaggeration(options.Exaggeration);
+  actor->SetVerticalExaggeration(exaggeration);
   ColorByPlaceHeight(actor, heights);
   detail.AddTo(actor->GetTerrainMapper());
   if (options.Search == Techniques::Strips)
@@ -364,24 +377,16 @@ void RefineTerrain(
 }
 
 //------------------------------------------------------------------------------
-void DescribeTerrain(
-  const Terrain& terrain, vtkImageData* heights, const Options& options, Statistics& statistics)
+void DescribeTerrain(const Terrain& terrain, vtkImageData* heights, Statistics& statistics)
 {
   std::array<double, 6> bounds{};
   terrain.Bounds.GetBounds(bounds.data());
   statistics.SetNumbers("bounds", { bounds.begin(), bounds.end() });
   const double* spacing = heights->GetSpacing();
   statistics.SetNumbers("cell", { spacing[0], spacing[1] });
-  // In a round scene z is not the height.
-  vtkDataArray* array = heights->GetPointData()->GetArray("PlaceHeight");
   const double base = heights->GetOrigin()[2];
-  std::array<double, 2> range{ { base + (bounds[4] - base) / options.Exaggeration,
-    base + (bounds[5] - base) / options.Exaggeration } };
-  if (array)
-  {
-    array->GetFiniteRange(range.data());
-  }
-  statistics.SetNumbers("height_range", { range.begin(), range.end() });
+  const std::array<double, 2> range = HeightRange(terrain.Actor, heights);
+  statistics.SetNumbers("height_range", { base + range[0], base + range[1] });
   statistics.SetCount("texture_bytes", terrain.Actor->GetTerrainMapper()->GetTextureMemorySize());
   statistics.SetCount("tiles", terrain.Actor->GetTerrainMapper()->GetNumberOfTiles());
 }

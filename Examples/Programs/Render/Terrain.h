@@ -55,10 +55,10 @@ bool CanDrawTiles(const Options& options);
 /// Tells the number and size of the samples that are drawn.
 void CountSamples(vtkImageData* heights, Statistics& statistics);
 
-/// Builds what the technique draws with, coloured by height. Throws a Failure, also if the heights
-/// have no surface at all.
-Terrain PrepareTerrain(const ReadHeightsResult& read, const Options& options, ProgressBar& progress,
-  Statistics& statistics);
+/// Builds what the technique draws with, coloured by height, at an exaggeration. Throws a Failure,
+/// also if the heights have no surface at all.
+Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const Options& options,
+  ProgressBar& progress, Statistics& statistics);
 
 /// Refines strips for the camera of the renderer; the other techniques need nothing. Throws a
 /// Failure.
@@ -70,8 +70,7 @@ void DescribeFile(const Options& options);
 
 /// Adds the terrain's bounds (as drawn), cell and range of heights (metres, not exaggerated), and
 /// what it takes on the graphics card, after it was drawn.
-void DescribeTerrain(
-  const Terrain& terrain, vtkImageData* heights, const Options& options, Statistics& statistics);
+void DescribeTerrain(const Terrain& terrain, vtkImageData* heights, Statistics& statistics);
 
 /// Adds the histogram of the work of all pixels' rays, nodes visited and samples taken: draws once
 /// more, with a compute shader. Adds nothing for techniques without rays, and where the graphics

@@ -128,13 +128,12 @@ void ThrowIf(const std::string& option, const std::string& why)
 }
 
 /// What brings the places and times of the options into the scene.
-vtkSmartPointer<vtkTerrainViewpoint> MakeViewpoint(
-  const PlacedHeights& heights, const Options& options)
+vtkSmartPointer<vtkTerrainViewpoint> MakeViewpoint(const PlacedHeights& heights)
 {
   auto viewpoint = vtkSmartPointer<vtkTerrainViewpoint>::New();
   viewpoint->SetGeoreference(heights.Georeference);
   viewpoint->SetHeights(heights.Image);
-  viewpoint->SetExaggeration(options.Exaggeration);
+  viewpoint->SetExaggeration(heights.Exaggeration);
   return viewpoint;
 }
 
@@ -150,7 +149,7 @@ void AddLights(vtkRenderer* renderer, const PlacedHeights& heights, const Option
   sun->SetIntensity(1.05);
   if (!options.Place.Sun.empty())
   {
-    ThrowIf("--sun", MakeViewpoint(heights, options)->SetSun(options.Place.Sun, sun));
+    ThrowIf("--sun", MakeViewpoint(heights)->SetSun(options.Place.Sun, sun));
     if (!sun->GetSwitch())
     {
       Warn("--sun: it is night");
@@ -228,7 +227,7 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
   else if (!options.Place.LookFrom.empty())
   {
     ThrowIf("--look-from",
-      MakeViewpoint(heights, options)->Look(options.Place.LookFrom, options.Place.LookAt, camera));
+      MakeViewpoint(heights)->Look(options.Place.LookFrom, options.Place.LookAt, camera));
   }
   else
   {

@@ -51,8 +51,8 @@ void Render(const Options& options)
     read = ReadHeights(options, false, *progress, statistics);
     heights = PlaceHeights(read.Image, options, *progress, statistics);
   }
-  const Terrain terrain =
-    PrepareTerrain({ heights.Image, read.Tiles }, options, *progress, statistics);
+  const Terrain terrain = PrepareTerrain(
+    { heights.Image, read.Tiles }, heights.Exaggeration, options, *progress, statistics);
   DrapePicture(terrain, heights, options, statistics);
   progress.reset();
 
@@ -63,7 +63,7 @@ void Render(const Options& options)
   AddOverlay(renderer, heights, options);
   RefineTerrain(terrain, renderer, options, statistics);
   DrawFrames(window, renderer, options.Frames, statistics);
-  DescribeTerrain(terrain, heights.Image, options, statistics);
+  DescribeTerrain(terrain, heights.Image, statistics);
   statistics.AddTime("total", watch.GetMilliseconds());
 
   WritePicture(window, picture);

@@ -127,14 +127,15 @@ glm::dvec3 GeocentricToPlace(const glm::dvec3& position, double longitudeOfX)
     latitude / kDegree, height };
 }
 
-SceneFrame SceneFrame::AtOrigin(SceneKind kind, const glm::dvec3& origin)
+SceneFrame SceneFrame::AtOrigin(SceneKind kind, const glm::dvec3& origin, double exaggeration)
 {
   SceneFrame frame;
   frame.TheKind = kind == SceneKind::Plane ? SceneKind::Plane : SceneKind::Local;
   frame.TheOrigin = origin;
   frame.SinLatitude = std::sin(origin.y * kDegree);
   frame.CosLatitude = std::abs(origin.y) == 90.0 ? 0.0 : std::cos(origin.y * kDegree);
-  const double height = frame.TheKind == SceneKind::Plane ? 0.0 : origin.z;
+  frame.Exaggeration = exaggeration;
+  const double height = frame.TheKind == SceneKind::Plane ? 0.0 : exaggeration * origin.z;
   frame.Meridian = PlaceToGeocentric({ origin.x, origin.y, height }, origin.x);
   return frame;
 }
@@ -153,7 +154,9 @@ glm::dvec3 SceneFrame::ToScene(const glm::dvec3& place) const
   switch (this->TheKind)
   {
     case SceneKind::Local:
-      return ToEastNorthUp(PlaceToGeocentric(place, this->TheOrigin.x) - this->Meridian,
+      return ToEastNorthUp(
+        PlaceToGeocentric({ place.x, place.y, this->Exaggeration * place.z }, this->TheOrigin.x) -
+          this->Meridian,
         this->SinLatitude, this->CosLatitude);
     case SceneKind::Plane:
       return this->PlaneToScene(place);
@@ -170,9 +173,13 @@ glm::dvec3 SceneFrame::ToPlace(const glm::dvec3& scene) const
   switch (this->TheKind)
   {
     case SceneKind::Local:
-      return GeocentricToPlace(
+    {
+      glm::dvec3 place = GeocentricToPlace(
         this->Meridian + FromEastNorthUp(scene, this->SinLatitude, this->CosLatitude),
         this->TheOrigin.x);
+      place.z /= this->Exaggeration;
+      return place;
+    }
     case SceneKind::Plane:
       return this->PlaneToPlace(scene);
     case SceneKind::Geocentric:

@@ -7,7 +7,8 @@
  * A place is a dvec3: longitude in x and latitude in y (degrees, WGS84), height in z (metres). The
  * scene is metric. Four kinds of frame are metric everywhere (E east, N north, U up at an origin):
  *
- *   Local       east-north-up Cartesian coordinates: the earth is round in them
+ *   Local       east-north-up Cartesian coordinates: the earth is round in them, and heights above
+ *               it may be exaggerated
  *   Plane       x and y of Local for the place's foot on the ellipsoid, z = height - origin height:
  *               EPSG method 9840 (ellipsoidal orthographic), the earth is flat in it
  *   Geocentric  X through (0 E, 0 N), Z through the north pole, origin at the earth's centre
@@ -46,8 +47,9 @@ public:
   /// Geocentric.
   SceneFrame() = default;
 
-  /// Frame of kind Local or Plane whose origin is the given place.
-  static SceneFrame AtOrigin(SceneKind kind, const glm::dvec3& origin);
+  /// Frame of kind Local or Plane whose origin is the given place. An exaggeration > 0 multiplies
+  /// heights in Local: the earth below them stays as it is.
+  static SceneFrame AtOrigin(SceneKind kind, const glm::dvec3& origin, double exaggeration = 1.0);
   /// UTM zone 1 to 60, or 0 for UPS, of the northern or southern hemisphere.
   static SceneFrame OfZone(int zone, bool northern);
 
@@ -91,6 +93,7 @@ private:
   glm::dvec3 TheOrigin{ 0.0, 0.0, 0.0 };
   int TheZone = -1;
   bool IsNorthern = true;
+  double Exaggeration = 1.0;
   // Local and Plane: sine and cosine of the origin's latitude, and the origin's foot (Plane) or the
   // origin itself (Local) in the half plane of its meridian (x off the axis, z along the axis).
   double SinLatitude = 0.0;
