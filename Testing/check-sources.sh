@@ -66,6 +66,27 @@ for file in $(git ls-files 'src/*/*.h' 'src/*/*.cxx'); do
     part=
   done
 done
+# Core's own rooms, in the order in which they stand on one another: none includes a later one.
+core_rooms_for()
+{
+  case $1 in
+    grid | files | colors) echo "$1" ;;
+    surface | place | mesh | landscape) echo "grid $1" ;;
+    rays | strips) echo "grid files surface $1" ;;
+    *) echo "src/core/$1 is no room that Testing/check-sources.sh knows" >&2 ;;
+  esac
+}
+for file in $(git ls-files 'src/core/*/*'); do
+  room=${file#src/core/}
+  allowed=" $(core_rooms_for "${room%%/*}") "
+  for part in $(sed -n 's/^ *# *include "core\/\([^/"]*\)\/.*/\1/p' "$file" | sort -u); do
+    case $allowed in
+      *" $part "*) ;;
+      *) offence "$file: its room may not include core/$part/" ;;
+    esac
+  done
+done
+part=
 for file in $(git ls-files 'src/core/*'); do
   ! grep -nE '#include [<"](vtk|GL/|EGL/|gdal)' "$file" >&2 ||
     offence "$file: src/core/ includes neither VTK, OpenGL nor GDAL"

@@ -36,6 +36,7 @@
 #define terrain_PyramidTraversal_h
 
 #include "core/rays/Ray.h"
+#include "core/surface/CodedHeights.h"
 #include "core/surface/Columns.h"
 #include "core/surface/MinMaxPyramid.h"
 
@@ -63,15 +64,6 @@ inline float FirstRoot(float c, float e, float a)
   return c == 0.0f || e <= 0.0f || dips ? t : -1.0f;
 }
 
-/// Height code of the bilinear patch of a cell at 0 <= fraction <= 1; codes:
-/// CodedHeights::CellCodes.
-inline float PatchCode(const glm::vec4& codes, const glm::vec2& fraction)
-{
-  const float south = codes.x * (1.0f - fraction.x) + codes.y * fraction.x;
-  const float north = codes.z * (1.0f - fraction.x) + codes.w * fraction.x;
-  return south * (1.0f - fraction.y) + north * fraction.y;
-}
-
 /// Where the segment from one position in a cell to another first meets the cell's patch, as a
 /// fraction of the segment; -1 if it does not. Positions: fractions of the cell and height codes.
 inline float IntersectPatch(const glm::vec4& codes, const glm::vec3& begin, const glm::vec3& end)
@@ -81,14 +73,6 @@ inline float IntersectPatch(const glm::vec4& codes, const glm::vec3& begin, cons
   return FirstRoot(begin.z - PatchCode(codes, glm::vec2(begin)),
     end.z - PatchCode(codes, glm::vec2(end)), -twist * move.x * move.y);
 }
-
-/// The heights and the pyramid that rays are traced through, by their texels.
-template <typename Texel>
-struct CodedTypes
-{
-  using Heights = CodedHeights<Texel>;
-  using Pyramid = MinMaxPyramid<Texel>;
-};
 
 /// Heights and their pyramid, both as texels, and the functions that trace rays through them.
 template <typename Texel>

@@ -2,27 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/rays/QueryWalk.h"
 
+#include "core/rays/Ray.h"
+
 namespace terrain
 {
 namespace
 {
 /// Rounding of heights along a ray, as a part of the largest of them.
 constexpr double kHeightRounding = 1e-12;
-
-/// Narrows begin..end to where a coordinate is between low and high; false if that is nowhere.
-bool ClipToRange(
-  double origin, double direction, double low, double high, double& begin, double& end)
-{
-  if (direction == 0.0)
-  {
-    return origin >= low && origin <= high;
-  }
-  const double atLow = (low - origin) / direction;
-  const double atHigh = (high - origin) / direction;
-  begin = std::max(begin, std::min(atLow, atHigh));
-  end = std::min(end, std::max(atLow, atHigh));
-  return begin <= end;
-}
 
 /// The stops of part of a ray, ascending: its ends, and the real roots of c + b t + a t^2 between
 /// them.

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Rays and hits as the shaders know them (shaders/vtkTerrainRay.glsl says the same in GLSL), and
- * the heights that their C++ twins read in place of textures.
+ * Rays and hits as the shaders know them (shaders/vtkTerrainRay.glsl says the same in GLSL).
  */
 #ifndef terrain_Ray_h
 #define terrain_Ray_h
 
-#include "core/grid/HeightCodes.h"
-
 #include <glm/glm.hpp>
+
+#include <algorithm>
 
 namespace terrain
 {
@@ -49,38 +48,20 @@ struct TerrainHit
   int crossings = 0;
 };
 
-/// Change of the code per cell east and north at a position in a cell, 0 <= fraction <= 1, from the
-/// codes of its corners (CodedHeights::CellCodes).
-inline glm::vec2 PatchGradient(const glm::vec4& codes, const glm::vec2& fraction)
+/// Narrows begin..end to where a coordinate is between low and high; false if that is nowhere.
+inline bool ClipToRange(
+  double origin, double direction, double low, double high, double& begin, double& end)
 {
-  return { glm::mix(codes.y - codes.x, codes.w - codes.z, fraction.y),
-    glm::mix(codes.z - codes.x, codes.w - codes.y, fraction.x) };
+  if (direction == 0.0)
+  {
+    return origin >= low && origin <= high;
+  }
+  const double atLow = (low - origin) / direction;
+  const double atHigh = (high - origin) / direction;
+  begin = std::max(begin, std::min(atLow, atHigh));
+  end = std::min(end, std::max(atLow, atHigh));
+  return begin <= end;
 }
-
-/// Codes of a heightfield in memory, with the functions of shaders/vtkTerrainHeights.glsl.
-template <typename Texel>
-struct CodedHeights
-{
-  const Texel* texels = nullptr;
-  glm::ivec2 size{ 0, 0 };
-  int bias = 0;
-  float maximumCode = 0.0f;
-
-  /// As in terrainTexelCode(): code of a sample, NoDataCode (or any negative) if it has none.
-  float Code(glm::ivec2 sample) const
-  {
-    return static_cast<float>(
-             this->texels[sample.x + static_cast<std::int64_t>(this->size.x) * sample.y]) -
-      static_cast<float>(this->bias);
-  }
-
-  /// Twin of terrainCellCodes(): south-west, south-east, north-west, north-east.
-  glm::vec4 CellCodes(glm::ivec2 cell) const
-  {
-    return { this->Code(cell), this->Code(cell + glm::ivec2(1, 0)),
-      this->Code(cell + glm::ivec2(0, 1)), this->Code(cell + glm::ivec2(1, 1)) };
-  }
-};
 }
 
 #endif

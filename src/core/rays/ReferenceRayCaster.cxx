@@ -4,6 +4,7 @@
 
 #include "core/grid/Constants.h"
 #include "core/grid/SampleTypes.h"
+#include "core/rays/Ray.h"
 
 #include <algorithm>
 #include <array>
@@ -22,21 +23,6 @@ double LeaveDistance(double origin, double direction, double low, double high)
     return kInfinity;
   }
   return ((direction > 0.0 ? high : low) - origin) / direction;
-}
-
-/// Narrows begin..end to where a coordinate is between low and high; false if that is nowhere.
-bool ClipToSlab(
-  double origin, double direction, double low, double high, double& begin, double& end)
-{
-  if (direction == 0.0)
-  {
-    return origin >= low && origin <= high;
-  }
-  const double atLow = (low - origin) / direction;
-  const double atHigh = (high - origin) / direction;
-  begin = std::max(begin, std::min(atLow, atHigh));
-  end = std::min(end, std::max(atLow, atHigh));
-  return begin <= end;
 }
 
 std::int64_t SquareAt(double position, double bias, std::int64_t size, std::int64_t count)
@@ -228,11 +214,11 @@ bool ReferenceRayCaster<T>::Clip(GridRay& ray) const
 {
   const double margin =
     1e-6 * (this->High - this->Low) + 1e-9 * (1.0 + std::abs(this->Low) + std::abs(this->High));
-  return ClipToSlab(ray.Origin.x, ray.Direction.x, 0.0, static_cast<double>(this->View.Width - 1),
+  return ClipToRange(ray.Origin.x, ray.Direction.x, 0.0, static_cast<double>(this->View.Width - 1),
            ray.Begin, ray.End) &&
-    ClipToSlab(ray.Origin.y, ray.Direction.y, 0.0, static_cast<double>(this->View.Height - 1),
+    ClipToRange(ray.Origin.y, ray.Direction.y, 0.0, static_cast<double>(this->View.Height - 1),
       ray.Begin, ray.End) &&
-    ClipToSlab(
+    ClipToRange(
       ray.Origin.z, ray.Direction.z, this->Low - margin, this->High + margin, ray.Begin, ray.End) &&
     ray.Begin <= ray.End;
 }
@@ -302,10 +288,8 @@ void ReferenceRayCaster<T>::Complete(const ReferenceRay& ray, ReferenceHit& hit)
   const double se = this->View.At(hit.CellX + 1, hit.CellY) - sw;
   const double nw = this->View.At(hit.CellX, hit.CellY + 1) - sw;
   const double twist = this->View.At(hit.CellX + 1, hit.CellY + 1) - sw - se - nw;
-  const double exaggeration = this->Geometry.Exaggeration;
-  hit.Normal = glm::normalize(
-    glm::dvec3(-exaggeration * (se + hit.Fraction.y * twist) / this->Geometry.Spacing.x,
-      -exaggeration * (nw + hit.Fraction.x * twist) / this->Geometry.Spacing.y, 1.0));
+  hit.Normal = glm::normalize(this->Geometry.NormalToModel(
+    { -se - hit.Fraction.y * twist, -nw - hit.Fraction.x * twist, 1.0 }));
   hit.FromAbove = glm::dot(hit.Normal, ray.Direction) <= 0.0;
 }
 
@@ -318,9 +302,7 @@ ReferenceHit ReferenceRayCaster<T>::Cast(const ReferenceRay& ray) const
   {
     return hit;
   }
-  GridRay gridRay{ this->Geometry.ToGrid(ray.Origin),
-    { ray.Direction.x / this->Geometry.Spacing.x, ray.Direction.y / this->Geometry.Spacing.y,
-      ray.Direction.z / this->Geometry.Exaggeration },
+  GridRay gridRay{ this->Geometry.ToGrid(ray.Origin), this->Geometry.DirectionToGrid(ray.Direction),
     ray.Begin, ray.End, { 0.0, 0.0 } };
   if (!this->Clip(gridRay))
   {

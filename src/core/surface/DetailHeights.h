@@ -24,7 +24,7 @@
 #ifndef terrain_DetailHeights_h
 #define terrain_DetailHeights_h
 
-#include "core/rays/PyramidTraversal.h"
+#include "core/surface/CodedHeights.h"
 
 #include <glm/glm.hpp>
 

@@ -8,7 +8,7 @@
 #ifndef terrain_HeightGradient_h
 #define terrain_HeightGradient_h
 
-#include "core/rays/PyramidTraversal.h"
+#include "core/surface/CodedHeights.h"
 
 #include <glm/glm.hpp>
 
