@@ -573,5 +573,7 @@ TEST(OpenGLTerrainMapperColors, AllTogether)
     terrain.Mapper->SetContourInterval(10.0);
     terrain.Mapper->SetHillshade(true);
   };
-  EXPECT_TRUE(DrawsAsTheMesh(paint));
+  Demands demands;
+  demands.StockMean = 0.0;
+  EXPECT_TRUE(DrawsAsTheMesh(paint, demands));
 }

@@ -8,6 +8,7 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
@@ -20,6 +21,7 @@
 #include <cmath>
 
 using vtkTerrainTesting::Demands;
+using vtkTerrainTesting::DrawsAsStock;
 using vtkTerrainTesting::DrawsAsTheMesh;
 using vtkTerrainTesting::TerrainProp;
 using vtkTerrainTesting::TerrainScene;
@@ -109,6 +111,25 @@ TEST(OpenGLTerrainMapperLights, EveryKindOfLight)
   }
 }
 
+// The comparison itself: rays under a sun two degrees lower than that of the stock mapper.
+TEST(OpenGLTerrainMapperLights, ASunTwoDegreesOffIsSeen)
+{
+  for (const double off : { 0.0, 2.0 })
+  {
+    auto light = [off](TerrainScene& scene, const TerrainProp& terrain)
+    {
+      const bool casts =
+        terrain.Mapper->GetTechnique() == vtkOpenGLTerrainMapper::Techniques::Pyramid;
+      const double up = vtkMath::RadiansFromDegrees(35.0 - (casts ? off : 0.0));
+      vtkNew<vtkLight> sun;
+      sun->SetLightTypeToSceneLight();
+      sun->SetPosition(std::cos(up), 0.0, std::sin(up));
+      scene.Renderer->AddLight(sun);
+    };
+    EXPECT_EQ(DrawsAsStock(light), off == 0.0) << off;
+  }
+}
+
 TEST(OpenGLTerrainMapperLights, ManyLights)
 {
   auto light = [](TerrainScene& scene, const TerrainProp& terrain)
@@ -179,7 +200,12 @@ TEST(OpenGLTerrainMapperLights, FlatPatches)
 {
   auto flatten = [](TerrainScene&, const TerrainProp& terrain)
   { terrain.Actor->GetProperty()->SetInterpolationToFlat(); };
-  EXPECT_TRUE(DrawsAsTheMesh(flatten));
+  Demands demands;
+  demands.Share = 0.995; // a stock mapper's triangles, a sixth of a cell, do not end at all creases
+  EXPECT_TRUE(DrawsAsStock(flatten, demands));
+  demands = Demands();
+  demands.StockMean = 0.0;
+  EXPECT_TRUE(DrawsAsTheMesh(flatten, demands));
 }
 
 TEST(OpenGLTerrainMapperLights, FromBelow)

@@ -4,7 +4,9 @@
  * @file
  * Scenes with a terrain drawn by rays, judged by the same scenes with the terrain as a mesh: every
  * cell of the heights as 2 x 5 x 5 triangles on its bilinear patch, so that a picture of 200 x 150
- * pixels does not tell the two surfaces apart.
+ * pixels does not tell the two surfaces apart. The mesh is drawn twice: by the technique Mesh,
+ * which shares shaders with the rays, and by a stock vtkPolyDataMapper, lit by normals that are
+ * computed here in double precision.
  */
 #ifndef vtkTerrainTestingScene_h
 #define vtkTerrainTestingScene_h
@@ -32,6 +34,11 @@ vtkSmartPointer<vtkImageData> MakeHills(bool withHole = false);
 /// With the image's arrays, those of points interpolated; texture coordinates 0..1 from the first
 /// to the last sample; and cell arrays "Slope" and "Aspect" in degrees, of the bilinear patch.
 vtkSmartPointer<vtkPolyData> MakeFineMesh(vtkImageData* heights, int parts = 5);
+
+/// A fine mesh of exaggerated heights with the normals that the surface is lit by: those of central
+/// differences of the bilinear surface over a cell's width, which end at the border, and at the
+/// point where there are no heights.
+vtkSmartPointer<vtkPolyData> MakeLitMesh(vtkImageData* heights, double exaggeration);
 
 /// A terrain of a scene.
 struct TerrainProp
@@ -78,6 +85,9 @@ struct Demands
   double Share = 0.999;
   /// Share of the pixels that the scene function must change, lest nothing be tested.
   double Effect = 0.01;
+  /// Largest mean difference of the pixels away from silhouettes to those of a stock mapper, of
+  /// 255; 0: the scene has colours that a stock mapper does not know, and is not drawn by one.
+  double StockMean = 0.5;
   /// Parts of a cell's side in the mesh that DrawsAsThePlainMesh() compares with.
   int Parts = 5;
   /// Heights of the first terrain; null for MakeHills().
@@ -97,8 +107,13 @@ vtkSmartPointer<vtkImageData> DrawScene(const SceneFunction& function,
   vtkOpenGLTerrainMapper::Techniques technique = vtkOpenGLTerrainMapper::Techniques::Pyramid,
   vtkImageData* heights = nullptr);
 
-/// Draws a scene by rays and as a mesh and compares the pictures outside of a band of one pixel at
-/// silhouettes. Where they differ, both and their difference are written to the output directory.
+/// Draws a scene by rays and as a mesh by a stock mapper and compares as DrawsAsTheMesh().
+testing::AssertionResult DrawsAsStock(
+  const SceneFunction& function, const Demands& demands = Demands());
+
+/// Draws a scene by rays and as a mesh, of ours and of a stock mapper, and compares the pictures
+/// outside of a band of one pixel at silhouettes. Where they differ, both and their difference are
+/// written to the output directory.
 testing::AssertionResult DrawsAsTheMesh(
   const SceneFunction& function, const Demands& demands = Demands());
 }
