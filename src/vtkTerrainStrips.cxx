@@ -487,13 +487,28 @@ int vtkTerrainStrips::RequestData(
   {
     return 0;
   }
+  if (!this->Refine())
+  {
+    return 0;
+  }
+  if (!this->Private->HasMesh)
+  {
+    return 1;
+  }
+  return this->FillOutput(vtkPolyData::GetData(outputVector)) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+// Builds the strip of the settings' view, or asks for it and takes the last one that is ready.
+bool vtkTerrainStrips::Refine()
+{
   Internals& internals = *this->Private;
   StripJob job;
   job.Data = internals.Prepared->GetData();
   if (!job.Data)
   {
     vtkErrorMacro("The hierarchy is empty.");
-    return 0;
+    return false;
   }
   job.Detail = internals.Detail;
   job.View = ViewOf(this->Camera, this->ViewportSize, this->Exaggeration);
@@ -508,7 +523,7 @@ int vtkTerrainStrips::RequestData(
   if (!error.empty())
   {
     vtkErrorMacro("Cannot refine: " << error << ".");
-    return 0;
+    return false;
   }
   if (this->Asynchronous)
   {
@@ -520,29 +535,33 @@ int vtkTerrainStrips::RequestData(
     internals.MeshJob = job;
     internals.HasMesh = true;
   }
-  if (!internals.HasMesh)
-  {
-    return 1;
-  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The strip that was built, if its heights are those of the file.
+bool vtkTerrainStrips::FillOutput(vtkPolyData* output)
+{
+  Internals& internals = *this->Private;
   const terrain::StripsSource source{ internals.MeshJob.Data->View(),
     internals.MeshJob.Detail.get() };
   terrain::FillStrips(internals.Mesh, source,
     { this->PointExaggeration > 0.0 ? this->PointExaggeration : internals.MeshJob.View.Exaggeration,
       internals.MeshJob.View.DetailScale, this->Normals, this->TextureCoordinates,
       this->LevelColors, this->HeightScalars, this->TriangleOutput },
-    vtkPolyData::GetData(outputVector));
+    output);
   const bool isDamaged = internals.MeshJob.Data->IsFile &&
     !terrain::AreHeightsKnown(internals.Mesh, source, internals.MeshJob.View.DetailScale);
   if (isDamaged || internals.MeshJob.Data->IsDamaged())
   {
     internals.HasMesh = false;
-    vtkPolyData::GetData(outputVector)->Initialize();
+    output->Initialize();
     vtkErrorMacro(<< (isDamaged ? "The hierarchy's file is damaged: it has heights that no sample "
                                   "has. Prepare it again."
                                 : "The hierarchy's file has lost data since it was opened."));
-    return 0;
+    return false;
   }
   this->NumberOfTriangles = internals.Mesh.Triangles;
   this->UsedTolerance = internals.Mesh.Tolerance;
-  return 1;
+  return true;
 }

@@ -248,6 +248,8 @@ private:
   struct Internals;
   bool PrepareInput(vtkInformationVector* input);
   bool PrepareDetail(vtkInformationVector* input);
+  bool Refine();
+  bool FillOutput(vtkPolyData* output);
 
   std::unique_ptr<Internals> Private;
   vtkSmartPointer<vtkTerrainHierarchy> Hierarchy;

@@ -69,6 +69,68 @@ double MetresOfFoot(const std::string& plain)
   const bool survey = HasWord(plain, "survey") || HasWord(plain, "us") || HasWord(plain, "u s");
   return survey ? kSurveyFoot : kFoot;
 }
+
+/// Names without case, and metres.
+constexpr std::array<std::pair<const char*, double>, 58> kUnits{ {
+  { "m", 1.0 },
+  { "metre", 1.0 },
+  { "meter", 1.0 },
+  { "mtr", 1.0 },
+  { "mts", 1.0 },
+  { "gpm", 1.0 }, // of geopotential: within 0.5 % below 10 km
+  { "ellipsoidal metre", 1.0 },
+  { "german legal metre", 1.0000135965 },
+  { "km", 1000.0 },
+  { "kilometre", 1000.0 },
+  { "kilometer", 1000.0 },
+  { "hm", 100.0 },
+  { "hectometre", 100.0 },
+  { "hectometer", 100.0 },
+  { "dam", 10.0 },
+  { "decametre", 10.0 },
+  { "decameter", 10.0 },
+  { "dm", 0.1 },
+  { "decimetre", 0.1 },
+  { "decimeter", 0.1 },
+  { "cm", 0.01 },
+  { "centimetre", 0.01 },
+  { "centimeter", 0.01 },
+  { "mm", 1e-3 },
+  { "millimetre", 1e-3 },
+  { "millimeter", 1e-3 },
+  { "um", 1e-6 },
+  { "micrometre", 1e-6 },
+  { "micrometer", 1e-6 },
+  { "micron", 1e-6 },
+  { "nm", 1e-9 },
+  { "nanometre", 1e-9 },
+  { "nanometer", 1e-9 },
+  { "ft", kFoot },
+  { "ift", kFoot },
+  { "foot", kFoot },
+  { "ftus", kSurveyFoot },
+  { "usft", kSurveyFoot },
+  { "sft", kSurveyFoot },
+  { "in", kFoot / 12.0 },
+  { "inch", kFoot / 12.0 },
+  { "inches", kFoot / 12.0 },
+  { "us in", kSurveyFoot / 12.0 },
+  { "yd", 3.0 * kFoot },
+  { "yard", 3.0 * kFoot },
+  { "us yd", 3.0 * kSurveyFoot },
+  { "us survey yard", 3.0 * kSurveyFoot },
+  { "fathom", 6.0 * kFoot },
+  { "fath", 6.0 * kFoot },
+  { "fth", 6.0 * kFoot },
+  { "fm", 6.0 * kFoot },
+  { "ftm", 6.0 * kFoot },
+  { "mi", 5280.0 * kFoot },
+  { "mile", 5280.0 * kFoot },
+  { "us mi", 5280.0 * kSurveyFoot },
+  { "nautical mile", 1852.0 },
+  { "nmi", 1852.0 },
+  { "international nautical mile", 1852.0 },
+} };
 }
 
 namespace terrain
@@ -76,73 +138,13 @@ namespace terrain
 //------------------------------------------------------------------------------
 double MetresOfUnit(const std::string& name)
 {
-  static const std::array<std::pair<const char*, double>, 58> units{ {
-    { "m", 1.0 },
-    { "metre", 1.0 },
-    { "meter", 1.0 },
-    { "mtr", 1.0 },
-    { "mts", 1.0 },
-    { "gpm", 1.0 }, // of geopotential: within 0.5 % below 10 km
-    { "ellipsoidal metre", 1.0 },
-    { "german legal metre", 1.0000135965 },
-    { "km", 1000.0 },
-    { "kilometre", 1000.0 },
-    { "kilometer", 1000.0 },
-    { "hm", 100.0 },
-    { "hectometre", 100.0 },
-    { "hectometer", 100.0 },
-    { "dam", 10.0 },
-    { "decametre", 10.0 },
-    { "decameter", 10.0 },
-    { "dm", 0.1 },
-    { "decimetre", 0.1 },
-    { "decimeter", 0.1 },
-    { "cm", 0.01 },
-    { "centimetre", 0.01 },
-    { "centimeter", 0.01 },
-    { "mm", 1e-3 },
-    { "millimetre", 1e-3 },
-    { "millimeter", 1e-3 },
-    { "um", 1e-6 },
-    { "micrometre", 1e-6 },
-    { "micrometer", 1e-6 },
-    { "micron", 1e-6 },
-    { "nm", 1e-9 },
-    { "nanometre", 1e-9 },
-    { "nanometer", 1e-9 },
-    { "ft", kFoot },
-    { "ift", kFoot },
-    { "foot", kFoot },
-    { "ftus", kSurveyFoot },
-    { "usft", kSurveyFoot },
-    { "sft", kSurveyFoot },
-    { "in", kFoot / 12.0 },
-    { "inch", kFoot / 12.0 },
-    { "inches", kFoot / 12.0 },
-    { "us in", kSurveyFoot / 12.0 },
-    { "yd", 3.0 * kFoot },
-    { "yard", 3.0 * kFoot },
-    { "us yd", 3.0 * kSurveyFoot },
-    { "us survey yard", 3.0 * kSurveyFoot },
-    { "fathom", 6.0 * kFoot },
-    { "fath", 6.0 * kFoot },
-    { "fth", 6.0 * kFoot },
-    { "fm", 6.0 * kFoot },
-    { "ftm", 6.0 * kFoot },
-    { "mi", 5280.0 * kFoot },
-    { "mile", 5280.0 * kFoot },
-    { "us mi", 5280.0 * kSurveyFoot },
-    { "nautical mile", 1852.0 },
-    { "nmi", 1852.0 },
-    { "international nautical mile", 1852.0 },
-  } };
   const std::string plain = PlainName(name);
   for (std::string word :
     { plain, plain.substr(0, plain.size() - (plain.empty() || plain.back() != 's' ? 0 : 1)) })
   {
     const auto* found = std::find_if(
-      units.begin(), units.end(), [&word](const auto& unit) { return word == unit.first; });
-    if (found != units.end())
+      kUnits.begin(), kUnits.end(), [&word](const auto& unit) { return word == unit.first; });
+    if (found != kUnits.end())
     {
       return found->second;
     }

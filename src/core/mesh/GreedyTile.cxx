@@ -310,10 +310,25 @@ GreedyTile::Candidate GreedyTile::FindWorst(std::array<int, 3> corners) const
   const double zx = ((zb - za) * ac.y - (zc - za) * ab.y) / area;
   const double zy = ((zc - za) * ab.x - (zb - za) * ac.x) / area;
 
+  const auto scanRow = [&](int y, int begin, int end)
+  {
+    const double base = za + zy * (y - a.y) - zx * a.x;
+    const double* row = this->Heights.data() + static_cast<std::size_t>(this->Width) * y;
+    for (int x = begin; x <= end; ++x)
+    {
+      const double error = std::abs(row[x] - (base + zx * x));
+      if (error > worst.Error)
+      {
+        worst.Error = error;
+        worst.Sample = x + this->Width * y;
+      }
+    }
+  };
+
   // x along a-c, and along a-b and then b-c; whole numbers are hit exactly but for 1e-9
   constexpr double kRounding = 1e-6;
   const double slopeAC = ac.x / ac.y;
-  const bool isMiddleRight = area < 0.0 ? false : true;
+  const bool isMiddleRight = area >= 0.0;
   const auto scan = [&](int first, int last, const glm::ivec2& from, double slope)
   {
     for (int y = first; y <= last; ++y)
@@ -324,17 +339,7 @@ GreedyTile::Candidate GreedyTile::FindWorst(std::array<int, 3> corners) const
       const double right = isMiddleRight ? xOther : xAC;
       const int begin = static_cast<int>(left + (1.0 - kRounding));
       const int end = static_cast<int>(right + kRounding);
-      const double* row = this->Heights.data() + static_cast<std::size_t>(this->Width) * y;
-      const double base = za + zy * (y - a.y) - zx * a.x;
-      for (int x = begin; x <= end; ++x)
-      {
-        const double error = std::abs(row[x] - (base + zx * x));
-        if (error > worst.Error)
-        {
-          worst.Error = error;
-          worst.Sample = x + this->Width * y;
-        }
-      }
+      scanRow(y, begin, end);
     }
   };
   if (b.y > a.y)
@@ -348,17 +353,7 @@ GreedyTile::Candidate GreedyTile::FindWorst(std::array<int, 3> corners) const
   else
   {
     // the upper side is level
-    const double zBase = za + zy * (c.y - a.y) - zx * a.x;
-    const double* row = this->Heights.data() + static_cast<std::size_t>(this->Width) * c.y;
-    for (int x = std::min(b.x, c.x); x <= std::max(b.x, c.x); ++x)
-    {
-      const double error = std::abs(row[x] - (zBase + zx * x));
-      if (error > worst.Error)
-      {
-        worst.Error = error;
-        worst.Sample = x + this->Width * c.y;
-      }
-    }
+    scanRow(c.y, std::min(b.x, c.x), std::max(b.x, c.x));
   }
   return worst;
 }
