@@ -56,7 +56,8 @@ public:
 
   ///@{
   /// Drawn height over true height, > 0; default 1. Heights are exaggerated from the image's origin
-  /// in z.
+  /// in z. In a round scene that would exaggerate the earth's curve: leave it at 1 there, and set
+  /// vtkTerrainGeoreference::SetVerticalExaggeration before heights are resampled.
   void SetVerticalExaggeration(double exaggeration);
   double GetVerticalExaggeration() const;
   ///@}

@@ -48,7 +48,7 @@ public:
 
   ///@{
   /// Vertical exaggeration of the terrain as drawn, which scene points given and returned include;
-  /// default 1.
+  /// default 1. That of the georeference, which round scenes have, is not meant and counts anyway.
   vtkSetMacro(Exaggeration, double);
   vtkGetMacro(Exaggeration, double);
   ///@}
