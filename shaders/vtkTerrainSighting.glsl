@@ -3,7 +3,7 @@
 //
 // What the ray of a pixel sees first, and how it is kept in a texel from a compute shader
 // (vtkTerrainSightingCS.glsl) to the fragment shader. Needs vtkTerrainHeights.glsl and
-// vtkTerrainView.glsl. Defines: TERRAIN_READ_SIGHTINGS for the texture of all pixels of a viewport.
+// vtkTerrainView.glsl. Twin: src/core/rays/Sighting.h. Defines: TERRAIN_READ_SIGHTINGS for the texture of all pixels of a viewport.
 
 // The first point of the surface on a pixel's ray.
 struct TerrainSighting

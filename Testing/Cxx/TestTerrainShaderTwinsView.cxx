@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where rays begin and end, and slopes: functions of shaders/vtkTerrainView.glsl,
-// vtkTerrainCast.glsl and vtkTerrainGradient.glsl against their twins in src/core/.
+// Where rays begin and end, what they bring home, and slopes: functions of
+// shaders/vtkTerrainView.glsl, vtkTerrainCast.glsl, vtkTerrainSighting.glsl and
+// vtkTerrainGradient.glsl against their twins in src/core/.
 #include "vtkTerrainTesting.h"
 
 #include "../Unit/UnitTestFields.h"
 #include "core/rays/PixelRays.h"
+#include "core/rays/Sighting.h"
 #include "core/surface/Cutting.h"
 #include "core/surface/HeightGradient.h"
 #include "render/Driver.h"
@@ -204,6 +206,58 @@ TEST_F(TerrainShaderTwinsView, AreClippedAlike)
       program->SetUniform4fv("terrainClipPlanesVC", static_cast<int>(planes.size()), &planes[0][0]);
     });
   EXPECT_EQ(different, 0);
+}
+
+TEST_F(TerrainShaderTwinsView, PackTheSameSightings)
+{
+  const glm::ivec2 size(4096, 3000);
+  Numbers number;
+  Items packed;
+  Items unpacked;
+  int walls = 0;
+  for (int k = 0; k < Count; ++k)
+  {
+    terrain::Sighting sighting;
+    sighting.found = number(0.0, 1.0) > 0.1f;
+    sighting.distanceVC = number(0.0, 1e5);
+    sighting.cell = { number(0.0, size.x - 1.0), number(0.0, size.y - 1.0) };
+    sighting.fraction = { number(0.0, 0.99), number(0.0, 0.99) };
+    sighting.front = number(0.0, 1.0) > 0.3f;
+    sighting.crossings = static_cast<int>(number(0.0, 3000.0));
+    sighting.wall = number(0.0, 1.0) > 0.5f ? static_cast<int>(number(0.0, 12.0)) : -1;
+    walls += sighting.wall >= 0 ? 1 : 0;
+    const glm::vec4 texel = terrain::PackSighting(sighting);
+    packed.Add(
+      { sighting.distanceVC, glm::vec2(sighting.cell) + sighting.fraction, sighting.found },
+      { sighting.front, sighting.crossings, sighting.wall, 0.0f }, texel);
+    const terrain::Sighting back = terrain::UnpackSighting(texel, size);
+    ASSERT_EQ(back.found, sighting.found);
+    ASSERT_EQ(back.crossings, sighting.crossings);
+    if (sighting.found)
+    {
+      ASSERT_EQ(back.cell, sighting.cell);
+      ASSERT_EQ(back.front, sighting.front);
+      ASSERT_EQ(back.wall, sighting.wall);
+    }
+    unpacked.Add(texel, glm::vec4(0.0f),
+      { back.cell, back.crossings + (back.front ? 0.5f : 0.0f), back.found ? back.wall : -2 });
+  }
+  EXPECT_GT(walls, Count / 4);
+  const std::string needed = readView() + ReadShader("vtkTerrainSighting");
+  const auto setSize = [&size](vtkShaderProgram* program)
+  { program->SetUniform2i("terrainSize", &size[0]); };
+  EXPECT_EQ(packed.CountDifferent(Scene->Window, needed,
+              "result = terrainPackSighting(TerrainSighting(input0.w > 0.5, input0.x,"
+              "ivec2(input0.yz), fract(input0.yz), input1.x > 0.5, int(input1.y), int(input1.z),"
+              "vec4(0.0)));",
+              1e-6f, setSize),
+    0);
+  EXPECT_EQ(unpacked.CountDifferent(Scene->Window, needed,
+              "TerrainSighting back = terrainUnpackSighting(input0);"
+              "result = vec4(back.cell, float(back.crossings) + (back.front ? 0.5 : 0.0),"
+              "back.found ? float(back.wall) : -2.0);",
+              0.0f, setSize),
+    0);
 }
 
 // At borders, beside holes, and over widths of part of a cell to all of the field.

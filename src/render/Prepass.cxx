@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "render/Prepass.h"
 
+#include "core/rays/Sighting.h"
 #include "render/SurfaceTextures.h"
 #include "render/Technique.h"
 #include "render/Uniforms.h"
@@ -109,7 +110,7 @@ vtkSmartPointer<vtkImageData> Prepass::ReadCrossings()
   auto* crossings = static_cast<int*>(image->GetScalarPointer());
   for (const glm::vec4& texel : texels)
   {
-    *crossings++ = static_cast<int>(std::abs(texel.w)) - 1; // terrainPackSighting()
+    *crossings++ = UnpackCrossings(texel);
   }
   return image;
 }
