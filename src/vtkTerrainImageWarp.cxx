@@ -135,6 +135,8 @@ public:
   std::string Place(int maximumSize);
   bool PixelsToScene(std::vector<double>& points);
   bool SceneToPixels(std::vector<double>& points);
+  std::array<double, 4> FindOverlap();
+  GDALWarpOptions* MakeOptions(GDALDatasetH target);
   std::string Warp(unsigned char* rgba);
   static int Transform(
     void* self, int dstToSrc, int count, double* x, double* y, double* z, int* success);
@@ -229,9 +231,13 @@ bool ImageWarp::SceneToPixels(std::vector<double>& points)
   return true;
 }
 
-/// Finds the overlap with the heights and the grid of the output. Returns one sentence on failure.
-std::string ImageWarp::Place(int maximumSize)
+/// The overlap with the heights: west, east, south, north. Without one, west >= east or
+/// south >= north.
+std::array<double, 4> ImageWarp::FindOverlap()
 {
+  // In a round scene what lies high, or is exaggerated, stands elsewhere than its foot.
+  constexpr double lowest = -11000.0;
+  constexpr double highest = 9000.0;
   const double width = GDALGetRasterXSize(this->File.get());
   const double height = GDALGetRasterYSize(this->File.get());
   std::vector<double> points;
@@ -239,8 +245,9 @@ std::string ImageWarp::Place(int maximumSize)
   {
     for (int i = 0; i < kOutlinePoints; ++i)
     {
-      points.insert(
-        points.end(), { width * i / (kOutlinePoints - 1), height * j / (kOutlinePoints - 1), 0.0 });
+      const double x = width * i / (kOutlinePoints - 1);
+      const double y = height * j / (kOutlinePoints - 1);
+      points.insert(points.end(), { x, y, lowest, x, y, highest });
     }
   }
   this->PixelsToScene(points);
@@ -257,11 +264,14 @@ std::string ImageWarp::Place(int maximumSize)
       own[3] = std::max(own[3], points[i + 1]);
     }
   }
-  for (int side = 0; side < 4; ++side)
-  {
-    bounds[side] =
-      side % 2 == 0 ? std::max(bounds[side], own[side]) : std::min(bounds[side], own[side]);
-  }
+  return { std::max(bounds[0], own[0]), std::min(bounds[1], own[1]), std::max(bounds[2], own[2]),
+    std::min(bounds[3], own[3]) };
+}
+
+/// Finds the overlap with the heights and the grid of the output. Returns one sentence on failure.
+std::string ImageWarp::Place(int maximumSize)
+{
+  const std::array<double, 4> bounds = this->FindOverlap();
   if (!(bounds[0] < bounds[1] && bounds[2] < bounds[3]))
   {
     return "the picture does not meet the terrain";
@@ -345,20 +355,13 @@ int ImageWarp::Transform(
   return all ? 1 : 0;
 }
 
-/// Warps the picture into Size[0] x Size[1] pixels of RGBA, southern row first.
-std::string ImageWarp::Warp(unsigned char* rgba)
+/// What is warped into RGBA, without a transformer; to be destroyed by GDALDestroyWarpOptions().
+GDALWarpOptions* ImageWarp::MakeOptions(GDALDatasetH target)
 {
-  const Messages messages;
-  const Dataset target = Own(
-    GDALCreate(GDALGetDriverByName("MEM"), "", this->Size[0], this->Size[1], 4, GDT_Byte, nullptr));
-  if (!target)
-  {
-    return "the picture needs more memory than there is (" + Messages::Last() + ")";
-  }
   const bool hasAlpha = GDALGetRasterCount(this->Colors.get()) == 4;
   GDALWarpOptions* options = GDALCreateWarpOptions();
   options->hSrcDS = this->Colors.get();
-  options->hDstDS = target.get();
+  options->hDstDS = target;
   options->eResampleAlg = GRA_Bilinear;
   options->nBandCount = 3;
   options->panSrcBands = static_cast<int*>(CPLMalloc(3 * sizeof(int)));
@@ -380,6 +383,20 @@ std::string ImageWarp::Warp(unsigned char* rgba)
       CSLSetNameValue(options->papszWarpOptions, "UNIFIED_SRC_NODATA", "YES");
   }
   options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "INIT_DEST", "0");
+  return options;
+}
+
+/// Warps the picture into Size[0] x Size[1] pixels of RGBA, southern row first.
+std::string ImageWarp::Warp(unsigned char* rgba)
+{
+  const Messages messages;
+  const Dataset target = Own(
+    GDALCreate(GDALGetDriverByName("MEM"), "", this->Size[0], this->Size[1], 4, GDT_Byte, nullptr));
+  if (!target)
+  {
+    return "the picture needs more memory than there is (" + Messages::Last() + ")";
+  }
+  GDALWarpOptions* options = this->MakeOptions(target.get());
   void* approximate = nullptr;
   options->pfnTransformer = ImageWarp::Transform;
   options->pTransformerArg = this;
