@@ -74,21 +74,6 @@ public:
   vtkNew<vtkOpenGLTerrainMapper> Mapper;
 };
 
-/// Share of the pixels that are not background (black).
-double drawnShare(vtkImageData* picture)
-{
-  int drawn = 0;
-  for (int y = 0; y < Height; ++y)
-  {
-    for (int x = 0; x < Width; ++x)
-    {
-      const auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0));
-      drawn += pixel[0] + pixel[1] + pixel[2] > 0 ? 1 : 0;
-    }
-  }
-  return static_cast<double>(drawn) / (Width * Height);
-}
-
 constexpr std::array<double, 3> ObliqueEye{ 0.5 * Side, -0.75 * Side, 0.7 * Side };
 constexpr std::array<double, 3> ObliqueFocus{ 0.5 * Side, 0.45 * Side, 0.0 };
 constexpr std::array<double, 3> ValleyEye{ 0.42 * Side, 0.4 * Side, 2600.0 };
@@ -101,7 +86,7 @@ TEST(OpenGLTerrainMapperImage, Pyramid)
   Landscape landscape;
   const auto picture = landscape.Draw(ObliqueEye, ObliqueFocus);
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(picture, "TerrainPyramid"));
-  EXPECT_NEAR(drawnShare(picture), 0.660, 0.005);
+  EXPECT_NEAR(vtkTerrainTesting::DrawnShare(picture), 0.660, 0.005);
 }
 
 TEST(OpenGLTerrainMapperImage, PyramidFromWithin)
@@ -109,7 +94,7 @@ TEST(OpenGLTerrainMapperImage, PyramidFromWithin)
   Landscape landscape;
   const auto picture = landscape.Draw(ValleyEye, ValleyFocus);
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(picture, "TerrainPyramidFromWithin"));
-  EXPECT_NEAR(drawnShare(picture), 0.568, 0.005);
+  EXPECT_NEAR(vtkTerrainTesting::DrawnShare(picture), 0.568, 0.005);
 }
 
 TEST(OpenGLTerrainMapperImage, Columns)
@@ -118,6 +103,7 @@ TEST(OpenGLTerrainMapperImage, Columns)
   landscape.Mapper->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Columns);
   const auto picture = landscape.Draw(ValleyEye, ValleyFocus);
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(picture, "TerrainColumns"));
+  EXPECT_NEAR(vtkTerrainTesting::DrawnShare(picture), 0.570, 0.005);
 }
 
 TEST(OpenGLTerrainMapperImage, EquidistantDrawsAsThePyramid)
@@ -126,6 +112,7 @@ TEST(OpenGLTerrainMapperImage, EquidistantDrawsAsThePyramid)
   landscape.Mapper->SetTechnique(Techniques::Equidistant);
   const auto picture = landscape.Draw(ObliqueEye, ObliqueFocus);
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(picture, "TerrainPyramid", { 12, 0.02 }));
+  EXPECT_NEAR(vtkTerrainTesting::DrawnShare(picture), 0.660, 0.005);
 }
 
 TEST(OpenGLTerrainMapperImage, MeshDrawsAsThePyramid)
@@ -136,4 +123,5 @@ TEST(OpenGLTerrainMapperImage, MeshDrawsAsThePyramid)
   landscape.Mapper->SetTechnique(Techniques::Mesh);
   const auto picture = landscape.Draw(ObliqueEye, ObliqueFocus);
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(picture, "TerrainPyramid", { 12, 0.02 }));
+  EXPECT_NEAR(vtkTerrainTesting::DrawnShare(picture), 0.660, 0.005);
 }

@@ -157,7 +157,9 @@ long ResidentBytes()
 TEST(TestTerrainWindowsDrawing, StockScene)
 {
   const Scene scene = MakeStockScene(320, 240);
-  EXPECT_TRUE(MatchesBaseline(Render(scene.Window), "TestTerrainWindowsDrawing"));
+  const auto picture = Render(scene.Window);
+  EXPECT_TRUE(MatchesBaseline(picture, "TestTerrainWindowsDrawing"));
+  EXPECT_NEAR(vtkTerrainTesting::DrawnShare(picture), 0.131, 0.005);
 }
 
 //------------------------------------------------------------------------------

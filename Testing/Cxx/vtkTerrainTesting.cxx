@@ -119,6 +119,22 @@ std::vector<float> ReadDepth(vtkRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
+double DrawnShare(vtkImageData* picture)
+{
+  const int* size = picture->GetDimensions();
+  const int channels = picture->GetNumberOfScalarComponents();
+  const auto* corner =
+    static_cast<const unsigned char*>(picture->GetScalarPointer(0, size[1] - 1, 0));
+  const auto* pixels = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  vtkIdType drawn = 0;
+  for (vtkIdType k = 0; k < picture->GetNumberOfPoints(); ++k)
+  {
+    drawn += std::equal(corner, corner + channels, pixels + k * channels) ? 0 : 1;
+  }
+  return static_cast<double>(drawn) / static_cast<double>(picture->GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
 vtkIdType CountDifferentPixels(vtkImageData* a, vtkImageData* b, int channelTolerance)
 {
   if (!IsPicture(a) || !IsPicture(b) || !SameSize(a, b))

@@ -115,6 +115,10 @@ struct Tolerance
 testing::AssertionResult MatchesBaseline(
   vtkImageData* picture, const std::string& name, const Tolerance& tolerance = Tolerance());
 
+/// Share of a picture's pixels, 0 to 1, whose colour is not that of its upper left corner: a number
+/// beside a baseline, which tells how much is drawn whatever the picture on file shows.
+double DrawnShare(vtkImageData* picture);
+
 /// Writes a picture as PNG.
 void WritePicture(vtkImageData* picture, const std::string& path);
 

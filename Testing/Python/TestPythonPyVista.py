@@ -47,6 +47,7 @@ class TestPyVista(unittest.TestCase):
     def test_picture(self):
         picture, _, _ = draw(hill(), exaggeration=1.5, cmap="terrain")
         vtkTerrainTesting.compare_with_baseline(self, picture, "PythonPyVista")
+        self.assertAlmostEqual((picture != picture[0, 0]).any(axis=2).mean(), 0.312, delta=0.005)
 
     def test_every_kind_of_heights_gives_the_same_picture(self):
         heights = hill()
