@@ -33,8 +33,9 @@
  * plane and the far sides of that box are drawn instead of its near sides, so that the eye may be
  * anywhere.
  *
- * Precision: rays are set up in double precision relative to a cell near the hit; the distance of a
- * hit is right to 1e-6 relative where ARB_gpu_shader_fp64 is there, at any size of coordinates.
+ * Precision: rays are set up in double precision relative to a cell near the hit. The distance of a
+ * hit of Pyramid is right to HitError where ARB_gpu_shader_fp64 is there, at any size of
+ * coordinates.
  *
  * Changes: colours and their sources, contours, hillshade, crossings, flat normals, culling, the
  * places of clipping planes and extracts, exaggeration and the steps of searches are uniforms: the
@@ -185,6 +186,9 @@ public:
   using ComputeModes = vtkTerrainLook::ComputeModes;
   using ColorSources = vtkTerrainLook::ColorSources;
   static constexpr int MostDetailCells = vtkTerrainLook::MostDetailCells;
+  /// Largest error of the distance of a hit, as a part of it, away from silhouettes: 1/250 of a
+  /// pixel where 1080 lines show 30 degrees. See the class comment.
+  static constexpr double HitError = 2e-6;
   ///@{
   /// A setting of the look, as the method of vtkTerrainLook that has this name, where its unit,
   /// range and default are documented.

@@ -175,8 +175,7 @@ TEST(TerrainLargeCoordinates, NothingTremblesOnTheWayDown)
   constexpr int Frames = 300;
   constexpr int PixelsX = 20;
   constexpr int PixelsY = 15;
-  // of the distance: 1/250 of a pixel where 1080 lines show 30 degrees
-  constexpr double Precision = 2e-6;
+  constexpr double Precision = vtkOpenGLTerrainMapper::HitError;
   PlacedTerrain terrain(Geocentric, PixelsX, PixelsY);
   terrain.Camera()->SetViewAngle(6.0);
   int wrong = 0;
