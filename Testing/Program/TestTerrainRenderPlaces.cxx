@@ -242,6 +242,27 @@ TEST_F(TerrainRenderPlaces, EarthIsRoundOnRequest)
   EXPECT_EQ(this->LastErrors, "");
 }
 
+// 100 m become 2000, and the 501 m by which the ground falls stay what they are.
+TEST_F(TerrainRenderPlaces, ExaggerationLeavesTheEarthAsItIs)
+{
+  RasterDescription wide;
+  wide.Width = 301;
+  wide.Height = 301;
+  wide.CoordinateSystem = "EPSG:4326";
+  wide.GeoTransform = { 9.0, 0.008, 0.0, 48.2, 0.0, -0.008 };
+  wide.Sample = [](int, int) { return 100.0; };
+  const std::string path = this->WriteRaster("plateau.tif", wide);
+  const double radius = 6388e3; // of the prime vertical at 47 degrees north
+  const double fall = 80000.0 * 80000.0 / (2.0 * radius);
+  EXPECT_NEAR(this->DrawDepth(path,
+                { "--camera", "80000,0,3000,80000,0,0", "--curvature", "--exaggeration", "20",
+                  "--stats", "stats.json" }),
+    3000.0 + fall - 2000.0 * (1.0 - fall / radius), 0.5);
+  const Json::Value range = this->ReadStatistics()["height_range"];
+  EXPECT_NEAR(range[0].asDouble(), 100.0, 1e-3);
+  EXPECT_NEAR(range[1].asDouble(), 100.0, 1e-3);
+}
+
 TEST_F(TerrainRenderPlaces, LargePartsOfTheEarthStayMaps)
 {
   RasterDescription half;
