@@ -8,12 +8,14 @@
 #include "render/ModelCamera.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainColors.h"
+#include "vtkTerrainGeoreference.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainStrips.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
@@ -185,6 +187,10 @@ bool vtkTerrainActor::OpenRaster(const std::string& path)
   reader->SetFileName(path);
   reader->UseLevelsOn();
   reader->SetMaximumSize(largestTexture);
+  // Its errors are told once, by SetFileName.
+  const vtkNew<vtkCallbackCommand> silence;
+  silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  const unsigned long silenced = reader->AddObserver(vtkCommand::ErrorEvent, silence);
   reader->UpdateInformation();
   this->ErrorMessage = reader->GetErrorMessage();
   if (!this->ErrorMessage.empty())
@@ -197,6 +203,7 @@ bool vtkTerrainActor::OpenRaster(const std::string& path)
     reader->WarnOfLevelsOff();
   }
   reader->Update();
+  reader->RemoveObserver(silenced);
   this->ErrorMessage = reader->GetErrorMessage();
   if (!this->ErrorMessage.empty())
   {
@@ -425,9 +432,27 @@ void vtkTerrainActor::UpdateColors()
   if (this->ReliefColors->GetSize() == 0 || this->ReliefRange != range)
   {
     this->ReliefRange = range;
-    this->ReliefColors->DeepCopy(MakeReliefColors(range[0], range[1])); // scalar bars keep it
+    const vtkNew<vtkTerrainColors> colors;
+    colors->SetSea(
+      this->HasSea() ? vtkTerrainColors::SeaMode::Automatic : vtkTerrainColors::SeaMode::Never);
+    this->ReliefColors->DeepCopy(colors->MakeTable(range[0], range[1])); // scalar bars keep it
   }
   this->TerrainMapper->SetLookupTable(this->ReliefColors);
+}
+
+//------------------------------------------------------------------------------
+// Other worlds have none.
+bool vtkTerrainActor::HasSea()
+{
+  vtkImageData* heights = this->GetHeights();
+  if (!heights)
+  {
+    return true;
+  }
+  const vtkNew<vtkTerrainGeoreference> ground;
+  ground->SetFromHeights(heights);
+  ground->SetFrame(vtkTerrainGeoreference::FrameType::Grid);
+  return !ground->IsOnOtherWorld();
 }
 
 //------------------------------------------------------------------------------

@@ -204,6 +204,7 @@ private:
   void RefineFor(vtkRenderer* renderer);
   void UpdateMesh();
   void UpdateColors();
+  bool HasSea();
   void RenderInTime(vtkRenderer* renderer, vtkMapper* mapper);
 
   vtkSmartPointer<vtkOpenGLTerrainMapper> TerrainMapper;

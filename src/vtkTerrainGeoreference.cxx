@@ -135,6 +135,19 @@ bool vtkTerrainGeoreference::IsOnEarth()
   return this->Internals->WhyNot.empty() && this->Internals->System.IsOnEarth();
 }
 
+bool vtkTerrainGeoreference::IsOnOtherWorld()
+{
+  this->Prepare();
+  return this->Internals->WhyNot.empty() &&
+    this->Internals->System.GetKind() == terrain::CoordinateSystem::Kind::OtherWorld;
+}
+
+bool vtkTerrainGeoreference::HasPlaces()
+{
+  this->Prepare();
+  return this->Internals->WhyNot.empty() && this->Internals->System.HasPlaces();
+}
+
 bool vtkTerrainGeoreference::IsGeographic()
 {
   this->Prepare();
@@ -231,10 +244,10 @@ std::string vtkTerrainGeoreference::GetSceneCoordinateSystem()
 
 template <typename Function>
 bool vtkTerrainGeoreference::Chunked(
-  const double* in, double* out, vtkIdType count, bool needsEarth, Function&& function)
+  const double* in, double* out, vtkIdType count, bool needsPlaces, Function&& function)
 {
   this->Prepare();
-  if (!this->Internals->WhyNot.empty() || (needsEarth && !this->Internals->System.IsOnEarth()))
+  if (!this->Internals->WhyNot.empty() || (needsPlaces && !this->Internals->System.HasPlaces()))
   {
     return false;
   }
@@ -308,8 +321,7 @@ bool vtkTerrainGeoreference::PlacesToScene(const double* places, double* scene, 
       internals.System.FromPlaces(points, size, internals.MiddleX);
       for (vtkIdType i = 0; i < size; ++i)
       {
-        points[3 * i] *= internals.System.GetMetres();
-        points[3 * i + 1] *= internals.System.GetMetres();
+        internals.GridToScene(points + 3 * i);
       }
     });
 }
@@ -327,8 +339,7 @@ bool vtkTerrainGeoreference::SceneToPlaces(const double* scene, double* places, 
       }
       for (vtkIdType i = 0; i < size; ++i)
       {
-        points[3 * i] /= internals.System.GetMetres();
-        points[3 * i + 1] /= internals.System.GetMetres();
+        internals.SceneToGrid(points + 3 * i);
       }
       internals.System.ToPlaces(points, size);
     });
@@ -347,8 +358,7 @@ bool vtkTerrainGeoreference::FileToScene(const double* file, double* scene, vtkI
     {
       for (vtkIdType i = 0; i < size; ++i)
       {
-        points[3 * i] *= internals.System.GetMetres();
-        points[3 * i + 1] *= internals.System.GetMetres();
+        internals.GridToScene(points + 3 * i);
         points[3 * i + 2] *= internals.HeightUnit;
       }
     });
@@ -367,8 +377,7 @@ bool vtkTerrainGeoreference::SceneToFile(const double* scene, double* file, vtkI
     {
       for (vtkIdType i = 0; i < size; ++i)
       {
-        points[3 * i] /= internals.System.GetMetres();
-        points[3 * i + 1] /= internals.System.GetMetres();
+        internals.SceneToGrid(points + 3 * i);
         points[3 * i + 2] /= internals.HeightUnit;
       }
     });

@@ -165,9 +165,14 @@ public:
   /// Empty if points of the file can be brought into the scene, else one sentence that says why
   /// not.
   std::string GetWhyNot();
-  /// True if there are places: the CRS is tied to the earth. Otherwise, with the frame Grid, only
-  /// file and scene can be transformed.
+  /// True if the CRS is tied to the earth.
   bool IsOnEarth();
+  /// True if the CRS is of a planet or moon. The frame is Grid then; places are longitude and
+  /// latitude on its own ellipsoid, and there are no zones, no MGRS, no geoid.
+  bool IsOnOtherWorld();
+  /// True if there are places, on the earth or elsewhere. Without them, with the frame Grid, only
+  /// file and scene can be transformed.
+  bool HasPlaces();
   /// True if x and y of the file are longitude and latitude.
   bool IsGeographic();
   /// One sentence about something suspicious that is no error; empty as a rule.
@@ -231,10 +236,13 @@ private:
   void ConvertHeights(double* places, vtkIdType count, bool toScene);
   template <typename Function>
   bool Chunked(
-    const double* in, double* out, vtkIdType count, bool needsEarth, Function&& function);
+    const double* in, double* out, vtkIdType count, bool needsPlaces, Function&& function);
 
   std::string CoordinateSystem;
   double Extent[4] = { 1.0, -1.0, 1.0, -1.0 };
+  /// Of heights in degrees of another world: how the reader has laid them out in metres.
+  double LayoutOrigin[2] = { 0.0, 0.0 };
+  double LayoutScale[2] = { 1.0, 1.0 };
   FrameType Frame = FrameType::Plane;
   bool IsOriginGiven = false;
   double Origin[3] = { 0.0, 0.0, 0.0 };

@@ -243,9 +243,13 @@ int vtkTerrainGraticule::RequestData(
   {
     why = this->Georeference ? this->Georeference->GetWhyNot() : "there is no georeference";
   }
-  if (why.empty() && !this->Georeference->IsOnEarth())
+  if (why.empty() && !this->Georeference->HasPlaces())
   {
     why = "a graticule needs heights whose coordinate system is known";
+  }
+  if (why.empty() && this->Grid != GridType::Geographic && !this->Georeference->IsOnEarth())
+  {
+    why = "other worlds have no UTM: a graticule there is of degrees";
   }
   Frame frame;
   if (why.empty() && !this->FindExtent(heights, frame))

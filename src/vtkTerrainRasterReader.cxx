@@ -11,10 +11,12 @@
 #include "raster/PreparedFile.h"
 #include "raster/RasterSamples.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -121,6 +123,10 @@ vtkTerrainRasterReader::vtkTerrainRasterReader()
   : Internals(std::make_unique<vtkInternals>())
 {
   this->SetNumberOfInputPorts(0);
+  // An error is one sentence, the reader's own: the pipeline's "returned failure" says no more.
+  const vtkNew<vtkCallbackCommand> silence;
+  silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  this->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
 }
 
 //------------------------------------------------------------------------------

@@ -47,6 +47,20 @@ public:
   /// Metres of geoid height to add to heights on their way from file to scene: -1, 0 or 1 times.
   double GeoidSign = 0.0;
   double MiddleX = 0.0;
+  /// The frame Grid: scene = (file - GridOrigin) * GridScale.
+  double GridOrigin[2] = { 0.0, 0.0 };
+  double GridScale[2] = { 1.0, 1.0 };
+
+  void GridToScene(double* point) const
+  {
+    point[0] = (point[0] - this->GridOrigin[0]) * this->GridScale[0];
+    point[1] = (point[1] - this->GridOrigin[1]) * this->GridScale[1];
+  }
+  void SceneToGrid(double* point) const
+  {
+    point[0] = this->GridOrigin[0] + point[0] / this->GridScale[0];
+    point[1] = this->GridOrigin[1] + point[1] / this->GridScale[1];
+  }
 };
 
 #endif

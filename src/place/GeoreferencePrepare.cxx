@@ -83,6 +83,8 @@ void vtkTerrainGeoreference::SetFromHeights(vtkImageData* heights)
     ends[1] = layout.Origin[axis] + last / layout.Scale[axis];
   }
   this->SetExtent(extent[0], extent[1], extent[2], extent[3]);
+  std::copy_n(layout.Origin, 2, this->LayoutOrigin);
+  std::copy_n(layout.Scale, 2, this->LayoutScale);
 }
 
 vtkTerrainGeoreference::FrameType vtkTerrainGeoreference::SuggestFrame(vtkImageData* heights)
@@ -142,6 +144,12 @@ void vtkTerrainGeoreference::Prepare()
   internals.WhyNot = internals.SystemWhyNot;
   internals.MiddleX = IsKnown(this->Extent) ? 0.5 * (this->Extent[0] + this->Extent[1]) : 0.0;
 
+  const bool isLaidOut = !system.IsOnEarth() && system.IsInDegrees();
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    internals.GridOrigin[axis] = isLaidOut ? this->LayoutOrigin[axis] : 0.0;
+    internals.GridScale[axis] = isLaidOut ? this->LayoutScale[axis] : system.GetMetres();
+  }
   internals.HeightUnit = this->HeightUnit > 0.0 ? this->HeightUnit
     : system.GetVerticalMetres() > 0.0          ? system.GetVerticalMetres()
                                                 : 1.0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "raster/CoordinateSystem.h"
 
+#include "core/grid/Constants.h"
 #include "raster/GDALTable.h"
 #include "raster/SystemAxes.h"
 
@@ -213,6 +214,10 @@ std::string CoordinateSystem::Read(const std::string& definition)
   {
     this->TheKind = Kind::OtherWorld;
     this->Metres = projected ? OSRGetLinearUnits(flat.get(), nullptr) : 1.0;
+    this->Degrees = projected ? 0.0 : OSRGetAngularUnits(flat.get(), nullptr) / kDegree;
+    const Reference own(OSRCloneGeogCS(flat.get()), OSRRelease);
+    TurnAxes(own.get());
+    this->Transformations = std::make_unique<Pool>(flat.get(), own.get());
     return {};
   }
   const Reference places = NewReference();
@@ -226,7 +231,7 @@ std::string CoordinateSystem::Read(const std::string& definition)
   }
   else
   {
-    this->Degrees = OSRGetAngularUnits(flat.get(), nullptr) * 180.0 / std::acos(-1.0);
+    this->Degrees = OSRGetAngularUnits(flat.get(), nullptr) / kDegree;
     const char* const options[] = { "IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
       "CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS", nullptr };
     this->IsPlaces = OSRIsSameEx(flat.get(), places.get(), options) != 0;
@@ -238,6 +243,12 @@ std::string CoordinateSystem::Read(const std::string& definition)
   }
   this->TheKind = projected ? Kind::Projected : Kind::Geographic;
   return {};
+}
+
+bool CoordinateSystem::HasPlaces() const
+{
+  return this->IsOnEarth() ||
+    (this->TheKind == Kind::OtherWorld && this->Transformations->IsComplete());
 }
 
 bool CoordinateSystem::Transform(double* points, std::int64_t count, int stride, bool forward) const
@@ -276,7 +287,7 @@ bool CoordinateSystem::Transform(double* points, std::int64_t count, int stride,
 
 bool CoordinateSystem::ToPlaces(double* points, std::int64_t count, int stride) const
 {
-  if (!this->IsOnEarth())
+  if (!this->HasPlaces())
   {
     return false;
   }
@@ -302,11 +313,11 @@ bool CoordinateSystem::ToPlaces(double* points, std::int64_t count, int stride) 
 bool CoordinateSystem::FromPlaces(
   double* points, std::int64_t count, double nearX, int stride) const
 {
-  if (!this->IsOnEarth() || (!this->IsPlaces && !this->Transform(points, count, stride, false)))
+  if (!this->HasPlaces() || (!this->IsPlaces && !this->Transform(points, count, stride, false)))
   {
     return false;
   }
-  if (this->TheKind == Kind::Geographic)
+  if (this->IsInDegrees())
   {
     const double turn = 360.0 / this->Degrees;
     for (std::int64_t i = 0; i < count; ++i)

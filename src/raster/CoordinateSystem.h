@@ -51,10 +51,19 @@ public:
   {
     return this->TheKind;
   }
-  /// True if places can be had: Geographic and Projected.
+  /// True for Geographic and Projected.
   bool IsOnEarth() const
   {
     return this->TheKind == Kind::Geographic || this->TheKind == Kind::Projected;
+  }
+  /// True if longitude and latitude can be had: on the earth, where they are those of WGS84, and on
+  /// other worlds, where they are those of the system's own ellipsoid.
+  bool HasPlaces() const;
+  /// True if x and y are angles, on the earth or elsewhere.
+  bool IsInDegrees() const
+  {
+    return this->TheKind == Kind::Geographic ||
+      (this->TheKind == Kind::OtherWorld && this->Degrees > 0.0);
   }
   const std::string& GetName() const
   {
@@ -65,7 +74,7 @@ public:
   {
     return this->Metres;
   }
-  /// Degrees per unit of x and y (Geographic), 1 otherwise.
+  /// Degrees per unit of x and y where those are angles.
   double GetDegrees() const
   {
     return this->Degrees;

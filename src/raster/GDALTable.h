@@ -156,6 +156,7 @@
   ENTRY(OCTNewCoordinateTransformation)                                                            \
   ENTRY(OCTTransformEx)                                                                            \
   ENTRY(OSRClone)                                                                                  \
+  ENTRY(OSRCloneGeogCS)                                                                            \
   ENTRY(OSRDemoteTo2D)                                                                             \
   ENTRY(OSRExportToWktEx)                                                                          \
   ENTRY(OSRGetAngularUnits)                                                                        \

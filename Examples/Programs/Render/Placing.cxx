@@ -81,6 +81,11 @@ std::string WhyNoPlaces(vtkTerrainGeoreference* scene)
   {
     return why;
   }
+  if (scene->IsOnOtherWorld())
+  {
+    return "its coordinate system '" + scene->GetCoordinateSystemName() +
+      "' is of another world (--graticule degrees and --scale-bar are drawn there)";
+  }
   return scene->GetCoordinateSystem().empty()
     ? "it has no coordinate system (--crs names one)"
     : "its coordinate system '" + scene->GetCoordinateSystemName() + "' is tied to no place";
@@ -153,8 +158,10 @@ PlacedHeights PlaceHeights(
     statistics.AddTime("place", watch.GetMilliseconds());
   }
   placed.WhyNoPlaces = WhyNoPlaces(placed.Georeference);
-  const char* option = wanted.FirstThatNeedsPlaces();
-  if (option && !placed.WhyNoPlaces.empty())
+  const char* option = wanted.FirstThatNeedsPlaces(); // a graticule, if that is the only one
+  const bool isDrawnAnywhere = option && option == std::string("--graticule");
+  if (option && !placed.WhyNoPlaces.empty() &&
+    !(isDrawnAnywhere && placed.Georeference->HasPlaces()))
   {
     throw Failure(
       name, std::string(option) + " needs to know where it is, but " + placed.WhyNoPlaces);

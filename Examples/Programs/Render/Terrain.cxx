@@ -71,6 +71,7 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options, bool draws
   reader->SetFileName(options.Heights);
   reader->UseLevelsOn();
   reader->SetMaximumSize(options.LargestTexture);
+  options.Input.Apply(reader);
   reader->UpdateInformation();
   if (drawsTiles && reader->GetLevel() > 0)
   {
@@ -79,7 +80,6 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options, bool draws
   }
   reader->SetMemoryBudget(vtkIdType{ options.Memory } << 20);
   reader->SetUseCache(!options.NoCache);
-  options.Input.Apply(reader);
   return reader;
 }
 
