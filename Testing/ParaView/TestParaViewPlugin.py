@@ -238,6 +238,19 @@ class TestPlugin(unittest.TestCase):
         reader.UpdatePipeline()
         self.assertEqual(reader.GetDataInformation().GetExtent(), (0, 127, 0, 47, 0, 0))
 
+    def test_what_a_file_does_not_say(self):
+        path = write_hill("paraview-options.asc", 30.0)
+        as_it_is = simple.TerrainRasterReader(FileName=path)
+        as_it_is.UpdatePipeline()
+        highest = as_it_is.GetPointDataInformation()["Elevation"].GetRange()[1]
+        in_feet = simple.TerrainRasterReader(FileName=path, HeightUnit="ft")
+        in_feet.UpdatePipeline()
+        self.assertAlmostEqual(in_feet.GetPointDataInformation()["Elevation"].GetRange()[1], 0.3048 * highest, places=3)
+        depths = simple.TerrainRasterReader(FileName=path, HeightUnit="-1", Flip=1, CoordinateSystem="EPSG:32631")
+        depths.UpdatePipeline()
+        self.assertAlmostEqual(depths.GetPointDataInformation()["Elevation"].GetRange()[0], -highest, places=3)
+        self.assertEqual(depths.GetDataInformation().GetBounds()[:4], as_it_is.GetDataInformation().GetBounds()[:4])
+
     def test_strips(self):
         heights = {"CameraPosition": [20480.0, -40960.0, 32768.0],
                    "CameraFocalPoint": [20480.0, 18432.0, 0.0], "CameraViewUp": [0.0, 0.0, 1.0],

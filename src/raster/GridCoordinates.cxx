@@ -227,6 +227,25 @@ GridPlace PlaceOfFields(const GridAxis& x, const GridAxis& y, RasterRecord& reco
   return place;
 }
 
+/// True for numbers of samples in place of coordinates: 0, 1, 2 and so on, without a unit.
+bool IsIndex(const GridAxis& axis)
+{
+  const std::string units = axis.Get("units");
+  if (axis.Values.size() < 2 || !(units.empty() || units == "1") ||
+    !axis.Get("standard_name").empty() || std::abs(axis.Values.front() - 0.5) > 0.5)
+  {
+    return false;
+  }
+  for (std::size_t k = 1; k < axis.Values.size(); ++k)
+  {
+    if (axis.Values[k] - axis.Values[k - 1] != 1.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// A kind for an axis that tells none, when the other one is known.
 void FillInKind(Kind& kind, Kind other)
 {
@@ -313,12 +332,13 @@ GridPlace FindGridPlace(const GridCoordinates& grid, RasterRecord& record)
   const bool both =
     hasValues(grid.Rows, grid.RowCount) && hasValues(grid.Columns, grid.ColumnCount);
   const bool isRotated = columns == Kind::GridLongitude || rows == Kind::GridLongitude;
-  const bool usable = known && both &&
+  const auto [x, y] = FindFields(grid);
+  const bool areIndices = x && IsIndex(grid.Rows) && IsIndex(grid.Columns);
+  const bool usable = known && both && !areIndices &&
     (!isRotated || !SystemOfGridMapping(grid.GridMapping).empty()) &&
     ((IsX(columns) && IsY(rows)) || (IsY(columns) && IsX(rows)));
   if (!usable)
   {
-    const auto [x, y] = FindFields(grid);
     if (!x && isRotated && both)
     {
       throw RasterError("its coordinates " + grid.Columns.Name + ", " + grid.Rows.Name +

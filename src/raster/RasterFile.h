@@ -212,6 +212,7 @@ private:
   void PlaceByMemory(const std::string& given);
   void PlaceByGeolocation();
   void PlaceByText();
+  void PlaceByColumns(const std::vector<std::string>& names);
   bool NeedsCoordinates() const;
   void TakePlace(const GridPlace& place, const std::string& system);
   void SetReference(const std::string& definition, const std::string& source);

@@ -132,6 +132,7 @@ void Summarize(
     {
       findings.WidestGap = gap;
       findings.GapShare = std::min(below, count - below) / count;
+      findings.IsGapLow = below < count - below;
     }
   }
 }

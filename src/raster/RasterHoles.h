@@ -33,6 +33,8 @@ struct FillFindings
   /// The widest gap between two of them in order, and the share of them on its smaller side.
   double WidestGap = 0.0;
   double GapShare = 0.0;
+  /// True if that side is the lower one.
+  bool IsGapLow = false;
 };
 
 /// Finds fill among at least 16 values (NaN, infinities and magnitudes from 1e30 on are left out).

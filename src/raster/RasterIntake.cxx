@@ -37,6 +37,8 @@ constexpr double kFillLimit = 1e30;
 constexpr std::int64_t kSmallFile = std::int64_t{ 1 } << 20;
 constexpr std::int64_t kSampledPixels = std::int64_t{ 1 } << 21;
 constexpr std::int64_t kMostBlocks = 48;
+// Of the blocks of a large file every third sample, for sorting them takes longer than reading.
+constexpr std::size_t kSampleStep = 3;
 // Samples of an even raster in memory.
 constexpr std::int64_t kMostSamples = std::int64_t{ 1 } << 28;
 // Beyond this latitude a grid of longitude and latitude is of no use.
@@ -172,7 +174,9 @@ std::vector<double> RasterFile::SampleBand() const
   const std::int64_t samples =
     std::min(count, std::clamp<std::int64_t>(kSampledPixels / (width * height), 2, kMostBlocks));
   const bool masked = this->HasMask();
+  const std::size_t step = isSmall ? 1 : kSampleStep;
   std::vector<double> values;
+  std::vector<double> read;
   std::vector<unsigned char> mask;
   for (std::int64_t k = 0; k < samples; ++k)
   {
@@ -181,19 +185,18 @@ std::vector<double> RasterFile::SampleBand() const
     window.Width = std::min(width, this->GetWidth() - window.X);
     window.Height = std::min({ height, this->GetHeight() - window.Y,
       std::max<std::int64_t>(kSampledPixels / window.Width, 1) });
-    const std::size_t first = values.size();
-    values.resize(first + static_cast<std::size_t>(window.Width * window.Height));
-    this->Read(-1, window, &values[first], GDT_Float64, 8, 8 * window.Width);
+    read.resize(static_cast<std::size_t>(window.Width * window.Height));
+    this->Read(-1, window, read.data(), GDT_Float64, 8, 8 * window.Width);
     if (masked)
     {
-      mask.resize(values.size() - first);
+      mask.resize(read.size());
       this->ReadMask(-1, window, mask.data(), 1, window.Width);
     }
-    for (std::size_t k2 = first; k2 < values.size(); ++k2)
+    for (std::size_t sample = 0; sample < read.size(); sample += step)
     {
-      const bool hidden =
-        (masked && mask[k2 - first] == 0) || Holds(this->Holes.Declared, values[k2]);
-      values[k2] = hidden ? kNaN : values[k2];
+      const double value = read[sample];
+      const bool hidden = (masked && mask[sample] == 0) || Holds(this->Holes.Declared, value);
+      values.push_back(hidden ? kNaN : value);
     }
   }
   return values;
@@ -234,6 +237,10 @@ void RasterFile::FindHoles(const RasterOptions& options)
   }
   this->Holes.Undeclared = fill.Values;
   this->Holes.UndeclaredOccurs = !fill.Values.empty();
+  for (const double value : fill.Values)
+  {
+    this->Record.Take("no data", NumberText(value), "fill that nobody declares");
+  }
   double scale = 1.0;
   double offset = 0.0;
   this->GetScaleAndOffset(scale, offset);
@@ -251,10 +258,15 @@ void RasterFile::FindHoles(const RasterOptions& options)
   }
   for (const double other : others)
   {
-    if (!Holds(this->Holes.Undeclared, other))
+    if (Holds(this->Holes.Undeclared, other))
     {
-      this->Holes.Undeclared.push_back(other);
-      this->Holes.UndeclaredOccurs = this->Holes.UndeclaredOccurs || Holds(samples, other);
+      continue;
+    }
+    this->Holes.Undeclared.push_back(other);
+    if (Holds(samples, other))
+    {
+      this->Holes.UndeclaredOccurs = true;
+      this->Record.Take("no data", NumberText(other), "fill that nobody declares");
     }
   }
 }
@@ -469,7 +481,8 @@ void RasterFile::CheckSanity()
     seen.GapShare < kFewest && 3.0 * seen.WidestGap > seen.High - seen.Low)
   {
     this->Record.Warn("few samples lie " + NumberText(std::abs(scale) * seen.WidestGap) +
-      " m beyond all others, as needles (" + range + "): --nodata if they are no heights");
+      " m beyond all others, as needles (" + range + "): --nodata " +
+      NumberText(seen.IsGapLow ? seen.Low : seen.High) + " if they are no heights");
   }
 }
 }

@@ -130,7 +130,7 @@ std::string ArchiveFolder(const std::string& name)
   return ends(".tar") || ends(".tgz") || ends(".tar.gz") ? "/vsitar/{" + name + "}" : std::string();
 }
 
-GDALDatasetH OpenArchive(std::string& name, RasterRecord& record)
+GDALDatasetH OpenArchive(std::string& name, std::string& part, RasterRecord& record)
 {
   if (Extension(name) == "gz" && ArchiveFolder(name).empty())
   {
@@ -155,7 +155,8 @@ GDALDatasetH OpenArchive(std::string& name, RasterRecord& record)
   }
   if (rasters.size() > 1)
   {
-    GDALDatasetH dataset = OpenRasterTiles(folder, record);
+    GDALDatasetH dataset = OpenRasterTiles(folder, part, record);
+    part.clear();
     name = folder;
     return dataset;
   }
@@ -164,30 +165,65 @@ GDALDatasetH OpenArchive(std::string& name, RasterRecord& record)
   return OpenPlain(name);
 }
 
-/// Headers lie beside the file that GDAL opens.
-GDALDatasetH OpenBeside(std::string& name, RasterRecord& record)
+/// Files that lie beside the data that they are for: the extensions of those, first come first tried.
+struct Header
 {
-  static const std::vector<std::pair<const char*, std::vector<const char*>>> kinds{ { "sgrd",
-                                                                                      { "sdat" } },
-    { "mgrd", { "sdat" } }, { "prj", { "sdat", "asc", "flt", "bil", "tif" } },
-    { "hdr", { "flt", "bil", "img", "dem", "bin", "dat", "raw", "gri" } }, { "gri", { "grd" } },
-    { "aux", { "img" } }, { "img", { "lbl", "xml" } }, { "dat", { "lbl", "xml" } },
-    { "tfw", { "tif" } }, { "ers", { "" } } };
+  const char* Extension;
+  std::vector<const char*> Data;
+  /// True if GDAL may open the header itself, which is right then.
+  bool MayBeData;
+};
+
+const std::vector<Header>& ListHeaders()
+{
+  static const std::vector<Header> headers{ { "sgrd", { "sdat" }, true },
+    { "mgrd", { "sdat" }, false },
+    { "prj", { "sdat", "asc", "flt", "bil", "bip", "bsq", "dem", "xyz", "tif" }, false },
+    { "hdr",
+      { "flt", "bil", "bip", "bsq", "img", "dem", "bin", "dat", "raw", "gri", "bt", "sdat", "" },
+      true },
+    { "gri", { "grd" }, true }, { "aux", { "img" }, true }, { "img", { "lbl", "xml" }, true },
+    { "dat", { "lbl", "xml" }, true }, { "tfw", { "tif", "tiff" }, false },
+    { "pgw", { "png" }, false }, { "jgw", { "jpg", "jpeg" }, false },
+    { "wld", { "tif", "png", "jpg", "bmp", "gif" }, false }, { "blw", { "bil" }, false },
+    { "stx", { "bil", "flt" }, false }, { "clr", { "bil", "asc" }, false },
+    { "tab", { "grd", "grc", "tif" }, false }, { "rdc", { "rst" }, false },
+    { "rsc", { "" }, false }, { "rrd", { "img" }, false }, { "ige", { "img" }, false },
+    { "ers", { "" }, true } };
+  return headers;
+}
+
+/// The data that a file stands beside, if GDAL opens them: of "a.bil.aux.xml" it is "a.bil".
+GDALDatasetH OpenBeside(std::string& name, bool isFailed, RasterRecord& record)
+{
+  std::vector<std::string> others;
   const std::string extension = Extension(name);
-  for (const auto& [header, others] : kinds)
+  for (const Header& header : ListHeaders())
   {
-    for (const char* other : others)
+    for (std::size_t k = 0;
+         extension == header.Extension && k < header.Data.size() && (isFailed || !header.MayBeData);
+         ++k)
     {
-      const std::string beside = CPLResetExtension(name.c_str(), other);
-      GDALDatasetH dataset =
-        extension == header && Exists(beside) && beside != name ? OpenPlain(beside) : nullptr;
-      if (dataset)
-      {
-        record.Take(
-          "file", beside, "the data that " + std::string(CPLGetFilename(name.c_str())) + " is for");
-        name = beside;
-        return dataset;
-      }
+      const char* const other = header.Data[k];
+      others.emplace_back(*other != '\0' ? CPLResetExtension(name.c_str(), other)
+                                         : name.substr(0, name.size() - extension.size() - 1));
+    }
+  }
+  const std::string aux = ".aux.xml";
+  if (name.size() > aux.size() && LowerCase(name.substr(name.size() - aux.size())) == aux)
+  {
+    others.push_back(name.substr(0, name.size() - aux.size()));
+  }
+  for (const std::string& beside : others)
+  {
+    const bool isThere = beside != name && Exists(beside) && !IsDirectory(beside);
+    GDALDatasetH dataset = isThere ? OpenPlain(beside) : nullptr;
+    if (dataset)
+    {
+      record.Take(
+        "file", beside, "the data that " + std::string(CPLGetFilename(name.c_str())) + " is for");
+      name = beside;
+      return dataset;
     }
   }
   return nullptr;
@@ -282,14 +318,27 @@ const Part& ChoosePart(
   return *found;
 }
 
-/// Any dataset under this name, with or without bands.
-GDALDatasetH OpenAny(std::string& name, RasterRecord& record)
+/// Any dataset under this name, with or without bands. `part` becomes empty where it was used.
+GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record)
 {
   const GDALMessages messages;
-  GDALDatasetH dataset = name.empty() ? nullptr : OpenPlain(name);
+  GDALDatasetH dataset = OpenBeside(name, false, record);
+  if (!dataset && !name.empty())
+  {
+    dataset = OpenPlain(name);
+  }
   if (!dataset && IsDirectory(name)) // of no format that is a directory
   {
-    return OpenRasterTiles(name, record);
+    const std::vector<std::string> rasters = FindRasters(name);
+    if (rasters.size() == 1)
+    {
+      name = rasters.front();
+      record.Take("file", name, "the one raster in the folder");
+      return OpenAny(name, part, record);
+    }
+    dataset = OpenRasterTiles(name, part, record);
+    part.clear();
+    return dataset;
   }
   if (!dataset && !name.empty())
   {
@@ -297,11 +346,11 @@ GDALDatasetH OpenAny(std::string& name, RasterRecord& record)
   }
   if (!dataset)
   {
-    dataset = OpenArchive(name, record);
+    dataset = OpenArchive(name, part, record);
   }
   if (!dataset)
   {
-    dataset = OpenBeside(name, record);
+    dataset = OpenBeside(name, true, record);
   }
   if (!dataset)
   {
@@ -327,15 +376,16 @@ void RegisterDrivers()
 }
 
 //------------------------------------------------------------------------------
-GDALDatasetH OpenRaster(std::string& name, const std::string& part, RasterRecord& record)
+GDALDatasetH OpenRaster(std::string& name, const std::string& wanted, RasterRecord& record)
 {
+  std::string part = wanted;
   RegisterDrivers();
   const std::string whyNot = WhyNotInput(name);
   if (!whyNot.empty())
   {
     throw RasterError(whyNot);
   }
-  GDALDatasetH dataset = OpenAny(name, record);
+  GDALDatasetH dataset = OpenAny(name, part, record);
   const std::vector<Part> parts = ListParts(dataset);
   if (GDALGetRasterCount(dataset) > 0 && (part.empty() || parts.empty()))
   {

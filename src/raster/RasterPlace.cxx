@@ -115,6 +115,19 @@ PointOrder OrderOf(const std::vector<std::string>& names)
                  : PointOrder::Unknown;
 }
 
+/// True if columns behind the first two are called as places are.
+bool HasPlacesLater(const std::vector<std::string>& names)
+{
+  int sides = 0;
+  for (std::size_t k = 1; k < names.size(); ++k)
+  {
+    GridAxis axis;
+    axis.Name = names[k];
+    sides |= GridSideOf(axis);
+  }
+  return sides == 3;
+}
+
 /// All samples of a raster that holds coordinates; empty if it cannot be read.
 std::vector<double> ReadCoordinates(const char* name, const char* band, int width, int height)
 {
@@ -313,34 +326,44 @@ void RasterFile::PlaceByText()
 {
   GDALDriverH driver = GDALGetDatasetDriver(this->Dataset);
   const std::string format = driver ? GDALGetDriverShortName(driver) : "";
-  if (format == "AAIGrid" && !this->HasTransform && ReadGridHeader(this->Name, this->Transform))
+  if (format == "AAIGrid" && ReadGridHeader(this->Name, this->Transform))
   {
     this->HasTransform = true;
     this->Record.Take("place", "corner along one axis, centre along the other", "header");
   }
-  if (format != "XYZ")
+  if (format == "XYZ")
   {
-    return;
+    this->PlaceByColumns(ReadColumnNames(this->Name));
   }
-  const std::vector<std::string> names = ReadColumnNames(this->Name);
+}
+
+//------------------------------------------------------------------------------
+// Points of a text whose first line names its columns. GDAL takes the columns that it knows by
+// their names; where it does not know all three it warns, and takes the first three as x, y, z.
+void RasterFile::PlaceByColumns(const std::vector<std::string>& names)
+{
+  static const char* const kDefaulted = "column names in header";
+  const bool isFirstThree = this->Record.HasWarned(kDefaulted);
   const PointOrder order = OrderOf(names);
   if (order == PointOrder::Unknown)
   {
+    if (isFirstThree && HasPlacesLater(names))
+    {
+      throw RasterError("its first three columns are " + ListText(names, 3) +
+        ", of which GDAL makes x, y and z: call the right columns x, y and z in its first line");
+    }
     return;
   }
-  this->Record.Forget("column names in header");
-  if (order == PointOrder::EastingFirst)
-  {
-    return;
-  }
-  if (order != PointOrder::LongitudeFirst)
+  this->Record.Forget(kDefaulted);
+  if (isFirstThree && (order == PointOrder::LatitudeFirst || order == PointOrder::NorthingFirst))
   {
     const std::array<double, 6> t = this->Transform;
     this->Replace(MakeTransposed(this->Dataset, this->BandNumber));
     this->Transform = { t[3], t[5], 0.0, t[0], 0.0, t[1] };
     this->Record.Take("order", names[0] + " first, " + names[1] + " second", "first line");
   }
-  if (order != PointOrder::NorthingFirst && !this->Reference)
+  const bool isDegrees = order == PointOrder::LatitudeFirst || order == PointOrder::LongitudeFirst;
+  if (isDegrees && !this->Reference)
   {
     this->SetReference("EPSG:4326", "columns " + names[0] + ", " + names[1]);
   }
@@ -431,6 +454,13 @@ void RasterFile::FindPlace(const RasterOptions& options)
     this->Record.Take("place",
       "cells of " + NumberText(std::abs(transform[1])) + " x " + NumberText(std::abs(transform[5])),
       "geotransform");
+  }
+  // GDAL gives the rows of Terragen's files from the north, and a transform that says the south.
+  GDALDriverH driver = GDALGetDatasetDriver(this->Dataset);
+  if (driver && EQUAL(GDALGetDriverShortName(driver), "Terragen") && this->Transform[5] > 0.0)
+  {
+    this->Transform[3] += this->Transform[5] * static_cast<double>(this->GetHeight());
+    this->Transform[5] = -this->Transform[5];
   }
   if (this->Coordinates)
   {

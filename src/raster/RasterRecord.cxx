@@ -42,6 +42,14 @@ void RasterRecord::Forget(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+bool RasterRecord::HasWarned(const std::string& text) const
+{
+  return std::any_of(this->Warnings.begin(), this->Warnings.end(),
+    [&text](const std::string& warning)
+    { return warning.compare(0, 5, "GDAL:") == 0 && warning.find(text) != std::string::npos; });
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> RasterRecord::GetLines() const
 {
   std::vector<std::string> lines;

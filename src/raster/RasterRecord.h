@@ -32,6 +32,8 @@ public:
   void Warn(const std::string& sentence);
   /// Drops GDAL's warnings that hold a text: what they tell of has been seen to.
   void Forget(const std::string& text);
+  /// True if GDAL has warned with this text.
+  bool HasWarned(const std::string& text) const;
 
   /// "topic: value (source)".
   std::vector<std::string> GetLines() const;

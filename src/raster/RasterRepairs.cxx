@@ -133,6 +133,79 @@ void SetSystem(GDALDatasetH dataset, const std::string& definition)
   }
   OSRRelease(reference);
 }
+/// A raster in memory of these samples; null if it cannot be made.
+template <typename T>
+GDALDatasetH MakeRasterOf(std::vector<T>& samples, int width, int height, GDALDataType type)
+{
+  GDALDatasetH dataset = MakeMemoryRaster(width, height, type, nullptr);
+  if (GDALRasterIO(GDALGetRasterBand(dataset, 1), GF_Write, 0, 0, width, height, samples.data(),
+        width, height, type, 0, 0) != CE_None)
+  {
+    GDALClose(dataset);
+    return nullptr;
+  }
+  return dataset;
+}
+
+/// Place of a coverage of S-102; false if there is none.
+bool ReadS102Place(
+  const ArrayFile& arrays, const std::string& path, std::array<double, 6>& transform)
+{
+  GDALGroupH instance =
+    arrays.Root ? GDALGroupOpenGroupFromFullname(arrays.Root, path.c_str(), nullptr) : nullptr;
+  if (!instance)
+  {
+    return false;
+  }
+  const auto number = [instance](const char* name)
+  {
+    GDALAttributeH attribute = GDALGroupGetAttribute(instance, name);
+    const double value = attribute ? GDALAttributeReadAsDouble(attribute) : std::nan("");
+    if (attribute)
+    {
+      GDALAttributeRelease(attribute);
+    }
+    return value;
+  };
+  const double x = number("gridOriginLongitude");
+  const double y = number("gridOriginLatitude");
+  const double dx = number("gridSpacingLongitudinal");
+  const double dy = number("gridSpacingLatitudinal");
+  GDALGroupRelease(instance);
+  // origin and rows: the centre of the south-western cell first (S-100 part 10c)
+  transform = { x - 0.5 * dx, dx, 0.0, y - 0.5 * dy, 0.0, dy };
+  return std::isfinite(x + y) && dx > 0.0 && dy > 0.0;
+}
+
+/// Depths of a coverage of S-102; null if there are none.
+GDALDatasetH ReadS102Depths(const ArrayFile& arrays, const std::string& path)
+{
+  GDALMDArrayH values =
+    GDALGroupOpenMDArrayFromFullname(arrays.Root, (path + "/Group_001/values").c_str(), nullptr);
+  GDALMDArrayH depths = values ? GDALMDArrayGetView(values, "['depth']") : nullptr;
+  GDALDatasetH view = depths ? GDALMDArrayAsClassicDataset(depths, 1, 0) : nullptr;
+  GDALDatasetH dataset = nullptr;
+  if (view)
+  {
+    const int width = GDALGetRasterXSize(view);
+    const int height = GDALGetRasterYSize(view);
+    std::vector<float> samples(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    if (GDALRasterIO(GDALGetRasterBand(view, 1), GF_Read, 0, 0, width, height, samples.data(),
+          width, height, GDT_Float32, 0, 0) == CE_None)
+    {
+      dataset = MakeRasterOf(samples, width, height, GDT_Float32);
+    }
+    GDALClose(view);
+  }
+  for (GDALMDArrayH array : { depths, values })
+  {
+    if (array)
+    {
+      GDALMDArrayRelease(array);
+    }
+  }
+  return dataset;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -243,18 +316,14 @@ GDALDatasetH OpenGMTGrid(const std::string& file, RasterRecord& record)
   const double dy = (y[1] - y[0]) / (isPixel ? size[1] : std::max(size[1] - 1.0, 1.0));
   const double half = isPixel ? 0.0 : 0.5;
   GDALDatasetH dataset =
-    MakeMemoryRaster(static_cast<int>(size[0]), static_cast<int>(size[1]), GDT_Float64, nullptr);
-  GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
-  if (GDALRasterIO(band, GF_Write, 0, 0, static_cast<int>(size[0]), static_cast<int>(size[1]),
-        z.data(), static_cast<int>(size[0]), static_cast<int>(size[1]), GDT_Float64, 0,
-        0) != CE_None)
+    MakeRasterOf(z, static_cast<int>(size[0]), static_cast<int>(size[1]), GDT_Float64);
+  if (!dataset)
   {
-    GDALClose(dataset);
     return nullptr;
   }
   double transform[6] = { x[0] - half * dx, dx, 0.0, y[1] + half * dy, 0.0, -dy };
   GDALSetGeoTransform(dataset, transform);
-  GDALSetRasterUnitType(band, heightUnit.c_str());
+  GDALSetRasterUnitType(GDALGetRasterBand(dataset, 1), heightUnit.c_str());
   const std::string lower = LowerCase(unit);
   if (lower.find("degree") != std::string::npos || lower.find("longitude") != std::string::npos)
   {
@@ -269,73 +338,23 @@ GDALDatasetH OpenGMTGrid(const std::string& file, RasterRecord& record)
 GDALDatasetH OpenS102(const std::string& file, RasterRecord& record)
 {
   const ArrayFile arrays(file);
-  const char* const path = "/BathymetryCoverage/BathymetryCoverage.01";
-  GDALGroupH instance =
-    arrays.Root ? GDALGroupOpenGroupFromFullname(arrays.Root, path, nullptr) : nullptr;
-  if (!instance)
+  const std::string path = "/BathymetryCoverage/BathymetryCoverage.01";
+  std::array<double, 6> transform{};
+  GDALDatasetH dataset =
+    ReadS102Place(arrays, path, transform) ? ReadS102Depths(arrays, path) : nullptr;
+  if (!dataset)
   {
     return nullptr;
   }
-  const auto number = [instance](const char* name)
-  {
-    GDALAttributeH attribute = GDALGroupGetAttribute(instance, name);
-    const double value = attribute ? GDALAttributeReadAsDouble(attribute) : std::nan("");
-    if (attribute)
-    {
-      GDALAttributeRelease(attribute);
-    }
-    return value;
-  };
-  const double x = number("gridOriginLongitude");
-  const double y = number("gridOriginLatitude");
-  const double dx = number("gridSpacingLongitudinal");
-  const double dy = number("gridSpacingLatitudinal");
-  GDALGroupRelease(instance);
-  GDALMDArrayH values = GDALGroupOpenMDArrayFromFullname(
-    arrays.Root, (std::string(path) + "/Group_001/values").c_str(), nullptr);
-  GDALMDArrayH depths = values ? GDALMDArrayGetView(values, "['depth']") : nullptr;
-  GDALDatasetH view = depths ? GDALMDArrayAsClassicDataset(depths, 1, 0) : nullptr;
-  GDALDatasetH dataset = nullptr;
-  if (view && std::isfinite(x + y) && dx > 0.0 && dy > 0.0)
-  {
-    const int width = GDALGetRasterXSize(view);
-    const int height = GDALGetRasterYSize(view);
-    dataset = MakeMemoryRaster(width, height, GDT_Float32, nullptr);
-    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
-    std::vector<float> samples(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    if (GDALRasterIO(GDALGetRasterBand(view, 1), GF_Read, 0, 0, width, height, samples.data(),
-          width, height, GDT_Float32, 0, 0) != CE_None ||
-      GDALRasterIO(band, GF_Write, 0, 0, width, height, samples.data(), width, height, GDT_Float32,
-        0, 0) != CE_None)
-    {
-      GDALClose(dataset);
-      dataset = nullptr;
-    }
-    else
-    {
-      // origin and rows: the centre of the south-western cell first (S-100 part 10c)
-      double transform[6] = { x - 0.5 * dx, dx, 0.0, y - 0.5 * dy, 0.0, dy };
-      GDALSetGeoTransform(dataset, transform);
-      const auto code = static_cast<int>(arrays.Number(nullptr, "horizontalCRS", 0.0));
-      SetSystem(dataset, "EPSG:" + std::to_string(code));
-      GDALSetRasterNoDataValue(band, 1e6); // S-102, 10.2.7
-      GDALSetRasterUnitType(band, "m");
-      GDALSetDescription(band, "depth");
-      GDALSetMetadataItem(band, "positive", "down", nullptr);
-      record.Take("format", "S-102 bathymetry", "group BathymetryCoverage.01");
-    }
-  }
-  if (view)
-  {
-    GDALClose(view);
-  }
-  for (GDALMDArrayH array : { depths, values })
-  {
-    if (array)
-    {
-      GDALMDArrayRelease(array);
-    }
-  }
+  GDALSetGeoTransform(dataset, transform.data());
+  const auto code = static_cast<int>(arrays.Number(nullptr, "horizontalCRS", 0.0));
+  SetSystem(dataset, "EPSG:" + std::to_string(code));
+  GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+  GDALSetRasterNoDataValue(band, 1e6); // S-102, 10.2.7
+  GDALSetRasterUnitType(band, "m");
+  GDALSetDescription(band, "depth");
+  GDALSetMetadataItem(band, "positive", "down", nullptr);
+  record.Take("format", "S-102 bathymetry", "group BathymetryCoverage.01");
   return dataset;
 }
 

@@ -3,14 +3,18 @@
 #include "raster/RasterTile.h"
 
 #include "raster/GDALTable.h"
+#include "raster/RasterFile.h"
 #include "raster/RasterMessages.h"
 #include "raster/RasterReference.h"
 #include "raster/RasterUnits.h"
+#include "raster/Words.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <utility>
 
 namespace terrain
 {
@@ -36,6 +40,105 @@ bool IsColour(GDALDatasetH dataset)
   return color == GCI_RedBand || color == GCI_PaletteIndex ||
     (GDALGetRasterCount(dataset) > 2 &&
       GDALGetRasterDataType(GDALGetRasterBand(dataset, 1)) == GDT_Byte);
+}
+
+double CoveredBy(const std::vector<RasterTile>& tiles, const std::vector<std::size_t>& site)
+{
+  double covered = 0.0;
+  for (const std::size_t k : site)
+  {
+    covered += (tiles[k].East() - tiles[k].West()) * (tiles[k].North() - tiles[k].South());
+  }
+  return covered;
+}
+
+/// True if tiles cover next to nothing of the raster that they would make.
+bool AreSparse(const std::vector<RasterTile>& tiles)
+{
+  double west = tiles.front().West();
+  double east = tiles.front().East();
+  double south = tiles.front().South();
+  double north = tiles.front().North();
+  double covered = 0.0;
+  double cell = tiles.front().CellArea();
+  for (const RasterTile& tile : tiles)
+  {
+    west = std::min(west, tile.West());
+    east = std::max(east, tile.East());
+    south = std::min(south, tile.South());
+    north = std::max(north, tile.North());
+    covered += (tile.East() - tile.West()) * (tile.North() - tile.South());
+    cell = std::min(cell, tile.CellArea());
+  }
+  const double area = (east - west) * (north - south);
+  return covered <= kLeastCover * area && area / cell >= kSmallRaster;
+}
+
+bool AreNear(const RasterTile& a, const RasterTile& b)
+{
+  const double reachX = kSiteGap * std::max(a.East() - a.West(), b.East() - b.West());
+  const double reachY = kSiteGap * std::max(a.North() - a.South(), b.North() - b.South());
+  return b.West() - a.East() < reachX && a.West() - b.East() < reachX &&
+    b.South() - a.North() < reachY && a.South() - b.North() < reachY;
+}
+
+/// Indices of tiles that are near each other, in the order of the first of each site; one site
+/// unless most of the raster round all would be empty.
+std::vector<std::vector<std::size_t>> FindSites(const std::vector<RasterTile>& tiles)
+{
+  std::vector<std::vector<std::size_t>> sites;
+  std::vector<bool> isTaken(tiles.size(), false);
+  const bool isOne = !AreSparse(tiles);
+  for (std::size_t first = 0; first < tiles.size(); ++first)
+  {
+    if (isTaken[first])
+    {
+      continue;
+    }
+    // A site grows by what is near to a tile of it.
+    std::vector<std::size_t> site{ first };
+    isTaken[first] = true;
+    for (std::size_t grown = 0; grown < site.size(); ++grown)
+    {
+      for (std::size_t k = first; k < tiles.size(); ++k)
+      {
+        if (!isTaken[k] && (isOne || AreNear(tiles[site[grown]], tiles[k])))
+        {
+          isTaken[k] = true;
+          site.push_back(k);
+        }
+      }
+    }
+    std::sort(site.begin(), site.end());
+    sites.push_back(std::move(site));
+  }
+  return sites;
+}
+
+/// What GDAL does not say of the place of a tile, as it is found where the tile is read alone.
+void PlaceAsAlone(RasterTile& tile)
+{
+  RasterFile file(tile.Path);
+  file.SelectBand(0);
+  file.TakeIn(RasterOptions());
+  if (file.IsReplaced() || file.IsTurned())
+  {
+    throw RasterError("its tile " + FileName(tile) +
+      " is no even grid from the north as it stands: make it one of the others' kind (gdalwarp)");
+  }
+  const RasterLayout& layout = file.GetLayout();
+  OGRSpatialReferenceH reference = MakeReference(layout.CRS);
+  tile.System = HorizontalSystem(reference);
+  tile.IsGeographic = layout.IsGeographic;
+  if (reference)
+  {
+    OSRRelease(reference);
+  }
+  // GDAL turns rows that run from the south, the array behind them does not.
+  if (layout.HasGeoTransform && layout.GeoTransform[5] < 0.0)
+  {
+    tile.GeoTransform = layout.GeoTransform;
+  }
 }
 
 void RemoveNamed(
@@ -132,7 +235,17 @@ RasterTile ReadRasterTile(const std::string& path)
   tile.Offset = meaning.Factor * tile.BandOffset;
   tile.IsGeographic = reference && OSRIsGeographic(reference);
   tile.System = HorizontalSystem(reference);
+  const std::string format = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
   GDALClose(dataset);
+  if (format == "XYZ") // whose type is the least that holds its numbers
+  {
+    tile.Type = GDT_Float32;
+  }
+  const bool isText = format == "XYZ" || format == "AAIGrid";
+  if (isText || (tile.System.empty() && IsOneOf(format, { "netCDF", "Zarr", "HDF5Image" })))
+  {
+    PlaceAsAlone(tile);
+  }
   return tile;
 }
 
@@ -221,60 +334,50 @@ void JoinDateLine(std::vector<RasterTile>& tiles, RasterRecord& record)
 }
 
 //------------------------------------------------------------------------------
-void CheckSites(const std::vector<RasterTile>& tiles)
+void ChooseSite(std::vector<RasterTile>& tiles, const std::string& wanted, RasterRecord& record)
 {
-  double west = tiles.front().West();
-  double east = tiles.front().East();
-  double south = tiles.front().South();
-  double north = tiles.front().North();
-  double covered = 0.0;
-  double cell = tiles.front().CellArea();
-  for (const RasterTile& tile : tiles)
+  const std::vector<std::vector<std::size_t>> sites = FindSites(tiles);
+  char* end = nullptr;
+  const long number = std::strtol(wanted.c_str(), &end, 10);
+  const bool isNumber = !wanted.empty() && *end == '\0' && number >= 1;
+  if (!wanted.empty() && (!isNumber || number > static_cast<long>(sites.size())))
   {
-    west = std::min(west, tile.West());
-    east = std::max(east, tile.East());
-    south = std::min(south, tile.South());
-    north = std::max(north, tile.North());
-    covered += (tile.East() - tile.West()) * (tile.North() - tile.South());
-    cell = std::min(cell, tile.CellArea());
+    throw RasterError("it has no part '" + wanted + "': " +
+      (sites.size() > 1 ? "its sites are 1 to " + std::to_string(sites.size()) + " (--part N)"
+                        : "its tiles make one raster"));
   }
-  const double area = (east - west) * (north - south);
-  if (covered > kLeastCover * area || area / cell < kSmallRaster)
+  if (sites.size() == 1)
   {
     return;
   }
-  // The site of the first tile grows by what is near it.
-  std::vector<bool> isNear(tiles.size(), false);
-  std::vector<std::size_t> grown{ 0 };
-  isNear[0] = true;
-  while (!grown.empty())
+  // The one that covers most, unless one is named.
+  std::size_t chosen = isNumber ? static_cast<std::size_t>(number - 1) : 0;
+  std::vector<std::string> names;
+  double most = 0.0;
+  for (std::size_t k = 0; k < sites.size(); ++k)
   {
-    const RasterTile& from = tiles[grown.back()];
-    grown.pop_back();
-    for (std::size_t k = 0; k < tiles.size(); ++k)
+    names.push_back(std::to_string(k + 1) + " (" + FileName(tiles[sites[k].front()]) + ")");
+    const double covered = CoveredBy(tiles, sites[k]);
+    if (!isNumber && covered > most * (1.0 + 1e-6))
     {
-      const RasterTile& to = tiles[k];
-      const double reachX = kSiteGap * std::max(from.East() - from.West(), to.East() - to.West());
-      const double reachY =
-        kSiteGap * std::max(from.North() - from.South(), to.North() - to.South());
-      if (!isNear[k] && to.West() - from.East() < reachX && from.West() - to.East() < reachX &&
-        to.South() - from.North() < reachY && from.South() - to.North() < reachY)
-      {
-        isNear[k] = true;
-        grown.push_back(k);
-      }
+      most = covered;
+      chosen = k;
     }
   }
-  for (std::size_t k = 0; k < tiles.size(); ++k)
+  record.Take("part", names[chosen], isNumber ? "given" : "site that covers most");
+  if (!isNumber)
   {
-    if (!isNear[k])
-    {
-      throw RasterError("its tiles lie far apart, " + FileName(tiles[0]) + " and " +
-        FileName(tiles[k]) +
-        " for example, and the raster round them would be empty for the most part: open them one "
-        "by "
-        "one, or put each site in a folder of its own");
-    }
+    record.Warn("its tiles lie at " + std::to_string(sites.size()) +
+      " sites far from each other, of which number " + names[chosen] +
+      " is taken, which covers most (--part N chooses another of " + ListText(names, kListedTiles) +
+      ")");
   }
+  std::vector<RasterTile> kept;
+  kept.reserve(sites[chosen].size());
+  for (const std::size_t k : sites[chosen])
+  {
+    kept.push_back(std::move(tiles[k]));
+  }
+  tiles.swap(kept);
 }
 }

@@ -81,7 +81,9 @@ void CheckTiles(const std::vector<RasterTile>& tiles);
 /// Moves tiles of degrees by a turn where that makes them lie nearer to each other.
 void JoinDateLine(std::vector<RasterTile>& tiles, RasterRecord& record);
 
-/// Throws RasterError if the tiles are several sites, most of the raster round them being empty.
-void CheckSites(const std::vector<RasterTile>& tiles);
+/// Leaves the tiles of one site where they are several, most of the raster round them being empty:
+/// of the one with this number, from 1 on, or of the one that covers most, with a warning. Throws
+/// RasterError if there is no such site.
+void ChooseSite(std::vector<RasterTile>& tiles, const std::string& wanted, RasterRecord& record);
 }
 #endif

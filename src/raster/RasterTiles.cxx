@@ -18,8 +18,9 @@ namespace terrain
 namespace
 {
 // Pictures and virtual rasters, which lie beside tiles, are none.
-constexpr std::array<const char*, 16> kTileExtensions{ { "tif", "tiff", "hgt", "dem", "asc", "img",
-  "dt0", "dt1", "dt2", "bil", "flt", "grd", "jp2", "sdat", "nc", "xyz" } };
+constexpr std::array<const char*, 30> kTileExtensions{ { "tif", "tiff", "hgt", "dem", "asc", "img",
+  "dt0", "dt1", "dt2", "bil", "bip", "bsq", "flt", "grd", "jp2", "sdat", "nc", "xyz", "bag", "bt",
+  "cub", "gxf", "grb", "grib", "grib2", "hf2", "mtw", "ntf", "rst", "sigdem" } };
 // Folders below each other that are looked into.
 constexpr int kDeepest = 6;
 
@@ -239,7 +240,8 @@ std::vector<std::string> FindRasters(const std::string& directory)
 }
 
 //------------------------------------------------------------------------------
-GDALDatasetH OpenRasterTiles(const std::string& directory, RasterRecord& record)
+GDALDatasetH OpenRasterTiles(
+  const std::string& directory, const std::string& site, RasterRecord& record)
 {
   std::vector<RasterTile> tiles;
   for (const std::string& path : FindRasters(directory))
@@ -261,7 +263,7 @@ GDALDatasetH OpenRasterTiles(const std::string& directory, RasterRecord& record)
     }
   }
   JoinDateLine(tiles, record);
-  CheckSites(tiles);
+  ChooseSite(tiles, site, record);
   const Mosaic mosaic = PlanMosaic(std::move(tiles));
   record.Take("tiles",
     std::to_string(mosaic.Tiles.size()) + " of " + std::to_string(found) + " files", "folder");

@@ -173,6 +173,12 @@ std::string DescribePlan(const vtkTerrainRasterPlan& plan)
   {
     text += line + "\n";
   }
+  if (holes.UndeclaredOccurs && !holes.Undeclared.empty())
+  {
+    text +=
+      "warning: samples are taken for no data, which the file does not declare (--nodata none "
+      "if they are heights)\n";
+  }
   for (const std::string& warning : file.GetRecord().GetWarnings())
   {
     text += "warning: " + warning + "\n";
