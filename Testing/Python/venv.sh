@@ -9,7 +9,7 @@ build_dir=${1:-${VTKTERRAIN_BUILD_DIR:-$source_dir/build}}
 env=$build_dir/python-env
 list=$source_dir/Testing/Python/requirements.txt
 
-sh "$source_dir/Module/packages.sh" chromium python3-venv
+sh "$source_dir/Module/packages.sh" chromium python3-gdal python3-venv
 wanted=$(cksum "$list")
 [ "$wanted" != "$(cat "$env/made-of" 2>/dev/null)" ] || exit 0
 /usr/bin/python3 -m venv --clear --system-site-packages "$env"

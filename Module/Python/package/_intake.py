@@ -103,11 +103,13 @@ def lay_out(image, scene=None):
     """Heights in metres: resampled where their own grid is none, or not that of the scene.
 
     ``scene`` is the ``vtkTerrainGeoreference`` of all that is drawn together; one that is empty takes
-    its frame and origin from these heights.
+    its frame and origin from these heights. Heights that cannot join it stay where they are, and a
+    warning says why.
     """
     place = vtkTerrainGeoreference()
     place.SetFromHeights(image)
     if not place.GetCoordinateSystem():
+        _tell_apart(scene, "these heights have no coordinate system (crs= names one)")
         return image
     frame = place.SuggestFrame(image)
     place.SetFrame(frame)
@@ -115,7 +117,7 @@ def lay_out(image, scene=None):
     if place.GetWhyNot() or not place.IsOnEarth():
         if place.IsGeographic() and not is_grid:
             raise ValueError(place.GetWhyNot())
-        return image
+        return _join_grid(image, place, scene)
     if scene is None:
         if is_grid:
             return image
@@ -125,9 +127,11 @@ def lay_out(image, scene=None):
         edge = 1.0  # neighbours that are added one by one meet
         if not scene.GetCoordinateSystem():
             _begin(scene, place, frame)
-        if is_grid and scene.GetFrame() == frame and (
-                scene.GetSceneCoordinateSystem() == place.GetSceneCoordinateSystem()):
+        if is_grid and is_grid_of(place, scene):
             return image
+    if scene.GetCoordinateSystem() and not scene.IsOnEarth():
+        _tell_apart(scene, f"these heights are in '{place.GetCoordinateSystemName()}'")
+        return lay_out(image)
     reproject = vtkTerrainReproject()
     reproject.SetInputData(image)
     reproject.SetGeoreference(scene)
@@ -139,6 +143,12 @@ def lay_out(image, scene=None):
     return reproject.GetOutput()
 
 
+def is_grid_of(place, scene):
+    """Whether the own grid of a place is that of a scene."""
+    return scene.GetFrame() == vtkTerrainGeoreference.FrameType.Grid and (
+        scene.GetSceneCoordinateSystem() == place.GetSceneCoordinateSystem())
+
+
 def _begin(scene, place, frame):
     scene.SetCoordinateSystem(place.GetCoordinateSystem())
     scene.SetExtent(*place.GetExtent())
@@ -147,3 +157,82 @@ def _begin(scene, place, frame):
     scene.GetOrigin(origin)
     if np.isfinite(origin).all():
         scene.SetOrigin(*origin)
+
+
+def _tell_apart(scene, why):
+    """Warns that something does not lie where it should beside what a scene holds, if that holds anything."""
+    if scene is not None and scene.GetCoordinateSystem():
+        warnings.warn(f"{why}, the scene is of '{scene.GetCoordinateSystemName()}': they lie at their own coordinates, "
+                      "not in their place beside the others", stacklevel=5)
+
+
+def _join_grid(image, place, scene):
+    """Heights of another world or of a local grid, in the scene of others of the same system."""
+    grid = vtkTerrainGeoreference.FrameType.Grid
+    place.SetFrame(grid)
+    if scene is None:
+        return image
+    own = [_pair(image, name) for name in ("LayoutOrigin", "LayoutScale")]
+    if not scene.GetCoordinateSystem():
+        _begin(scene, place, grid)
+        scene.layout = own
+        return image
+    layout = getattr(scene, "layout", None)
+    if layout is None or place.GetCoordinateSystem() != scene.GetCoordinateSystem():
+        _tell_apart(scene, f"these heights are in '{place.GetCoordinateSystemName()}'")
+        return image
+    if None in (own[0], own[1], layout[0], layout[1]):
+        return image
+    # Degrees are laid out in metres round the middle of each file: brought into the layout of the first.
+    moved = image.NewInstance()
+    moved.ShallowCopy(image)
+    factor = layout[1] / own[1]
+    shift = (own[0] - layout[0]) * layout[1]
+    moved.SetSpacing(*(np.array(image.GetSpacing()[:2]) * factor), image.GetSpacing()[2])
+    moved.SetOrigin(*(np.array(image.GetOrigin()[:2]) * factor + shift), image.GetOrigin()[2])
+    for name, pair in zip(("LayoutOrigin", "LayoutScale"), layout):
+        moved.GetFieldData().RemoveArray(name)
+        array = numpy_to_vtk(pair.reshape(1, 2).copy(), deep=True)
+        array.SetName(name)
+        moved.GetFieldData().AddArray(array)
+    return moved
+
+
+def _pair(image, name):
+    array = image.GetFieldData().GetArray(name)
+    return None if array is None else np.array(array.GetTuple(0))
+
+
+def join_as_it_is(scene, actor, name):
+    """Begins a scene with a file that is drawn as it stands, or says in one warning that it lies apart.
+
+    Prepared files, and rasters that are drawn from tiles, are not resampled.
+    """
+    place = vtkTerrainGeoreference()
+    place.SetFrame(vtkTerrainGeoreference.FrameType.Grid)
+    if actor.GetHeights() is not None:
+        place.SetFromHeights(actor.GetHeights())
+    else:
+        place.SetCoordinateSystem(actor.GetHierarchy().GetCoordinateSystem())
+    if place.IsGeographic():
+        if not scene.GetCoordinateSystem():
+            scene.apart = name
+        _tell_apart(scene, f"the heights of '{name}' are drawn as they stand, in degrees laid out round their middle "
+                    "(gdalwarp brings them into metres)")
+    elif not place.GetCoordinateSystem():
+        _tell_apart(scene, f"the heights of '{name}' have no coordinate system")
+    elif not scene.GetCoordinateSystem():
+        _begin(scene, place, vtkTerrainGeoreference.FrameType.Grid)
+    elif not is_grid_of(place, scene):
+        _tell_apart(scene, f"the heights of '{name}' are drawn as they stand, in '{place.GetCoordinateSystemName()}' "
+                    "(gdalwarp brings them into another system)")
+
+
+def tell_of_apart(scene):
+    """Warns, once, beside what lies apart since it came before there was a scene."""
+    name = getattr(scene, "apart", None)
+    if name:
+        scene.apart = None
+        warnings.warn(f"'{name}', which was added before, is drawn as it stands, in degrees laid out round its middle: "
+                      "other terrain does not lie in its place beside it (gdalwarp brings it into metres)",
+                      stacklevel=4)

@@ -22,7 +22,7 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
-from ._intake import lay_out, make_reader, read
+from ._intake import _run, join_as_it_is, lay_out, make_reader, read, tell_of_apart
 from .heights import heights_from_array
 from .vtkTerrain import vtkTerrainActor, vtkTerrainGeoreference, vtkTerrainHierarchy, vtkTerrainPicker
 
@@ -44,7 +44,7 @@ def _is_large(heights):
     reader = make_reader(os.fspath(heights))
     reader.UseLevelsOn()
     reader.SetMaximumSize(_LARGEST_TEXTURE)
-    reader.UpdateInformation()
+    _run(reader, reader.UpdateInformation)
     return reader.GetLevel() > 0
 
 
@@ -65,9 +65,9 @@ def heights_from(heights, *, scene=None, **place):
     if is_array:
         if "crs" in place:
             place.setdefault("coordinate_system", place.pop("crs"))
-        return heights_from_array(heights, **place)
+        return lay_out(heights_from_array(heights, **place), scene)
     if isinstance(heights, vtkImageData):
-        return heights
+        return lay_out(heights, scene)
     if is_file:
         reader = make_reader(os.fspath(heights), **place)
         reader.UseLevelsOn()
@@ -103,6 +103,15 @@ def _add_colors(actor, cmap, clim):
     table.scalar_range = clim
     actor.SetLookupTable(table)
     return table
+
+
+def _open(actor, path):
+    """Draws a file; without VTK's own messages."""
+    actor.GlobalWarningDisplayOff()
+    try:
+        return actor.SetFileName(path)
+    finally:
+        actor.GlobalWarningDisplayOn()
 
 
 def _to_texture(texture):
@@ -171,13 +180,17 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
     if not exaggeration > 0:
         raise ValueError(f"exaggeration must be above 0, not {exaggeration}")
     actor.SetTechnique(techniques[technique])
-    if not place and (_is_prepared(heights) or _is_large(heights)):
-        if not actor.SetFileName(os.fspath(heights)):
-            raise OSError(actor.GetErrorMessage())
-    else:
-        actor.SetInputData(heights_from(heights, scene=scene or terrain_scene(plotter), **place))
+    scene = scene or terrain_scene(plotter)
+    tell_of_apart(scene)
+    is_drawn_as_it_is = not place and (_is_prepared(heights) or _is_large(heights))
+    if not is_drawn_as_it_is:
+        actor.SetInputData(heights_from(heights, scene=scene, **place))
+    elif not _open(actor, os.fspath(heights)):
+        raise OSError(actor.GetErrorMessage())
     if not actor.HasSurface():
         raise ValueError("there is no surface to draw: no four neighbouring samples all have heights")
+    if is_drawn_as_it_is:
+        join_as_it_is(scene, actor, os.fspath(heights))
     actor.SetVerticalExaggeration(exaggeration)
     actor.GetProperty().SetOpacity(opacity)
     has_height_colors = color is None and texture is None

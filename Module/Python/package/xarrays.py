@@ -41,9 +41,17 @@ def _is_numeric(values):
     return np.issubdtype(values.dtype, np.number)
 
 
-def _axis(data, dimension):
+def _without_place(data, mapping):
+    """The array without coordinates, row 0 in the south, if those are rioxarray's of a file without a place."""
+    transform = [float(number) for number in str(mapping.get("GeoTransform", "")).split()]
+    if transform != [0.0, 1.0, 0.0, 0.0, 0.0, 1.0] or _coordinate_system(data, mapping):
+        return data
+    return data.drop_vars([name for name in data.dims if name in data.coords])[::-1]
+
+
+def _axis(data, dimension, name):
     if dimension not in data.coords:
-        return str(dimension), {}, None
+        return name, {}, np.arange(data.sizes[dimension], dtype=float)
     coordinate = data.coords[dimension]
     if coordinate.size < 2:
         raise ValueError(f"{dimension} must have at least two coordinates")
@@ -87,7 +95,8 @@ def heights_from_dataarray(data, *, crs=None, nodata=None, height_unit=None, fli
     ``spatial_ref``, the grid mapping of CF or the attribute ``crs``, WGS84 for longitude and latitude
     without any; heights by the attributes ``scale_factor``, ``add_offset``, ``units``, ``positive``,
     ``standard_name``; holes by ``_FillValue``, ``missing_value``, NaN, and fill that nobody declares.
-    Without coordinates samples lie 1 apart.
+    Without coordinates samples lie 1 apart, the first row in the south, as xarray plots them; but of a file
+    without a place that rioxarray has opened the first row lies in the north, as it does by name.
 
     Heights whose own grid is not in metres or not true to scale are resampled onto a metric grid
     round their middle (``vtkTerrainReproject``), or that of the scene. Others share the memory of the
@@ -97,8 +106,9 @@ def heights_from_dataarray(data, *, crs=None, nodata=None, height_unit=None, fli
     data = _flatten(data)
     fields = _fields(data)
     _check_names(data, fields)
-    axes = [_axis(data, dimension) for dimension in data.dims]
     mapping = _grid_mapping(data)
+    data = _without_place(data, mapping)
+    axes = [_axis(data, dimension, name) for dimension, name in zip(data.dims, "yx")]
     system = _coordinate_system(data, mapping)
     samples = _to_vtk_type(_fill_masked(np.ma.asanyarray(data.values)
                                         if np.ma.isMaskedArray(data.values) else data.values))
@@ -147,7 +157,7 @@ class TerrainAccessor:
         """
         from .plotting import add_terrain
 
-        terrain = add_terrain(plotter, self.heights, **options)
+        terrain = add_terrain(plotter, self._data, **options)
         if tracks is not None or points is not None:
             from .features import add_points, add_tracks
 
