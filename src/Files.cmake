@@ -33,6 +33,7 @@ set(classes
 
 # Private to the module: one line a file, by rooms.
 set(private_sources
+  vtkTerrainActorInput
   vtkTerrainRasterReaderLevels
   data/ColorDocument
   data/HierarchyHeights

@@ -52,11 +52,13 @@
  * | Warnings      | strings   | sentences, each once                                           |
  *
  * A directory, or an archive of several rasters, is read as one raster of the tiles in it and in
- * folders below (.tif .tiff .hgt .dem .asc .img .dt0 to .dt2 .bil .flt .grd .jp2 .sdat .nc .xyz).
- * They must have one horizontal CRS, and lie near each other; unit, scale, sense and NoData are
- * each tile's own, tiles on both sides of 180 degrees are joined, between tiles are no data. Where
- * they overlap the finest counts, of equally fine ones the last by name. Pictures, masks and
- * derivatives (hillshade, slope) are left out with a warning.
+ * folders below (.tif .tiff .hgt .dem .asc .img .dt0 to .dt2 .bil .bip .bsq .flt .grd .jp2 .sdat
+ * .nc .xyz .bag .bt .cub .gxf .grb .grib .grib2 .hf2 .mtw .ntf .rst .sigdem). They must have one
+ * horizontal CRS; unit, scale, sense and NoData are each tile's own, tiles on both sides of 180
+ * degrees are joined, between tiles are no data. Where they overlap the finest counts, of equally
+ * fine ones the last by name. Pictures, masks and derivatives (hillshade, slope) are left out with
+ * a warning. Of tiles at sites far from each other those of one are read: of the one that covers
+ * most, with a warning, or of the one whose number SetPart names.
  *
  * A file of terrain-prepare, recognized by its content, is read like a raster: the heights as float
  * with NaN for no data, whole or in the pipeline's pieces, with FileName, CRS, LayoutOrigin,
@@ -135,7 +137,7 @@ public:
   ///@{
   /// Part of a file of several rasters (netCDF, HDF5, GeoPackage): name of the variable or table,
   /// or its number from 1 on; empty (the default) for the only one, or the only one that is called
-  /// as heights are.
+  /// as heights are. Of a directory of tiles at several sites the number of one.
   void SetPart(const std::string& part);
   const std::string& GetPart() const
   {

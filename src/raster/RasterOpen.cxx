@@ -165,7 +165,8 @@ GDALDatasetH OpenArchive(std::string& name, std::string& part, RasterRecord& rec
   return OpenPlain(name);
 }
 
-/// Files that lie beside the data that they are for: the extensions of those, first come first tried.
+/// Files that lie beside the data that they are for: the extensions of those, first come first
+/// tried.
 struct Header
 {
   const char* Extension;

@@ -20,10 +20,10 @@ namespace terrain
 void RegisterDrivers();
 
 /// Opens a raster of at least one band: a name that GDAL opens, the one raster or the tiles in an
-/// archive (.zip, .tar, .tgz) or a folder, the data of a header (.sgrd, .hdr), the part of the
-/// wanted name or number (from 1 on) of a file of several; without a name the only part that is called as
-/// heights are. `name` becomes that of what was opened. Warnings of GDAL go to the record. Throws
-/// RasterError. The caller closes it.
+/// archive (.zip, .tar, .tgz) or a folder, the data that a sidecar lies beside (.sgrd, .hdr, .prj),
+/// the part of the wanted name or number (from 1 on) of a file of several; without a name the only
+/// part that is called as heights are. `name` becomes that of what was opened. Warnings of GDAL go
+/// to the record. Throws RasterError. The caller closes it.
 GDALDatasetH OpenRaster(std::string& name, const std::string& wanted, RasterRecord& record);
 }
 #endif

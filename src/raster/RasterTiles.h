@@ -21,9 +21,10 @@ namespace terrain
 std::vector<std::string> FindRasters(const std::string& directory);
 
 /// Opens the rasters of a directory as one virtual raster in memory, at the finest of their
-/// resolutions. They must have one horizontal CRS; tiles on both sides of 180 degrees are joined. Units, scales, vertical axes and NoData are those of each tile; where
-/// they differ the raster is in metres. Where tiles overlap, the finest counts, of equally fine
-/// ones the last by name, and nothing is blended. Pictures, masks and derivatives (hillshade,
+/// resolutions. They must have one horizontal CRS; tiles on both sides of 180 degrees are joined.
+/// Units, scales, vertical axes and NoData are those of each tile; where they differ the raster is
+/// in metres. Where tiles overlap, the finest counts, of equally fine ones the last by name, and
+/// nothing is blended. Pictures, masks and derivatives (hillshade,
 /// slope) are left out with a warning. Throws RasterError. The caller closes the dataset.
 /// Of tiles at sites far from each other those of one are opened: of the one that covers most, with
 /// a warning, or of the one with the number `site`, from 1 on.

@@ -181,7 +181,7 @@ def _join_grid(image, place, scene):
     if layout is None or place.GetCoordinateSystem() != scene.GetCoordinateSystem():
         _tell_apart(scene, f"these heights are in '{place.GetCoordinateSystemName()}'")
         return image
-    if None in (own[0], own[1], layout[0], layout[1]):
+    if any(pair is None for pair in own + layout):
         return image
     # Degrees are laid out in metres round the middle of each file: brought into the layout of the first.
     moved = image.NewInstance()
