@@ -76,6 +76,7 @@ set(private_sources
   render/ModelCamera
   render/Paint
   render/Prepass
+  render/ProgramGuard
   render/Proxy
   render/PyramidTexture
   render/Scene

@@ -446,18 +446,21 @@ bool vtkOpenGLTerrainMapper::GetNeedToRebuildShaders(
 }
 
 //------------------------------------------------------------------------------
+// Complete: VTK's code, the terrain's, and what a vtkShaderProperty replaces in both.
+void vtkOpenGLTerrainMapper::BuildShaders(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::BuildShaders(shaders, ren, act);
+  this->ReportWords(this->Internals->Program.Guard.Check(shaders, ren->GetRenderWindow()));
+}
+
+//------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
 {
   vtkInternals& internals = *this->Internals;
   ++internals.ShaderBuilds;
   internals.Program.Begin(this->FindFeatures(ren, act), shaders);
   this->Superclass::ReplaceShaderValues(shaders, ren, act);
-  const std::string problem = internals.Program.End(shaders);
-  if (!problem.empty())
-  {
-    vtkErrorMacro(
-      "The terrain does not know these shaders of VTK's, and may draw wrong: " << problem);
-  }
+  this->ReportWords(internals.Program.End(shaders));
 }
 
 //------------------------------------------------------------------------------

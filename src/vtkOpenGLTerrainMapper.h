@@ -181,11 +181,14 @@ public:
   /// extract, of a part of the heights. vtkTerrainActor counts it as its own.
   vtkMTimeType GetLookTime();
 
+  ///@{
+  /// As vtkTerrainLook has it.
   using Techniques = vtkTerrainLook::Techniques;
   using Surfaces = vtkTerrainLook::Surfaces;
   using ComputeModes = vtkTerrainLook::ComputeModes;
   using ColorSources = vtkTerrainLook::ColorSources;
   static constexpr int MostDetailCells = vtkTerrainLook::MostDetailCells;
+  ///@}
   /// Largest error of the distance of a hit, as a part of it, away from silhouettes: 1/250 of a
   /// pixel where 1080 lines show 30 degrees. See the class comment.
   static constexpr double HitError = 2e-6;
@@ -314,7 +317,9 @@ protected:
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
 
+  /// Shaders of a program by their stage, as VTK passes them.
   using ShaderMap = std::map<vtkShader::Type, vtkShader*>;
+  void BuildShaders(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderValues(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderPositionVC(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderDepth(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;

@@ -133,10 +133,18 @@ void SurfaceProgram::ReplaceIds(Shaders& shaders, bool ofCells, bool highBits)
 //------------------------------------------------------------------------------
 std::string SurfaceProgram::End(Shaders& shaders)
 {
-  if (!this->Features.FindsSurface())
+  if (this->Features.FindsSurface())
   {
-    return this->Problem;
+    this->FollowSurface(shaders);
   }
+  return this->Problem.empty()
+    ? std::string()
+    : "The terrain does not know these shaders of VTK's, and may draw wrong: " + this->Problem;
+}
+
+//------------------------------------------------------------------------------
+void SurfaceProgram::FollowSurface(Shaders& shaders)
+{
   ShaderText fragment(shaders[vtkShader::Fragment], this->Problem);
   // the surface that is hit decides what is its front, not the proxy
   fragment.Follow("gl_FrontFacing", "terrainPoint.front");
@@ -162,6 +170,5 @@ std::string SurfaceProgram::End(Shaders& shaders)
     shaders[vtkShader::Vertex]->SetSource(vertexSource);
     shaders[vtkShader::Fragment]->SetSource(fragmentSource);
   }
-  return this->Problem;
 }
 }

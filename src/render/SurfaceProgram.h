@@ -12,6 +12,7 @@
 #define vtkTerrain_render_SurfaceProgram_h
 
 #include "render/Features.h"
+#include "render/ProgramGuard.h"
 
 #include "vtkShader.h"
 
@@ -48,7 +49,12 @@ public:
   /// surface. Behind VTK's code. Returns an empty string, or why the program does not draw right.
   std::string End(Shaders& shaders);
 
+  /// For complete programs.
+  ProgramGuard Guard;
+
 private:
+  void FollowSurface(Shaders& shaders);
+
   terrain::Features Features;
   std::string Problem;
 };
