@@ -105,10 +105,11 @@ public:
   /// keeps its heights, camera, viewport, culling, exaggeration, normals and height scalars.
   vtkTerrainStrips* GetStrips();
 
-  /// The mesh that the technique and the representation need: the full one, the coarse mesh, or
-  /// null where that is none or strips.
+  /// The mesh that the technique and the representation need: the full one or the coarse mesh.
+  /// Null if they need none, and with strips.
   vtkTerrainCoarseMesh* GetUsedMesh();
 
+  /// As vtkTerrainLook has it.
   using Techniques = vtkTerrainLook::Techniques;
   ///@{
   /// How the surface is drawn; default Pyramid.

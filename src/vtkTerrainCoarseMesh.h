@@ -5,7 +5,7 @@
  * @brief   makes a low-resolution mesh that lies nowhere below a heightfield
  *
  * Input: vtkImageData of W x H x 1 points whose scalars are heights (one component, any numeric
- * type). No height have NaN, magnitudes from 1e30 on, and hidden points (vtkGhostType).
+ * type). NaN, magnitudes from 1e30 on, and hidden points (vtkGhostType) have no height.
  *
  * Output: vtkPolyData of triangles, counterclockwise seen from outside, with
  *   - points in model coordinates: x, y of the samples that are vertices, z = origin.z + height;
@@ -14,19 +14,22 @@
  *   - field data, one tuple each: "LargestGap", "SamplesPerQuad", and "HeightRange" (2 components),
  *     as the methods below.
  *
- * Method: Feher's three steps. Subsample the heights; push every quad up by the largest amount by
- * which the surface rises above its two triangles (eq. 1-2); raise each shared vertex to the
- * highest of its quads. The paper bounds samples, this filter bounds the bilinear patches
- * (core/mesh/CoarseMesh.h): in grid coordinates no point of any patch lies above the mesh, rounding
- * of the output's z included. x and y are the nearest numbers of the output's precision.
+ * Method: Feher's three steps.
+ *   1. Subsample the heights.
+ *   2. Push every quad up by the largest amount by which the surface rises above its two triangles
+ *      (eq. 1-2).
+ *   3. Raise each shared vertex to the highest of its quads.
+ * The paper bounds samples. This filter bounds the bilinear patches (core/mesh/CoarseMesh.h): in
+ * grid coordinates no point of any patch lies above the mesh. That includes the rounding of the
+ * output's z. x and y are the nearest numbers of the output's precision.
  *
- * The last quads of a row or column are smaller where the grid does not divide. A quad without a
- * single cell that has a surface is left out; a vertex whose sample has no height takes one from
- * its quad. A grid of fewer than 2 x 2 samples, or without cells, gives an empty mesh.
+ * The last quads of a row or column are smaller where the grid does not divide. A quad is left out
+ * if none of its cells has a surface. A vertex whose sample has no height takes one from its quad.
+ * A grid of fewer than 2 x 2 samples, or without cells, gives an empty mesh.
  *
- * With ClosedHull the pushed-up mesh is closed by vertical walls and a floor just below the lowest
- * height, so that rays from the side and from below enter through a front face as well. The hull
- * is a closed manifold without T-junctions; its mesh comes first, in points and in triangles.
+ * ClosedHull closes the pushed-up mesh by vertical walls and a floor just below the lowest height.
+ * Rays from the side and from below then enter through a front face as well. The hull is a closed
+ * manifold without T-junctions. Its mesh comes first, in points and in triangles.
  *
  * With PushUp off and SamplesPerQuad 1 the output is the full mesh: every cell two triangles.
  *

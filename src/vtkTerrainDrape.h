@@ -10,10 +10,10 @@
  *
  * Output: vtkPolyData of vertices and lines (double points). Clamped and AboveGround lines follow
  * the bilinear surface cell by cell: a point is inserted wherever a line crosses a grid line.
- * Between two grid lines the surface above a line is a parabola; further points keep its distance
- * from the chords within Tolerance. Where there is no surface (outside, no data) lines are cut and
- * points left out; a hole swallows the cells that touch it. Point data are interpolated, cell data
- * copied.
+ * Between two grid lines the surface above a line is a parabola. Further points keep its distance
+ * from the chords within Tolerance. Where there is no surface (outside, no data), lines are cut and
+ * points are left out. A hole swallows the cells that touch it. Point data are interpolated, cell
+ * data copied.
  *
  * In the round frame Local the vertical of a place is not that of the scene. With a Georeference,
  * points go up and down their own vertical, and z counts from the surface along it; without one,
@@ -52,6 +52,7 @@ public:
   vtkTerrainGeoreference* GetGeoreference() const;
   ///@}
 
+  /// What z of the input means.
   enum class ModeType
   {
     /// On the surface; z of the input does not matter.
@@ -61,12 +62,14 @@ public:
     /// z of the input is the height: nothing is inserted or cut.
     Absolute
   };
+  ///@{
   /// Default Clamped.
   void SetMode(ModeType mode);
   ModeType GetMode() const
   {
     return this->Mode;
   }
+  ///@}
 
   ///@{
   /// Added to every height, in height units; default 0. A little above 0 keeps lines visible.

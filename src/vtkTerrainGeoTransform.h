@@ -35,9 +35,11 @@ public:
   vtkTypeMacro(vtkTerrainGeoTransform, vtkWarpTransform)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /// What the scene is; none by default.
   void SetGeoreference(vtkTerrainGeoreference* georeference);
   vtkTerrainGeoreference* GetGeoreference() const;
+  ///@}
 
   /// What points are brought into the scene.
   enum class SourceType
@@ -47,12 +49,14 @@ public:
     /// x, y, height in the file's coordinate reference system.
     File
   };
+  ///@{
   /// Default Places.
   void SetSource(SourceType source);
   SourceType GetSource() const
   {
     return this->Source;
   }
+  ///@}
 
   /// Whole arrays at once.
   void TransformPoints(vtkPoints* in, vtkPoints* out) override;

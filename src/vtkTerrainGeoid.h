@@ -33,6 +33,7 @@ public:
   vtkTypeMacro(vtkTerrainGeoid, vtkObject)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /// "egm84", "egm96" or "egm2008" take the finest grid of that model that is installed; a full
   /// name ("egm96-15", or any NAME of a file NAME.pgm) takes just that. Default "egm96".
   void SetModel(const std::string& model);
@@ -40,7 +41,9 @@ public:
   {
     return this->Model;
   }
+  ///@}
 
+  ///@{
   /// Folder of the data; empty, the default, is GeographicLib's: GEOGRAPHICLIB_GEOID_PATH, else
   /// geoids/ in GEOGRAPHICLIB_DATA, else the folder given when GeographicLib was built.
   void SetDirectory(VTK_FILEPATH const std::string& directory);
@@ -48,6 +51,7 @@ public:
   {
     return this->Directory;
   }
+  ///@}
 
   /// Empty if heights can be had, else one sentence: the missing file, and how to get it.
   std::string GetWhyNot();

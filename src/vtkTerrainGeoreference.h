@@ -66,6 +66,7 @@ public:
   vtkTypeMacro(vtkTerrainGeoreference, vtkObject)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Kind of the scene's coordinates (class comment).
   enum class FrameType
   {
     Plane,
@@ -86,6 +87,7 @@ public:
     Geoid
   };
 
+  ///@{
   /// CRS of the file: WKT, "EPSG:n", or a PROJ string. A compound CRS or one with ellipsoidal
   /// heights also says what FileHeights and HeightUnit are, unless they are set. Default: none.
   void SetCoordinateSystem(const std::string& definition);
@@ -93,7 +95,9 @@ public:
   {
     return this->CoordinateSystem;
   }
+  ///@}
 
+  ///@{
   /// Where the file's data lie, in its own x and y. The automatic origin is the middle; a CRS that
   /// contradicts it is refused. Default: unknown (xMin > xMax).
   void SetExtent(double xMin, double xMax, double yMin, double yMax);
@@ -101,6 +105,7 @@ public:
   {
     return this->Extent;
   }
+  ///@}
 
   /// CRS and extent of heights, from the field data that vtkTerrainRasterReader adds to them
   /// (LayoutOrigin, LayoutScale; without these an image lies at its own coordinates). The CRS is
@@ -112,17 +117,21 @@ public:
   /// reach so far that no flat frame is of use (the earth falls by more than 200 km); else Plane.
   static FrameType SuggestFrame(vtkImageData* heights);
 
+  ///@{
   /// Frame of the scene; default Plane.
   void SetFrame(FrameType frame);
   FrameType GetFrame() const
   {
     return this->Frame;
   }
+  ///@}
 
+  ///@{
   /// Origin of Plane and Local: longitude, latitude in degrees, height in metres. Default, and
   /// after SetAutomaticOrigin: the middle of the extent, at height 0.
   void SetOrigin(double longitude, double latitude, double height);
   void SetAutomaticOrigin();
+  ///@}
   /// The origin in use, automatic or not; NaN if there is none.
   void GetOrigin(double origin[3]);
 
@@ -138,9 +147,11 @@ public:
   /// Zone of the frame Zone: 1 to 60 UTM, 0 UPS, -1 (default) the standard zone of the middle of
   /// the extent. northern tells the hemisphere; it is not used with -1.
   void SetZone(int zone, bool northern);
+  ///@{
   /// The zone in use; -1 if there is none.
   int GetZone();
   bool GetNorthern();
+  ///@}
 
   /// Metres per unit of the file's heights, > 0; 0 (default): what the CRS says, else 1.
   void SetHeightUnit(double metres);
@@ -150,15 +161,19 @@ public:
   /// known.
   static double HeightUnitFromName(const std::string& name);
 
+  ///@{
   /// What the file's heights count from; AsIs (default): what the CRS says, else sea level.
   void SetFileHeights(HeightType heights);
   HeightType GetFileHeights();
+  ///@}
+  ///@{
   /// What the heights of places and of the scene count from; default AsIs: as the file's.
   void SetSceneHeights(HeightType heights);
   HeightType GetSceneHeights() const
   {
     return this->SceneHeights;
   }
+  ///@}
   /// Geoid that converts heights; never null, EGM96 by default.
   vtkTerrainGeoid* GetGeoid();
 
@@ -182,6 +197,7 @@ public:
   /// WKT of the scene's x and y; empty for Local and for a grid without CRS or not in metres.
   std::string GetSceneCoordinateSystem();
 
+  ///@{
   /// Bring count points from one kind to another (class comment).
   bool FileToPlaces(const double* file, double* places, vtkIdType count)
     VTK_SIZEHINT(file, 3 * count) VTK_SIZEHINT(places, 3 * count);
@@ -195,6 +211,7 @@ public:
     VTK_SIZEHINT(scene, 3 * count);
   bool SceneToFile(const double* scene, double* file, vtkIdType count)
     VTK_SIZEHINT(scene, 3 * count) VTK_SIZEHINT(file, 3 * count);
+  ///@}
 
   /// Brings heights of the file to those of the scene's places: unit, sea level, ellipsoid. One
   /// height and one place of three doubles a point.

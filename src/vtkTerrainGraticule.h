@@ -33,10 +33,13 @@ public:
   vtkTypeMacro(vtkTerrainGraticule, vtkPolyDataAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /// The scene of the heights; none by default.
   void SetGeoreference(vtkTerrainGeoreference* georeference);
   vtkTerrainGeoreference* GetGeoreference() const;
+  ///@}
 
+  /// What the lines are lines of.
   enum class GridType
   {
     /// Longitude and latitude.
@@ -44,12 +47,14 @@ public:
     /// Easting and northing of the UTM (or UPS) zone of the middle of the heights.
     UTM
   };
+  ///@{
   /// Default Geographic.
   void SetGrid(GridType grid);
   GridType GetGrid() const
   {
     return this->Grid;
   }
+  ///@}
 
   ///@{
   /// Distance of lines in degrees (Geographic) or metres (UTM); 0 (default): the round number that

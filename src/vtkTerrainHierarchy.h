@@ -52,6 +52,7 @@ public:
   /// row is asked for once, from the north to the south. Returns an error message or nothing.
   using RowFunction = std::function<std::string(vtkIdType first, vtkIdType count, float* heights)>;
 
+  ///@{
   /// Prepares an image in memory. Returns false, with GetErrorMessage(), if it holds no heights,
   /// the memory does not suffice or progress stopped it; the hierarchy is empty then.
   bool SetHeights(vtkImageData* heights)
@@ -59,6 +60,7 @@ public:
     return this->SetHeights(heights, nullptr);
   }
   bool SetHeights(vtkImageData* heights, const ProgressFunction& progress);
+  ///@}
 
   ///@{
   /// Whether what SetHeights prepares is refined down to every sample of the border, so that strips
@@ -73,6 +75,7 @@ public:
   /// reads the whole file. Returns false, with GetErrorMessage(), if it cannot be used.
   bool OpenFile(VTK_FILEPATH const std::string& path, bool verify = false);
 
+  ///@{
   /// Writes the hierarchy to a file, which appears under its name only when it is complete.
   /// Returns false, with GetErrorMessage(), on failure, and leaves no file behind.
   bool WriteFile(VTK_FILEPATH const std::string& path)
@@ -80,6 +83,7 @@ public:
     return this->WriteFile(path, nullptr);
   }
   bool WriteFile(const std::string& path, const ProgressFunction& progress);
+  ///@}
 
   /// Prepares a raster of width x height samples straight into a file; this object stays as it is.
   /// Sample (i, j) lies at origin + (i, j) * spacing. The field data CRS, LayoutOrigin and

@@ -42,23 +42,29 @@ public:
   vtkTypeMacro(vtkTerrainImageWarp, vtkImageAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /// The picture.
   void SetFileName(VTK_FILEPATH const std::string& fileName);
   const std::string& GetFileName() const
   {
     return this->FileName;
   }
+  ///@}
 
+  ///@{
   /// The scene of the heights; none by default.
   void SetGeoreference(vtkTerrainGeoreference* georeference);
   vtkTerrainGeoreference* GetGeoreference() const;
+  ///@}
 
+  ///@{
   /// CRS of a picture that does not name its own. Default: none.
   void SetCoordinateSystem(const std::string& definition);
   const std::string& GetCoordinateSystem() const
   {
     return this->CoordinateSystem;
   }
+  ///@}
 
   ///@{
   /// Most pixels a side; default 16384, which graphics cards hold in one texture.

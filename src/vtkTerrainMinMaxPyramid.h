@@ -5,7 +5,7 @@
  * @brief   bounds of a heightfield's surface over squares of 2^k x 2^k cells
  *
  * Input: vtkImageData of W x H x 1 points whose scalars are heights (one component, any numeric
- * type). No height have NaN, magnitudes from 1e30 on, and hidden points (vtkGhostType).
+ * type). NaN, magnitudes from 1e30 on, and hidden points (vtkGhostType) have no height.
  *
  * Output: vtkMultiBlockDataSet. Block k is level k, named "Level k", a vtkImageData of
  * ceil((W-1) / 2^k) x ceil((H-1) / 2^k) cells in one layer of points,

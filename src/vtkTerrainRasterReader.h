@@ -5,35 +5,40 @@
  * @brief   reads heights from every raster that GDAL opens
  *
  * Output: vtkImageData of W x H x 1 points. The point scalars are named after the band's
- * description, else "Elevation", and have the type of the file: 8, 16 and 32-bit integers and
- * floating-point numbers; 64-bit integers become double. Where the band declares a scale or an
- * offset, or heights in another unit of length than metres, they are applied, and integers of up to
- * 16 bits become float, of 32 bits double. Complex samples are refused.
+ * description, else "Elevation". They have the type of the file: 8, 16 and 32-bit integers and
+ * floating-point numbers. 64-bit integers become double. A scale and an offset that the band
+ * declares are applied, and so is a unit of length other than metres. Integers of up to 16 bits
+ * then become float, those of 32 bits double. Complex samples are refused.
  *
  * Conventions: the first row of samples is the southernmost, the first sample the westernmost,
- * however the file stores them. A sample lies at the centre of its pixel, in files of pixels that
- * are areas as well as in files of points (GDAL reports the corner of the latter half a cell out).
- * A raster in a projected CRS lies at its coordinates, in metres. A raster in degrees is laid out
- * at the scale of its centre latitude on the ellipsoid of its CRS (true there, too wide towards the
- * poles and too narrow towards the equator), x = 0, y = 0 being the centre of the file: windows of
- * one file fit together, different files do not. A raster without georeference has spacing 1, and
- * the south-western sample of the file lies at the origin. Rotated and sheared rasters are refused.
+ * however the file stores them. A sample lies at the centre of its pixel. That holds for files of
+ * areas and for files of points (GDAL reports the corner of the latter half a cell out).
+ *   - A raster in a projected CRS lies at its coordinates, in metres.
+ *   - A raster in degrees is laid out in metres, at the scale of its centre latitude on the
+ *     ellipsoid of its CRS. It is true there, too wide towards the poles and too narrow towards the
+ *     equator. x = 0, y = 0 is the centre of the file. Windows of one file fit together; different
+ *     files do not.
+ *   - A raster without georeference has spacing 1. The south-western sample of the file lies at the
+ *     origin.
+ *   - Rotated and sheared rasters are refused.
  *
  * Place, unit, sense and holes are found from all that the raster says: CRS, geotransform,
- * variables of coordinates (CF; unevenly spaced and two-dimensional ones are resampled onto an even
- * grid of longitude and latitude, near a pole onto a stereographic one), attributes, masks, names
- * of bands. Heights that count down (a vertical axis down, positive = down, a depth by its standard
- * name) are turned. Axes of a CRS that point west or south are turned too: x is east, y north.
- * Describe tells what was taken from where. What contradicts or was guessed is a warning that names
- * the remedy.
+ * variables of coordinates (CF), attributes, masks, names of bands. Coordinates that are unevenly
+ * spaced or two-dimensional are resampled onto an even grid of longitude and latitude, near a pole
+ * onto a stereographic one. Heights that count down are turned: those of a vertical axis down, of
+ * positive = down, and depths by their standard name. Axes of a CRS that point west or south are
+ * turned too: x is east, y north. Describe tells what was taken from where. What contradicts or was
+ * guessed is a warning that names the remedy.
  *
- * No data: NaN in floating-point scalars; in integers 0, and HIDDENPOINT set in the point array
- * vtkGhostType, which exists only if there is such a point. No data are the values that the band
- * declares, NoDataValue if it is used, NaN, infinities, magnitudes from 1e30 on, what a mask or
- * an alpha band hides (0), and, unless DetectNoData is off, fill values that nobody declares: usual
- * ones (-999, 32767, 65535, 1e6, 1e20, ...) that lie far from all other samples, and in signed
- * bands without NoData and scale -32768 and -32767, and -9999 unless the file reaches below 8,000 m
- * of sea; a warning says so when there are any.
+ * No data are NaN in floating-point scalars. In integers they are 0, and HIDDENPOINT is set in the
+ * point array vtkGhostType, which exists only if there is such a point. These have no data:
+ *   - the values that the band declares, and NoDataValue if it is used;
+ *   - NaN, infinities, magnitudes from 1e30 on;
+ *   - what a mask or an alpha band hides (0);
+ *   - unless DetectNoData is off, fill values that nobody declares. These are usual ones (-999,
+ *     32767, 65535, 1e6, 1e20, ...) that lie far from all other samples. In signed bands without
+ *     NoData and scale they are also -32768 and -32767, and -9999 unless the file reaches below
+ *     8,000 m of sea. A warning says so when there are any.
  *
  * Field data, where known:
  * | array         | type      | what                                                           |
@@ -117,6 +122,7 @@ public:
   VTK_FILEPATH const char* GetFileName() const;
   ///@}
 
+  ///@{
   /// CRS of the file in place of the one it names: "EPSG:n", WKT, or a PROJ string; empty (the
   /// default) for its own.
   void SetCoordinateSystem(const std::string& definition);
@@ -124,7 +130,9 @@ public:
   {
     return this->CoordinateSystem;
   }
+  ///@}
 
+  ///@{
   /// Samples in memory in place of a file, with what their owner knows of them; null (the default)
   /// for the file. They are used in place, row by row as the owner has them. Arrays: "Samples" (one
   /// component) and "Size" (columns, rows); strings "name=value": "Names" (name, crs), "Attributes"
@@ -133,6 +141,7 @@ public:
   /// "Field1" (one a sample) with their "RowsAttributes" and so on (name, units, standard_name).
   void SetSamples(vtkFieldData* samples);
   vtkFieldData* GetSamples() const;
+  ///@}
 
   ///@{
   /// Part of a file of several rasters (netCDF, HDF5, GeoPackage): name of the variable or table,
@@ -293,6 +302,7 @@ public:
   virtual int CanReadFile(VTK_FILEPATH const char* fileName);
   /// Extensions of usual elevation files, separated by spaces.
   virtual const char* GetFileExtensions() const;
+  /// What a dialog calls such files.
   virtual const char* GetDescriptiveName() const;
 
 protected:

@@ -60,16 +60,20 @@ public:
   /// Largest vertical error of the search in Local frames, in metres.
   static constexpr double kVerticalTolerance = 1e-3;
 
+  ///@{
   /// The scene; never null, a Plane round the middle of the data by default. Null restores that.
   void SetGeoreference(vtkTerrainGeoreference* georeference);
   vtkTerrainGeoreference* GetGeoreference() const;
+  ///@}
 
+  ///@{
   /// CRS of inputs that do not name theirs: WKT, "EPSG:n", or a PROJ string. Default: none.
   void SetCoordinateSystem(const std::string& definition);
   const std::string& GetCoordinateSystem() const
   {
     return this->CoordinateSystem;
   }
+  ///@}
 
   ///@{
   /// Distance of output samples in metres; 0 (default): that of the finest input in its middle,
@@ -85,17 +89,20 @@ public:
   vtkGetMacro(EdgeCells, double);
   ///@}
 
+  /// How heights between samples are found.
   enum class InterpolationType
   {
     Bilinear,
     Cubic
   };
+  ///@{
   /// Default Bilinear.
   void SetInterpolation(InterpolationType interpolation);
   InterpolationType GetInterpolation() const
   {
     return this->Interpolation;
   }
+  ///@}
 
   ///@{
   /// Most output samples; an automatic spacing grows until they suffice, a chosen one that needs

@@ -5,10 +5,10 @@
  * @brief Refines a heightfield for a camera into one triangle strip
  *
  * Input: a vtkTerrainHierarchy (SetHierarchy), or an image of heights on port 0, which is prepared
- * in memory once. The hierarchy wins. Further a camera and a viewport, from which comes lambda =
- * viewport height / (2 tan(view angle / 2) cos^2(angle from the middle of the picture to a
- * corner)), the most pixels that a unit of length takes at unit distance, and the tolerance in
- * pixels.
+ * in memory once. The hierarchy wins. A camera, a viewport and the tolerance in pixels say how fine
+ * the strip is. From camera and viewport comes lambda, the most pixels that a unit of length takes
+ * at unit distance: viewport height / (2 tan(view angle / 2) cos^2(angle from the middle of the
+ * picture to a corner)).
  *
  * Output: vtkPolyData with one generalized triangle strip (or triangles, with TriangleOutput), each
  * point once, counter-clockwise from above, without cracks or T-junctions. Any mapper draws it, any
@@ -22,18 +22,18 @@
  *
  * With detail (port 1) the surface is the heights plus DetailScale times the detail, repeated all
  * over them as vtkOpenGLTerrainMapper does. Refinement runs on below the samples of the heights,
- * where the errors of the detail say so, without a seam; memory is taken for the heights and one
- * period, never for their product. Texture coordinates stay those of the heights, normals are the
+ * where the errors of the detail say so, without a seam. Memory is taken for the heights and one
+ * period, never for their product. Texture coordinates stay those of the heights. Normals are the
  * slopes of both, added. Where the period does not divide by four detail cells, all triangles of a
- * depth below the samples have one error; larger powers of two are better, see
+ * depth below the samples have one error. Larger powers of two are better, see
  * core/strips/DetailHierarchy.h.
  *
  * Every triangle larger than half a cell is within the tolerance: rho = error * lambda / d <=
- * Tolerance, d from the eye to the nearest point of a sphere round the triangles, error the largest
- * vertical distance to the bilinear surface of the heights. So no point of the surface is drawn
- * further than the tolerance from its place, anywhere in the picture. Half cells cannot be split.
- * If part of a triangle has no data it is not drawn, so holes and their surroundings may be up to
- * the tolerance larger.
+ * Tolerance. Here d is the distance from the eye to the nearest point of a sphere round the
+ * triangles. The error is their largest vertical distance to the bilinear surface of the heights.
+ * So no point of the surface is drawn further than the tolerance from its place, anywhere in the
+ * picture. Half cells cannot be split. A triangle is not drawn if a part of it has no data, so
+ * holes and their surroundings may be up to the tolerance larger.
  *
  * A mapper that draws the output must not move it: the camera is in the same coordinates. The
  * filter executes again when the camera moves. The camera's clipping range plays no role; what is

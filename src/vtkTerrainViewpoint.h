@@ -40,11 +40,13 @@ public:
   vtkTypeMacro(vtkTerrainViewpoint, vtkObject)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /// The scene, and its heights; both none by default.
   void SetGeoreference(vtkTerrainGeoreference* georeference);
   vtkTerrainGeoreference* GetGeoreference() const;
   void SetHeights(vtkImageData* heights);
   vtkImageData* GetHeights() const;
+  ///@}
 
   ///@{
   /// Vertical exaggeration of the terrain as drawn, which scene points given and returned include;
