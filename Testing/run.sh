@@ -1,5 +1,6 @@
 #!/bin/sh
-# From a clone to the result of the whole test suite: installs what is missing, builds, runs ctest.
+# From a clone to the result of the whole test suite: installs what is missing, builds, runs ctest, and lists
+# what was skipped and why.
 #   sh Testing/run.sh [CMAKE_OPTION...]
 # Tests that need real elevation files take them from the folder VTKTERRAIN_DATA_DIR and skip if it is
 # not set.
@@ -13,5 +14,7 @@ sh "$source_dir/Module/packages.sh" xvfb # for the tests of terrain-view
 # Examples are built by their tests, against the installed module.
 sh "$source_dir/Module/build.sh" all -DVTKTERRAIN_BUILD_TESTING=ON -DVTKTERRAIN_BUILD_EXAMPLES=OFF \
   "-DVTKTERRAIN_DATA_DIR=$data_dir" "$@"
-cd "$build_dir"
-exec ctest --no-tests=error --parallel "$(nproc)" --output-on-failure
+status=0
+(cd "$build_dir" && ctest --no-tests=error --parallel "$(nproc)" --output-on-failure) || status=$?
+sh "$source_dir/Testing/list-skipped.sh" "$build_dir"
+exit $status

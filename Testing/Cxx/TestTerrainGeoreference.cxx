@@ -501,6 +501,6 @@ TEST(TerrainGeoreference, RealFilesAgreeWithGDAL)
   }
   if (found == 0)
   {
-    GTEST_SKIP();
+    GTEST_SKIP() << "VTKTERRAIN_DATA_DIR is not set, or lacks the files";
   }
 }

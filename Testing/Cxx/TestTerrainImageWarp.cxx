@@ -298,7 +298,7 @@ TEST(TerrainImageWarp, CraterLakeOnItsHeights)
   const std::string picture = vtkTerrainTesting::DataPath("craterlake_imagery_30m.tif");
   if (heights.empty() || picture.empty())
   {
-    GTEST_SKIP();
+    GTEST_SKIP() << "VTKTERRAIN_DATA_DIR is not set, or lacks the files";
   }
   vtkNew<vtkTerrainRasterReader> reader;
   reader->SetFileName(heights);
@@ -362,7 +362,7 @@ TEST(TerrainImageWarp, EverestAcrossTwoSystems)
   const std::string picture = vtkTerrainTesting::DataPath("everest_landsat7_rgb_utm45.tif");
   if (heights.empty() || picture.empty())
   {
-    GTEST_SKIP();
+    GTEST_SKIP() << "VTKTERRAIN_DATA_DIR is not set, or lacks the files";
   }
   vtkNew<vtkTerrainRasterReader> reader;
   reader->SetFileName(heights);

@@ -461,7 +461,7 @@ TEST(TerrainReproject, CapeTilesJoin)
   const std::string north = vtkTerrainTesting::DataPath("S33E018.hgt");
   if (south.empty() || north.empty())
   {
-    GTEST_SKIP();
+    GTEST_SKIP() << "VTKTERRAIN_DATA_DIR is not set, or lacks the files";
   }
   vtkNew<vtkTerrainRasterReader> southReader;
   southReader->SetFileName(south);
@@ -554,6 +554,6 @@ TEST(TerrainReproject, RealFilesInTheirOwnPlaces)
   }
   if (found == 0)
   {
-    GTEST_SKIP();
+    GTEST_SKIP() << "VTKTERRAIN_DATA_DIR is not set, or lacks the files";
   }
 }

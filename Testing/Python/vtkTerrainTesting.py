@@ -68,8 +68,10 @@ def compare_with_baseline(test, picture, name, largest_share=1e-3):
 
 
 def run():
-    """Runs the tests of the calling file."""
+    """Runs the tests of the calling file, and says what was skipped and why."""
     result = unittest.main(argv=sys.argv, exit=False).result
+    for test, reason in result.skipped:
+        print(f"Skipped: {test.id().rpartition('.')[2]}: {reason}")
     if result.testsRun == len(result.skipped):
         sys.exit(_SKIPPED)
     sys.exit(not result.wasSuccessful())
