@@ -87,6 +87,15 @@ for file in $(git ls-files 'src/core/*/*'); do
   done
 done
 part=
+# Who exaggerates: a grid's geometry, and the frame of a round scene. Others ask these.
+for file in $(git ls-files 'src/*.h' 'src/*.cxx' 'Module/ParaView/*.cxx' 'Examples/Programs/*.cxx'); do
+  case $file in
+    src/core/grid/Coordinates.h | src/core/place/SceneFrame.h) ;;
+    *)
+      ! grep -nE '[Ee]xaggeration(\(\))? +[*/] |[*/] +[A-Za-z.>-]*[Ee]xaggeration' "$file" |
+        grep -vE '^[0-9]+: *(\*|//)' >&2 || offence "$file: only GridGeometry exaggerates" ;;
+  esac
+done
 for file in $(git ls-files 'src/core/*'); do
   ! grep -nE '#include [<"](vtk|GL/|EGL/|gdal)' "$file" >&2 ||
     offence "$file: src/core/ includes neither VTK, OpenGL nor GDAL"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainActor.h"
 
+#include "core/grid/Coordinates.h"
 #include "data/HierarchyData.h"
 #include "data/ImageHeights.h"
 #include "data/Setting.h"
@@ -274,7 +275,9 @@ void vtkTerrainActor::RefineFor(vtkRenderer* renderer)
     this->Strips->SetCamera(vtkSmartPointer<vtkCamera>::New());
   }
   terrain::PlaceInModel(renderer->GetActiveCamera(), toWorld, this->Strips->GetCamera());
-  this->Strips->SetExaggeration(this->GetVerticalExaggeration() * vertical);
+  terrain::GridGeometry drawn;
+  drawn.Exaggeration = this->GetVerticalExaggeration();
+  this->Strips->SetExaggeration(drawn.RiseToModel(vertical));
   // with the heights, the mapper exaggerates, lights and colours the points
   const bool alone = this->DrawsStripsAlone();
   this->Strips->SetPointExaggeration(alone ? this->GetVerticalExaggeration() : 1.0);
@@ -325,6 +328,21 @@ void vtkTerrainActor::UpdateMesh()
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainActor::GetHeightRange(double range[2])
+{
+  this->UpdateInput();
+  if (!this->DrawsStripsAlone())
+  {
+    this->TerrainMapper->GetHeightRange(range);
+    return;
+  }
+  std::array<double, 6> bounds{};
+  this->GetHierarchy()->GetBounds(bounds.data());
+  range[0] = bounds[4] - this->GetOriginOfHeights();
+  range[1] = bounds[5] - this->GetOriginOfHeights();
+}
+
+//------------------------------------------------------------------------------
 void vtkTerrainActor::UpdateColors()
 {
   this->TerrainMapper->SetScalarVisibility(this->ColorByHeight);
@@ -335,13 +353,7 @@ void vtkTerrainActor::UpdateColors()
     return;
   }
   std::array<double, 2> range{};
-  this->TerrainMapper->GetHeightRange(range.data());
-  if (this->DrawsStripsAlone())
-  {
-    std::array<double, 6> bounds{};
-    this->GetHierarchy()->GetBounds(bounds.data());
-    range = { bounds[4] - this->GetOriginOfHeights(), bounds[5] - this->GetOriginOfHeights() };
-  }
+  this->GetHeightRange(range.data());
   if (this->ReliefColors->GetSize() == 0 || this->ReliefRange != range)
   {
     this->ReliefRange = range;

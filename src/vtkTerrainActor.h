@@ -167,6 +167,9 @@ public:
   /// True if there is a surface at all: a cell whose four samples have heights.
   bool HasSurface();
 
+  /// Lowest and highest height, not exaggerated, up to date; lowest > highest if there is none.
+  void GetHeightRange(double range[2]);
+
   /// Up to date with the heights.
   using vtkOpenGLActor::GetBounds;
   double* GetBounds() VTK_SIZEHINT(6) override;

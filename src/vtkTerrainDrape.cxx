@@ -213,7 +213,7 @@ vtkSmartPointer<vtkPolyData> OnVerticals(
     const double* from =
       std::isnan(ground[static_cast<std::size_t>(3 * i)]) ? scene.data() : ground.data();
     points->SetPoint(i, from[3 * i], from[3 * i + 1],
-      georeference->GetVerticalExaggeration() * places[static_cast<std::size_t>(3 * i + 2)]);
+      georeference->GetSceneRise(places[static_cast<std::size_t>(3 * i + 2)]));
   }
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->ShallowCopy(input);

@@ -190,6 +190,13 @@ void vtkTerrainGeoreference::GetOrigin(double origin[3])
   }
 }
 
+double vtkTerrainGeoreference::GetSceneRise(double metres)
+{
+  this->Prepare();
+  const vtkInternals& internals = *this->Internals;
+  return internals.HasFrame ? internals.Frame.RiseToScene(metres) : metres;
+}
+
 int vtkTerrainGeoreference::GetZone()
 {
   this->Prepare();

@@ -142,6 +142,8 @@ public:
   /// (vtkTerrainActor::SetVerticalExaggeration), which needs no other heights.
   vtkSetClampMacro(VerticalExaggeration, double, 1e-30, VTK_DOUBLE_MAX);
   vtkGetMacro(VerticalExaggeration, double);
+  /// How much higher in the scene a point is whose place is higher by so many metres.
+  double GetSceneRise(double metres);
   ///@}
 
   /// Zone of the frame Zone: 1 to 60 UTM, 0 UPS, -1 (default) the standard zone of the middle of

@@ -56,6 +56,7 @@ int vtkTerrainMesh::RequestData(
         lowest = std::min(lowest, view.At(vertex.x, vertex.y));
       }
     });
+  this->LowestHeight = mesh.Vertices.empty() ? 0.0 : lowest;
   this->UpdateProgress(0.8);
   if (this->Block && !(this->BlockBase < lowest))
   {
@@ -65,8 +66,7 @@ int vtkTerrainMesh::RequestData(
     return 0;
   }
 
-  terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(image);
-  geometry.Exaggeration = this->Exaggeration;
+  const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(image, this->Exaggeration);
   terrain::MeshOutputOptions output;
   output.SinglePrecision = this->OutputPointsPrecision == SINGLE_PRECISION;
   output.Normals = this->ComputeNormals;
@@ -82,6 +82,14 @@ int vtkTerrainMesh::RequestData(
   error->InsertNextValue(this->MeshError);
   polys->GetFieldData()->AddArray(error);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainMesh::GetHeightOfLength(double length) const
+{
+  terrain::GridGeometry geometry;
+  geometry.Exaggeration = this->Exaggeration;
+  return geometry.RiseToHeights(length);
 }
 
 //------------------------------------------------------------------------------

@@ -66,6 +66,16 @@ public:
   vtkGetMacro(MaximumError, double);
   ///@}
 
+  /// Lowest height of a vertex of the surface in the last output, in height units; 0 before
+  /// the first.
+  double GetLowestHeight() const
+  {
+    return this->LowestHeight;
+  }
+  /// Height units that are as long in the output as a length in model units: exaggeration taken
+  /// off.
+  double GetHeightOfLength(double length) const;
+
   ///@{
   /// Vertical exaggeration: drawn height over true height, > 0; default 1.
   vtkSetClampMacro(Exaggeration, double, 1e-30, VTK_DOUBLE_MAX);
@@ -141,6 +151,7 @@ private:
   bool PassPointArrays = false;
   int OutputPointsPrecision = DOUBLE_PRECISION;
   double MeshError = 0.0;
+  double LowestHeight = 0.0;
 };
 
 #endif

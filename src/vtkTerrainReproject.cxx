@@ -268,7 +268,7 @@ void vtkTerrainReproject::PlaceBlock(const int extent[4], std::vector<double>& s
   const bool round = internals.Georeference->GetFrame() == Frame::Local;
   double origin[3];
   internals.Georeference->GetOrigin(origin);
-  origin[2] *= internals.Georeference->GetVerticalExaggeration();
+  const double originHeight = internals.Georeference->GetSceneRise(origin[2]);
   scene.resize(static_cast<std::size_t>(3 * count));
   vtkSMPTools::For(0, count, kSamplesPerTask,
     [&](vtkIdType begin, vtkIdType end)
@@ -281,7 +281,7 @@ void vtkTerrainReproject::PlaceBlock(const int extent[4], std::vector<double>& s
           internals.Origin[0] + static_cast<double>(extent[0] + i % width) * internals.Spacing;
         point[1] = internals.Origin[1] + static_cast<double>(extent[2] + row) * internals.Spacing;
         const double squared = point[0] * point[0] + point[1] * point[1];
-        point[2] = round ? -squared / (2.0 * kEarthRadius) - origin[2] : 0.0;
+        point[2] = round ? -squared / (2.0 * kEarthRadius) - originHeight : 0.0;
       }
     });
 }
@@ -296,7 +296,7 @@ std::vector<terrain::VerticalSearch> vtkTerrainReproject::vtkInternals::BeginSea
     lowest = std::min(lowest, tile->Heights[0] * tile->Reference->GetHeightUnit());
     highest = std::max(highest, tile->Heights[1] * tile->Reference->GetHeightUnit());
   }
-  const double range = this->Georeference->GetVerticalExaggeration() * highest;
+  const double range = this->Georeference->GetSceneRise(highest);
   // Terrain that stands so high that its foot lies more than a cell off may be where its foot is
   // not: beyond the border, or in a hole.
   const double reach = std::max(
@@ -321,12 +321,12 @@ void vtkTerrainReproject::FillBlock(const int extent[4], double* heights, double
   const vtkIdType count = static_cast<vtkIdType>(scene.size() / 3);
   const double bounds[4] = { scene[0], scene[scene.size() - 3], scene[1], scene[scene.size() - 2] };
   std::vector<double> places(scene.size(), 0.0);
-  const double exaggeration = reference->GetVerticalExaggeration();
   std::vector<terrain::VerticalSearch> searches;
   if (round)
   {
     searches = this->Internals->BeginSearches(scene);
   }
+  const double riseOfMetre = reference->GetSceneRise(1.0);
   bool isMoving = true;
   while (isMoving)
   {
@@ -345,7 +345,7 @@ void vtkTerrainReproject::FillBlock(const int extent[4], double* heights, double
         for (vtkIdType i = begin; i < end; ++i)
         {
           terrain::VerticalSearch& search = searches[static_cast<std::size_t>(i)];
-          if (search.Take(exaggeration * (heights[i] - places[3 * i + 2]), kVerticalTolerance))
+          if (search.Take(riseOfMetre * (heights[i] - places[3 * i + 2]), kVerticalTolerance))
           {
             moved = true;
           }

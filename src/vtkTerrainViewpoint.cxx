@@ -420,8 +420,7 @@ bool vtkTerrainViewpoint::IsVisible(const double from[3], const double to[3], do
   line.Bend = terrain::EarthBend(length, this->Refraction);
   if (round)
   {
-    line.Bend =
-      this->Georeference->GetVerticalExaggeration() * line.Bend - terrain::EarthBend(length, 0.0);
+    line.Bend = this->Georeference->GetSceneRise(line.Bend) - terrain::EarthBend(length, 0.0);
   }
   const terrain::RayQuery query = this->Internals->QueryOf(this->Heights, this->Exaggeration);
   line.Direction.z -= query.GetSurface().Frame.RiseToModel(line.Bend);

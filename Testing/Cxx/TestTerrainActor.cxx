@@ -10,6 +10,7 @@
 #include "vtkTerrainStrips.h"
 
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
@@ -463,13 +464,16 @@ TEST_F(TerrainActor, PlacesOthersAsItDraws)
   this->Terrain->PlaceAsDrawn(other);
   vtkNew<vtkPolyData> points;
   vtkNew<vtkPoints> samples;
+  vtkNew<vtkCellArray> vertices;
   vtkDataArray* heights = this->Heights->GetPointData()->GetScalars();
   for (vtkIdType id = 0; id < this->Heights->GetNumberOfPoints(); ++id)
   {
     const double* sample = this->Heights->GetPoint(id);
     samples->InsertNextPoint(sample[0], sample[1], sample[2] + heights->GetComponent(id, 0));
+    vertices->InsertNextCell(1, &id);
   }
   points->SetPoints(samples);
+  points->SetVerts(vertices);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(points);
   other->SetMapper(mapper);

@@ -38,17 +38,11 @@ double PrintScale(vtkImageData* heights, double width)
 }
 
 /// Depth of the block's floor below the lowest height, in metres before exaggeration; 0: no block.
-double BlockDepth(vtkImageData* heights, const MeshOptions& options)
+double BlockDepth(vtkTerrainMesh* filter, vtkImageData* heights, const MeshOptions& options)
 {
   return options.PrintWidth > 0.0
-    ? options.PrintBase / PrintScale(heights, options.PrintWidth) / options.Exaggeration
+    ? filter->GetHeightOfLength(options.PrintBase / PrintScale(heights, options.PrintWidth))
     : options.Block;
-}
-
-/// Lowest height of a vertex: the mesh is built once without a block to know it.
-double LowestHeight(vtkPolyData* mesh, vtkImageData* heights, double exaggeration)
-{
-  return (mesh->GetBounds()[4] - heights->GetOrigin()[2]) / exaggeration;
 }
 
 /// The mesh in millimetres, its corner at the origin of the printer's table.
@@ -82,10 +76,11 @@ void Build(vtkTerrainMesh* filter, vtkImageData* heights, const MeshOptions& opt
   {
     throw std::runtime_error("no cell of the raster has heights at all four corners");
   }
-  const double depth = BlockDepth(heights, options);
+  const double depth = BlockDepth(filter, heights, options);
   if (depth > 0.0)
   {
-    filter->SetBlockBase(LowestHeight(filter->GetOutput(), heights, options.Exaggeration) - depth);
+    // the mesh is built once without a block to know its lowest height
+    filter->SetBlockBase(filter->GetLowestHeight() - depth);
     filter->BlockOn();
     filter->Update();
   }

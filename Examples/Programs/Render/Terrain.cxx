@@ -93,13 +93,7 @@ std::array<double, 2> HeightRange(vtkTerrainActor* actor, vtkImageData* heights)
     array->GetFiniteRange(range.data());
     return range;
   }
-  actor->GetTerrainMapper()->GetHeightRange(range.data());
-  if (range[0] > range[1] && actor->GetHierarchy())
-  {
-    std::array<double, 6> bounds{};
-    actor->GetHierarchy()->GetBounds(bounds.data());
-    range = { bounds[4] - heights->GetOrigin()[2], bounds[5] - heights->GetOrigin()[2] };
-  }
+  actor->GetHeightRange(range.data());
   return range;
 }
 

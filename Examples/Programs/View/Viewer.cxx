@@ -26,7 +26,7 @@
 namespace
 {
 constexpr const char* kPictureFile = "terrain-view.png";
-constexpr double kExaggerationStep = 1.25;
+constexpr double kStepOfHeights = 1.25;
 /// Milliseconds between looks at where the pointer is.
 constexpr unsigned long kPointerInterval = 100;
 
@@ -230,8 +230,8 @@ void Viewer::MapKeys()
   const auto technique = [this] { return static_cast<int>(this->Terrain->GetTechnique()); };
   this->Keys['t'] = [this, technique] { this->SetTechnique(technique() + 1); };
   this->Keys['T'] = [this, technique] { this->SetTechnique(technique() - 1); };
-  this->Keys['+'] = [this] { this->Exaggerate(kExaggerationStep); };
-  this->Keys['-'] = [this] { this->Exaggerate(1.0 / kExaggerationStep); };
+  this->Keys['+'] = [this] { this->Exaggerate(kStepOfHeights); };
+  this->Keys['-'] = [this] { this->Exaggerate(1.0 / kStepOfHeights); };
   this->Keys['c'] = [this]
   {
     this->Colors = NextPalette(this->Colors);
@@ -288,7 +288,9 @@ void Viewer::SetTechnique(int technique)
 //------------------------------------------------------------------------------
 void Viewer::Exaggerate(double factor)
 {
-  this->Terrain->SetVerticalExaggeration(factor * this->Terrain->GetVerticalExaggeration());
+  double exaggeration = this->Terrain->GetVerticalExaggeration();
+  exaggeration *= factor;
+  this->Terrain->SetVerticalExaggeration(exaggeration);
 }
 
 //------------------------------------------------------------------------------

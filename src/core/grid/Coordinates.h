@@ -76,11 +76,17 @@ struct GridGeometry
     return normalGC / this->Scale();
   }
 
-  /// How much higher a point is drawn that is higher by so many height units.
+  ///@{
+  /// How much higher a point is drawn that is higher by so many height units, and back.
   double RiseToModel(double rise) const
   {
     return this->Exaggeration * rise;
   }
+  double RiseToHeights(double drawnRise) const
+  {
+    return drawnRise / this->Exaggeration;
+  }
+  ///@}
 
   /// Height units that are drawn as long as the side of a cell (the mean of its two sides).
   double HeightOfCellSide() const

@@ -134,8 +134,8 @@ SceneFrame SceneFrame::AtOrigin(SceneKind kind, const glm::dvec3& origin, double
   frame.TheOrigin = origin;
   frame.SinLatitude = std::sin(origin.y * kDegree);
   frame.CosLatitude = std::abs(origin.y) == 90.0 ? 0.0 : std::cos(origin.y * kDegree);
-  frame.Exaggeration = exaggeration;
-  const double height = frame.TheKind == SceneKind::Plane ? 0.0 : exaggeration * origin.z;
+  frame.Exaggeration = frame.TheKind == SceneKind::Local ? exaggeration : 1.0;
+  const double height = frame.TheKind == SceneKind::Plane ? 0.0 : frame.RiseToScene(origin.z);
   frame.Meridian = PlaceToGeocentric({ origin.x, origin.y, height }, origin.x);
   return frame;
 }
@@ -155,7 +155,7 @@ glm::dvec3 SceneFrame::ToScene(const glm::dvec3& place) const
   {
     case SceneKind::Local:
       return ToEastNorthUp(
-        PlaceToGeocentric({ place.x, place.y, this->Exaggeration * place.z }, this->TheOrigin.x) -
+        PlaceToGeocentric({ place.x, place.y, this->RiseToScene(place.z) }, this->TheOrigin.x) -
           this->Meridian,
         this->SinLatitude, this->CosLatitude);
     case SceneKind::Plane:

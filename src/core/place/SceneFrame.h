@@ -70,6 +70,11 @@ public:
     return this->IsNorthern;
   }
 
+  /// How much higher in the scene a point is whose place is higher by so many metres.
+  double RiseToScene(double metres) const
+  {
+    return this->Exaggeration * metres;
+  }
   glm::dvec3 ToScene(const glm::dvec3& place) const;
   /// Longitudes are in [-180, 180].
   glm::dvec3 ToPlace(const glm::dvec3& scene) const;
