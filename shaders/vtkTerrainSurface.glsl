@@ -17,6 +17,7 @@ struct TerrainSurface
   vec4 positionVC;
   vec3 normalVC;   // unit length, on the side of the viewer
   bool front;      // seen from above
+  bool cut;        // a face at which a plane cuts a block
   ivec2 cell;
   vec2 fraction;   // position in the cell, 0..1
   float code;      // height code
@@ -31,7 +32,7 @@ TerrainSurface terrainSurfaceAt(
   vec2 gradient = terrainPatchGradient(codes, fraction);
   vec3 normalVC = terrainNormalVC(
     terrainFlat == 1 ? gradient : terrainGradient(cell, fraction, codes, -positionVC.z));
-  return TerrainSurface(true, positionVC, front ? normalVC : -normalVC, front, cell, fraction,
+  return TerrainSurface(true, positionVC, front ? normalVC : -normalVC, front, false, cell, fraction,
     terrainPatchCode(codes, fraction), gradient, 0);
 }
 
@@ -143,6 +144,7 @@ TerrainSurface terrainSeen(vec2 pixel, vec4 proxyVC)
 #ifdef TERRAIN_BLOCK
   if (sighting.found && sighting.wall >= 0)
   {
+    surface.cut = true;
     surface.normalVC = -terrainClipPlanesVC[sighting.wall].xyz;
     surface.code = terrainPositionGC(pixel, sighting.distanceVC).z;
   }
@@ -184,7 +186,6 @@ bool terrainIsClipped(vec4 positionVC)
   return clipped;
 }
 
-uniform mat4 terrainViewToGrid; // view to grid coordinates
 uniform int terrainMirrored;    // 1 if triangles turn round on their way to the view
 
 // A normal of the surface, on the viewer's side. A mesh can be seen over a ridge where the surface below

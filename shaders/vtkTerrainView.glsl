@@ -22,6 +22,7 @@ uniform vec3 terrainBoxMaximum;
 uniform int terrainClipPlaneCount;
 uniform vec4 terrainClipPlanesVC[TERRAIN_CLIP_PLANES]; // kept is dot(plane, position) >= 0
 #endif
+uniform mat4 terrainViewToGrid; // view to grid coordinates
 uniform float terrainBegin; // where rays begin and end, along the viewing direction: PixelRays.h
 uniform float terrainFar;
 uniform ivec2 terrainViewportOrigin; // lower left pixel of the viewport

@@ -75,12 +75,14 @@ set(private_sources
   render/Features
   render/ModelCamera
   render/Paint
+  render/Lights
   render/Prepass
   render/ProgramGuard
   render/Proxy
   render/PyramidTexture
   render/Scene
   render/ShaderText
+  render/SkyTexture
   render/SlopeTexture
   render/SurfaceProgram
   render/SurfaceTextures
@@ -117,11 +119,15 @@ set(shaders
   vtkTerrainDistance
   vtkTerrainGradient
   vtkTerrainHeights
+  vtkTerrainLight
+  vtkTerrainLightCS
+  vtkTerrainOutlook
   vtkTerrainPyramid
   vtkTerrainRay
   vtkTerrainSearch
   vtkTerrainSighting
   vtkTerrainSightingCS
+  vtkTerrainSky
   vtkTerrainSurface
   vtkTerrainTileTrace
   vtkTerrainTiles

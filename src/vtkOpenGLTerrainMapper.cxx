@@ -103,18 +103,9 @@ vtkTerrainLookMacro(Block, bool);
 vtkTerrainLookMacro(BlockBase, double);
 vtkTerrainLookMacro(MaximumLayers, int);
 vtkTerrainLookMacro(SampleShading, bool);
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetDrape(vtkImageData* picture, const double bounds[4])
-{
-  this->Look->SetDrape(picture, bounds);
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetContourColor(double red, double green, double blue, double opacity)
-{
-  this->Look->SetContourColor(red, green, blue, opacity);
-}
+vtkTerrainLookMacro(SunShadows, bool);
+vtkTerrainLookMacro(SunAngle, double);
+vtkTerrainLookMacro(SkyLight, double);
 
 //------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::PictureModified()
@@ -483,6 +474,14 @@ void vtkOpenGLTerrainMapper::ReplaceShaderColor(ShaderMap shaders, vtkRenderer* 
 {
   this->Internals->Program.PaintColors(shaders);
   this->Superclass::ReplaceShaderColor(shaders, ren, act);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLTerrainMapper::ReplaceShaderLight(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
+{
+  this->Internals->Program.CastShadows(shaders);
+  this->Superclass::ReplaceShaderLight(shaders, ren, act);
+  this->Internals->Program.AddSkyLight(shaders, act->GetProperty()->GetInterpolation() == VTK_PBR);
 }
 
 //------------------------------------------------------------------------------

@@ -225,7 +225,10 @@ public:
   bool GetUseBeams() const;
   void SetColorSource(vtkTerrainLook::ColorSources source);
   vtkTerrainLook::ColorSources GetColorSource() const;
-  void SetDrape(vtkImageData* picture, const double bounds[4]);
+  void SetDrape(vtkImageData* picture, const double bounds[4])
+  {
+    this->Look->SetDrape(picture, bounds);
+  }
   void SetDrape(vtkImageData* picture);
   vtkImageData* GetDrape() const;
   void SetContours(bool show);
@@ -234,7 +237,10 @@ public:
   double GetContourInterval() const;
   void SetContourWidth(double pixels);
   double GetContourWidth() const;
-  void SetContourColor(double red, double green, double blue, double opacity = 1.0);
+  void SetContourColor(double red, double green, double blue, double opacity = 1.0)
+  {
+    this->Look->SetContourColor(red, green, blue, opacity);
+  }
   void SetHillshade(bool show);
   bool GetHillshade() const;
   void SetHillshadeAzimuth(double degrees);
@@ -249,6 +255,12 @@ public:
   int GetMaximumLayers() const;
   void SetSampleShading(bool shade);
   bool GetSampleShading() const;
+  void SetSunShadows(bool cast);
+  bool GetSunShadows() const;
+  void SetSunAngle(double degrees);
+  double GetSunAngle() const;
+  void SetSkyLight(double light);
+  double GetSkyLight() const;
   ///@}
 
   ///@{
@@ -325,6 +337,7 @@ protected:
   void ReplaceShaderDepth(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderNormal(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderColor(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
+  void ReplaceShaderLight(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderTCoord(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderClip(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderPicking(ShaderMap shaders, vtkRenderer* ren, vtkActor* act) override;

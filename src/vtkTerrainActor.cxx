@@ -160,16 +160,19 @@ vtkTerrainActor::Techniques vtkTerrainActor::GetTechnique() const
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainActor::SetVerticalExaggeration(double exaggeration)
-{
-  this->TerrainMapper->SetVerticalExaggeration(exaggeration);
-}
-
-//------------------------------------------------------------------------------
-double vtkTerrainActor::GetVerticalExaggeration() const
-{
-  return this->TerrainMapper->GetVerticalExaggeration();
-}
+#define vtkTerrainMapperMacro(Name, Type)                                                          \
+  void vtkTerrainActor::Set##Name(Type value)                                                      \
+  {                                                                                                \
+    this->TerrainMapper->Set##Name(value);                                                         \
+  }                                                                                                \
+  Type vtkTerrainActor::Get##Name() const                                                          \
+  {                                                                                                \
+    return this->TerrainMapper->Get##Name();                                                       \
+  }
+vtkTerrainMapperMacro(VerticalExaggeration, double);
+vtkTerrainMapperMacro(SunShadows, bool);
+vtkTerrainMapperMacro(SunAngle, double);
+vtkTerrainMapperMacro(SkyLight, double);
 
 //------------------------------------------------------------------------------
 void vtkTerrainActor::SetColorByHeight(bool color)

@@ -124,6 +124,17 @@ public:
   ///@}
 
   ///@{
+  /// Shadows of the surface on itself, the angular diameter of their sun and the light of the sky:
+  /// as vtkTerrainLook has them. Default none.
+  void SetSunShadows(bool cast);
+  bool GetSunShadows() const;
+  void SetSunAngle(double degrees);
+  double GetSunAngle() const;
+  void SetSkyLight(double light);
+  double GetSkyLight() const;
+  ///@}
+
+  ///@{
   /// Whether heights are shown in colours (default), or everything in that of the property.
   void SetColorByHeight(bool color);
   bool GetColorByHeight() const

@@ -70,6 +70,9 @@ void vtkTerrainLook::PrintSelf(ostream& os, vtkIndent indent)
   vtkTerrainPrintMacro(BlockBase);
   vtkTerrainPrintMacro(MaximumLayers);
   vtkTerrainPrintMacro(SampleShading);
+  vtkTerrainPrintMacro(SunShadows);
+  vtkTerrainPrintMacro(SunAngle);
+  vtkTerrainPrintMacro(SkyLight);
 #undef vtkTerrainPrintMacro
 }
 
@@ -133,6 +136,11 @@ vtkTerrainAnyMacro(Block, bool);
 vtkTerrainDemandMacro(BlockBase, double, std::isfinite(value), "a number");
 vtkTerrainDemandMacro(MaximumLayers, int, value >= 1, "1 or more, not " << value);
 vtkTerrainAnyMacro(SampleShading, bool);
+vtkTerrainAnyMacro(SunShadows, bool);
+vtkTerrainDemandMacro(
+  SunAngle, double, value >= 0.0 && value <= 90.0, "0 to 90 degrees, not " << value);
+vtkTerrainDemandMacro(
+  SkyLight, double, value >= 0.0 && std::isfinite(value), "0 or more, not " << value);
 
 //------------------------------------------------------------------------------
 void vtkTerrainLook::SetContourColor(double red, double green, double blue, double opacity)

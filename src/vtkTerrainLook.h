@@ -248,6 +248,39 @@ public:
   bool GetSampleShading() const;
   ///@}
 
+  ///@{
+  /// The surface lies in its own shadow: what it hides from a light gets none of that light. Each
+  /// point looks for each light of the renderer along a ray over the drawn (exaggerated) surface,
+  /// from any distance; there is no map and no bias. Lights that are off, headlights and lights
+  /// whose ShadowAttenuation is 0 cast no shadows; 8 lights do at most. A light below the horizon
+  /// is hidden by the ground like any other: it lights slopes that look down on it. The ground is
+  /// solid: no light passes under it from a hole, which itself lets light through. What clipping
+  /// planes cut off casts no shadow. Shadows of other actors are those of vtkShadowMapPass; both
+  /// combine. Tiles cast the shadows of the levels that the view has loaded. The underside has
+  /// none. Default off.
+  void SetSunShadows(bool cast);
+  bool GetSunShadows() const;
+  ///@}
+
+  ///@{
+  /// Angular diameter in degrees, 0 to 90, of lights that are infinitely far away: the sun's is
+  /// 0.53. Their shadows have soft edges then: a point sees the share of the disc that is above the
+  /// horizon in the middle of the disc, taken to be level across it (area of a circular segment).
+  /// Default 0: a point, and hard edges. It matters with SunShadows only.
+  void SetSunAngle(double degrees);
+  double GetSunAngle() const;
+  ///@}
+
+  ///@{
+  /// Light of an evenly bright sky, as a part of that of a light of intensity 1: each point gets
+  /// the share of it that it sees over the drawn surface, times its diffuse colour. The share is
+  /// the SkyView of vtkTerrainHorizon, from horizons in 16 directions, once for all views; of more
+  /// than 2^20 samples, from the means of squares of 2^k samples. 0 is none. Detail and other
+  /// actors hide none of the sky. Default 0.
+  void SetSkyLight(double light);
+  double GetSkyLight() const;
+  ///@}
+
   vtkTerrainLook(const vtkTerrainLook&) = delete;
   void operator=(const vtkTerrainLook&) = delete;
 
@@ -287,6 +320,9 @@ private:
     double BlockBase = 0.0;
     int MaximumLayers = 4;
     bool SampleShading = false;
+    bool SunShadows = false;
+    double SunAngle = 0.0;
+    double SkyLight = 0.0;
   };
   Settings Values;
 };

@@ -62,6 +62,9 @@ void setAll(Settings* look, vtkImageData* drape)
   look->SetBlockBase(-10.0);
   look->SetMaximumLayers(2);
   look->SetSampleShading(true);
+  look->SetSunShadows(true);
+  look->SetSunAngle(0.5);
+  look->SetSkyLight(0.25);
 }
 
 /// The lines that a look prints of itself, without those of its superclass.
@@ -89,7 +92,7 @@ TEST(TerrainLook, SetsAndCopiesEverySetting)
   setAll(look.Get(), drape);
   const std::vector<std::string> defaults = linesOf(plain);
   const std::vector<std::string> changed = linesOf(look);
-  ASSERT_EQ(defaults.size(), 28U); // a new setting is to be set above, too
+  ASSERT_EQ(defaults.size(), 31U); // a new setting is to be set above, too
   ASSERT_EQ(changed.size(), defaults.size());
   for (std::size_t k = 0; k < defaults.size(); ++k)
   {

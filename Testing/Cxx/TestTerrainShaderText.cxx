@@ -44,15 +44,16 @@ std::vector<Features> singleFeatures()
   {
     add(&Features::Way, way);
   }
-  for (const auto member : { &Features::IntegerHeights, &Features::BuffersPyramid,
-         &Features::Gathers, &Features::Tiles, &Features::Detail, &Features::Columns,
-         &Features::Within, &Features::Block, &Features::BelowBox, &Features::ReadsSightings,
-         &Features::ShiftsDepth, &Features::Textured, &Features::Paints })
+  for (const auto member :
+    { &Features::IntegerHeights, &Features::BuffersPyramid, &Features::Gathers, &Features::Tiles,
+      &Features::Detail, &Features::Columns, &Features::Within, &Features::Block,
+      &Features::BelowBox, &Features::ReadsSightings, &Features::ShiftsDepth, &Features::Textured,
+      &Features::Paints, &Features::ReadsLights, &Features::Sky })
   {
     add(member, true);
   }
-  for (const auto member :
-    { &Features::ClipPlanes, &Features::BeamPixels, &Features::DrapeComponents })
+  for (const auto member : { &Features::ClipPlanes, &Features::BeamPixels,
+         &Features::DrapeComponents, &Features::ShadowMask })
   {
     add(member, 3);
   }

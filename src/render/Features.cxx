@@ -7,6 +7,7 @@
 #include "core/surface/HeightSlopes.h"
 
 #include <array>
+#include <bitset>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -43,7 +44,8 @@ auto membersOf(const Features& features)
   return std::tie(features.Way, features.IntegerHeights, features.BuffersPyramid, features.Gathers,
     features.Tiles, features.Detail, features.Columns, features.Within, features.Block,
     features.BelowBox, features.ReadsSightings, features.ShiftsDepth, features.Textured,
-    features.Paints, features.ClipPlanes, features.BeamPixels, features.DrapeComponents);
+    features.Paints, features.ClipPlanes, features.BeamPixels, features.DrapeComponents,
+    features.ShadowMask, features.ReadsLights, features.Sky);
 }
 }
 
@@ -51,6 +53,13 @@ auto membersOf(const Features& features)
 bool Features::operator==(const Features& other) const
 {
   return membersOf(*this) == membersOf(other);
+}
+
+//------------------------------------------------------------------------------
+int Features::Shadows() const
+{
+  return static_cast<int>(
+    std::bitset<kMostShadows>(static_cast<unsigned>(this->ShadowMask)).count());
 }
 
 //------------------------------------------------------------------------------
@@ -78,7 +87,9 @@ std::string Features::Defines() const
     defineIf("TERRAIN_TEXTURED", this->Textured) + defineIf("TERRAIN_PAINT", this->Paints) +
     defineNumber("TERRAIN_CLIP_PLANES", this->ClipPlanes) +
     defineNumber("TERRAIN_BEAM_PIXELS", this->BeamPixels) +
-    defineNumber("TERRAIN_DRAPE", this->DrapeComponents);
+    defineNumber("TERRAIN_DRAPE", this->DrapeComponents) +
+    defineNumber("TERRAIN_SHADOWS", this->Shadows()) +
+    defineIf("TERRAIN_READ_LIGHTS", this->ReadsLights) + defineIf("TERRAIN_SKY", this->Sky);
 }
 
 //------------------------------------------------------------------------------
@@ -91,8 +102,8 @@ std::string Features::Constants()
     define("terrainBeamMargin", BeamMargin) + define("terrainBeamReach", BeamReach) +
     define("terrainColumnReach", ColumnReach) +
     define("terrainFirstSlopeLevel", 1.0 * kFirstSlopeLevel) +
-    define("terrainNotANumber", kNotANumber) + define("terrainColorMapSize", kColorMapSize) +
-    defineNumber("TERRAIN_GROUP_SIZE", kGroupSize);
+    define("terrainShareSteps", 1.0 * kShareSteps) + define("terrainNotANumber", kNotANumber) +
+    define("terrainColorMapSize", kColorMapSize) + defineNumber("TERRAIN_GROUP_SIZE", kGroupSize);
   for (std::size_t kind = 0; kind < kinds.size(); ++kind)
   {
     lines += define(kinds[kind], kind);

@@ -31,6 +31,10 @@ constexpr float kNotANumber = -3e38f;
 constexpr int kGroupSize = 8;
 /// Side of the tiles of pixels whose rays begin at a common start.
 constexpr int kBeamPixels = 8;
+/// Most lights that cast shadows; those of VTK's shaders with a higher number cast none.
+constexpr int kMostShadows = 8;
+/// Steps of a light's share in a texel, two to a float: 2^24 is its last whole number.
+constexpr int kShareSteps = 4096;
 
 struct Features
 {
@@ -62,6 +66,9 @@ struct Features
   int ClipPlanes = 0;          ///< most clipping planes
   int BeamPixels = 0;          ///< kBeamPixels if starts of tiles are known
   int DrapeComponents = 0;     ///< of the draped picture
+  int ShadowMask = 0;          ///< bit i: VTK's light i casts shadows; see kMostShadows
+  bool Sky = false;            ///< the sky gives light
+  bool ReadsLights = false;    ///< a compute shader has looked for the lights
 
   bool FindsSurface() const
   {
@@ -71,6 +78,8 @@ struct Features
   {
     return this->Way > Ways::Mesh;
   }
+  /// How many lights cast shadows.
+  int Shadows() const;
   bool operator==(const Features& other) const;
   bool operator!=(const Features& other) const
   {

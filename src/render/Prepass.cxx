@@ -59,8 +59,22 @@ std::string Prepass::ComputeSightings(const PrepassFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void Prepass::ForgetSightings()
+std::string Prepass::ComputeLights(const PrepassFrame& frame)
 {
+  Features features = ofHeights(frame.Features);
+  features.Columns = frame.Features.Columns;
+  features.ClipPlanes = frame.Features.ClipPlanes;
+  features.ShadowMask = frame.Features.ShadowMask;
+  features.ReadsSightings = true;
+  return this->LightShares.Fill(
+    frame.Window, features, [&] { return Technique::LightSource(features); }, frame.Size, 4,
+    frame.SetUniforms);
+}
+
+//------------------------------------------------------------------------------
+void Prepass::ForgetLayer()
+{
+  this->LightShares.Finish();
   this->Sightings.Finish();
   this->Sightings.Forget();
 }
@@ -70,6 +84,7 @@ void Prepass::Finish()
 {
   this->BeamStarts.Finish();
   this->Sightings.Finish();
+  this->LightShares.Finish();
 }
 
 //------------------------------------------------------------------------------
@@ -77,6 +92,7 @@ void Prepass::AddFeatures(Features& features) const
 {
   features.BeamPixels = this->BeamStarts.IsFilled() ? kBeamPixels : 0;
   features.ReadsSightings = this->Sightings.IsFilled();
+  features.ReadsLights = this->LightShares.IsFilled();
 }
 
 //------------------------------------------------------------------------------
@@ -88,6 +104,10 @@ void Prepass::SetUniforms(Uniforms& uniforms, const SurfaceTextures& surface)
     // with detail, beams stop farther off, counted in its cells: half of its levels higher
     uniforms.Set("terrainPyramidStart",
       std::min(surface.GetPyramidTop(), BeamLevel) + surface.GetDetailLevel() / 2);
+  }
+  if (uniforms.Uses("terrainLightShares"))
+  {
+    uniforms.Set("terrainLightShares", this->LightShares.GetTextureUnit());
   }
   if (uniforms.Uses("terrainSightings"))
   {
@@ -120,5 +140,6 @@ void Prepass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->BeamStarts.ReleaseGraphicsResources(window);
   this->Sightings.ReleaseGraphicsResources(window);
+  this->LightShares.ReleaseGraphicsResources(window);
 }
 }

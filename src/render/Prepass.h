@@ -45,8 +45,10 @@ public:
   std::string ComputeBeams(const PrepassFrame& frame);
   std::string ComputeSightings(const PrepassFrame& frame);
   ///@}
-  /// Ends the use of sightings, and leaves none to be read.
-  void ForgetSightings();
+  /// Computes the lights that the points of the layer's sightings see, which must be there.
+  std::string ComputeLights(const PrepassFrame& frame);
+  /// Ends the use of sightings and their lights, and leaves none to be read.
+  void ForgetLayer();
   void Finish();
 
   /// Adds what the program that draws has to know of what has been computed.
@@ -61,6 +63,7 @@ public:
 private:
   ComputeTexture BeamStarts;
   ComputeTexture Sightings;
+  ComputeTexture LightShares;
 };
 }
 #endif

@@ -32,6 +32,19 @@ bool Scene::CastsRays(vtkActor* actor) const
 }
 
 //------------------------------------------------------------------------------
+bool Scene::CastsShadows(vtkActor* actor) const
+{
+  return this->Look->GetSunShadows() && this->IsFound(actor) && actor->GetProperty()->GetLighting();
+}
+
+//------------------------------------------------------------------------------
+bool Scene::HasSkyLight(vtkActor* actor) const
+{
+  return this->Look->GetSkyLight() > 0.0 && this->IsFound(actor) &&
+    actor->GetProperty()->GetLighting();
+}
+
+//------------------------------------------------------------------------------
 GridGeometry Scene::Geometry() const
 {
   GridGeometry geometry = this->Surface.GetGeometry();
@@ -88,7 +101,7 @@ void Scene::GetBounds(double bounds[6]) const
 std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  this->Why = this->Surface.Upload(window, this->CastsRays(actor));
+  this->Why = this->Surface.Upload(window, this->CastsRays(actor) || this->CastsShadows(actor));
   if (!this->Why.empty())
   {
     return "Cannot draw the terrain: " + this->Why;
@@ -100,6 +113,19 @@ std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
     renderer, actor, ModelFromGrid(this->Geometry(), codes), this->Proxy.GetBounds());
   this->View.SetClippingPlanes(this->Mapper, actor,
     this->Cutting.PlanesGC(this->Drawn(), codes.ToCode(this->Cutting.BlockBase)));
+  this->Lights.Clear();
+  if (this->CastsShadows(actor))
+  {
+    const std::string lights = this->Lights.Update(renderer, this->View, this->Look->GetSunAngle());
+    words = words.empty() ? lights : words;
+  }
+  this->SkyShines = this->HasSkyLight(actor);
+  if (this->SkyShines &&
+    !this->Sky.Upload(window, this->Surface.GetImage(), this->Look->GetVerticalExaggeration()))
+  {
+    this->Why = "the light of the sky takes more memory than there is";
+    return "Cannot draw the terrain: " + this->Why;
+  }
   if (this->Surface.HasTiles())
   {
     this->Why = this->Surface.Tiles.Update(
@@ -110,6 +136,7 @@ std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
     }
   }
   this->Surface.Activate();
+  this->Sky.Activate();
   const int planes = this->Mapper->GetNumberOfClippingPlanes();
   return !words.empty() || planes <= View::MostMapperPlanes
     ? words
@@ -152,20 +179,26 @@ std::string Scene::BeginLayer(
   int layer, vtkRenderer* renderer, vtkActor* actor, const Features& features)
 {
   this->Layer = layer;
-  this->Prepass.ForgetSightings();
+  this->Prepass.ForgetLayer();
   const vtkTerrainLook::ComputeModes mode = this->Look->GetComputeMode();
   const bool uses = features.CastsRays() && mode != vtkTerrainLook::ComputeModes::Off &&
     (mode == vtkTerrainLook::ComputeModes::On || Driver::Current().ComputesSightings) &&
     !this->Look->GetSampleShading() && // sightings are one a pixel
     ComputeProgram::IsSupported();
-  return uses ? this->Prepass.ComputeSightings(this->MakeFrame(renderer, actor, features))
-              : std::string();
+  if (!uses)
+  {
+    return {};
+  }
+  const PrepassFrame frame = this->MakeFrame(renderer, actor, features);
+  const std::string words = this->Prepass.ComputeSightings(frame);
+  return words.empty() && features.ShadowMask != 0 ? this->Prepass.ComputeLights(frame) : words;
 }
 
 //------------------------------------------------------------------------------
 void Scene::Finish()
 {
   this->Surface.Deactivate();
+  this->Sky.Deactivate();
   this->Prepass.Finish();
 }
 
@@ -186,6 +219,8 @@ void Scene::AddFeatures(Features& features) const
     features.BelowBox = !this->View.IsEyeInBox();
     this->Prepass.AddFeatures(features);
   }
+  features.ShadowMask = this->Lights.GetMask();
+  features.Sky = this->SkyShines;
   if (technique.IsExact())
   {
     features.Columns = this->Look->GetSurface() == vtkTerrainLook::Surfaces::Columns;
@@ -199,6 +234,9 @@ void Scene::SetUniforms(Uniforms& uniforms, vtkActor* actor)
   const GridGeometry geometry = this->Geometry();
   this->Surface.SetUniforms(uniforms, geometry, this->Look);
   this->View.SetUniforms(uniforms);
+  this->Lights.SetUniforms(uniforms);
+  this->Sky.SetUniforms(uniforms);
+  uniforms.Set("terrainSkyLight", static_cast<float>(this->Look->GetSkyLight()));
   this->View.SetTolerance(uniforms, this->GetPixelTolerance());
   this->GetTechnique().SetSearchUniforms(uniforms, this->Look, this->Surface, geometry);
   this->Prepass.SetUniforms(uniforms, this->Surface);
@@ -228,6 +266,7 @@ void Scene::ExaggerateVertices(Uniforms& uniforms, vtkRenderer* renderer, vtkAct
 void Scene::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Surface.ReleaseGraphicsResources(window);
+  this->Sky.ReleaseGraphicsResources(window);
   this->Prepass.ReleaseGraphicsResources(window);
 }
 }

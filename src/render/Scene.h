@@ -12,8 +12,10 @@
 #define vtkTerrain_render_Scene_h
 
 #include "core/surface/Cutting.h"
+#include "render/Lights.h"
 #include "render/Prepass.h"
 #include "render/Proxy.h"
+#include "render/SkyTexture.h"
 #include "render/SurfaceTextures.h"
 #include "render/Technique.h"
 #include "render/View.h"
@@ -77,6 +79,10 @@ public:
 
   /// True if an actor shows the surface, not the lines and points of the mapper's port 0.
   bool IsFound(vtkActor* actor) const;
+  /// True if lights cast shadows over it.
+  bool CastsShadows(vtkActor* actor) const;
+  /// True if the sky gives light.
+  bool HasSkyLight(vtkActor* actor) const;
   /// True if the technique casts rays for it.
   bool CastsRays(vtkActor* actor) const;
   /// The technique in use.
@@ -97,6 +103,8 @@ public:
   terrain::Cutting Cutting;
   terrain::Proxy Proxy;
   terrain::View View;
+  terrain::Lights Lights;
+  SkyTexture Sky;
   terrain::Prepass Prepass;
 
 private:
@@ -106,6 +114,7 @@ private:
 
   vtkMapper* Mapper;
   vtkTerrainLook* Look;
+  bool SkyShines = false;
   /// Surfaces that rays pass by.
   int Layer = 0;
 };

@@ -80,6 +80,50 @@ void SurfaceProgram::ReplaceNormal(Shaders& shaders, bool hasCoat)
 }
 
 //------------------------------------------------------------------------------
+// Variables of main() with the names of VTK's uniforms stand in their place, in all that follows.
+void SurfaceProgram::CastShadows(Shaders& shaders)
+{
+  std::string code;
+  if (this->Features.ShadowMask != 0)
+  {
+    code = "  float terrainShares[TERRAIN_SHADOWS];\n"
+           "  terrainFindShares(gl_FragCoord.xy, terrainPoint, terrainShares);\n";
+  }
+  int share = 0;
+  for (int light = 0; light < kMostShadows; ++light)
+  {
+    if (((this->Features.ShadowMask >> light) & 1) != 0)
+    {
+      const std::string color = "lightColor" + std::to_string(light);
+      code += "  vec3 " + color + " = terrainShares[" + std::to_string(share++) + "] * " + color;
+      code += ";\n";
+    }
+  }
+  if (this->Features.Sky)
+  {
+    code += "  ambientColor += terrainSkyShare(terrainPoint) * diffuseColor;\n";
+  }
+  if (!code.empty())
+  {
+    ShaderText(shaders[vtkShader::Fragment], this->Problem).Before("//VTK::Light::Impl", code);
+  }
+}
+
+//------------------------------------------------------------------------------
+// VTK's code adds no ambient colour to these materials.
+void SurfaceProgram::AddSkyLight(Shaders& shaders, bool physicallyBased)
+{
+  if (this->Features.Sky && physicallyBased)
+  {
+    ShaderText(shaders[vtkShader::Fragment], this->Problem)
+      .Require("vec3 Lo = vec3(0.0);",
+        "vec3 Lo = terrainSkyShare(terrainPoint) * (1.0 - metallic) * pow(diffuseColor, "
+        "vec3(2.2));",
+        "the sky would give no light");
+  }
+}
+
+//------------------------------------------------------------------------------
 void SurfaceProgram::PaintColors(Shaders& shaders)
 {
   if (this->Features.Paints)

@@ -36,6 +36,10 @@ public:
   void ShiftDepth(Shaders& shaders);
   /// Replaces: the normal is the surface's, not the proxy's; that of a coat as well.
   void ReplaceNormal(Shaders& shaders, bool hasCoat);
+  /// Extends: what VTK's lights give is taken away in shadows, and what the sky gives is added.
+  void CastShadows(Shaders& shaders);
+  /// Follows: of the sky's light in physically based materials. Behind VTK's code.
+  void AddSkyLight(Shaders& shaders, bool physicallyBased);
   /// Extends: the colours of VTK's code are painted over where the surface has its own.
   void PaintColors(Shaders& shaders);
   /// Follows: texture coordinates are the surface's. Behind VTK's code.

@@ -13,11 +13,15 @@
 #include "vtkTerrainColumns.h"
 #include "vtkTerrainGradient.h"
 #include "vtkTerrainHeights.h"
+#include "vtkTerrainLight.h"
+#include "vtkTerrainLightCS.h"
+#include "vtkTerrainOutlook.h"
 #include "vtkTerrainPyramid.h"
 #include "vtkTerrainRay.h"
 #include "vtkTerrainSearch.h"
 #include "vtkTerrainSighting.h"
 #include "vtkTerrainSightingCS.h"
+#include "vtkTerrainSky.h"
 #include "vtkTerrainSurface.h"
 #include "vtkTerrainTileTrace.h"
 #include "vtkTerrainTiles.h"
@@ -65,12 +69,16 @@ std::string commonFunctions(const Features& features)
     vtkTerrainColumns + vtkTerrainRay + vtkTerrainView;
 }
 
+std::string pyramidFunctions(const Features& features)
+{
+  return std::string(vtkTerrainPyramid) + (features.Tiles ? vtkTerrainTileTrace : "");
+}
+
 std::string castFunctions(const Features& features)
 {
-  return std::string(vtkTerrainPyramid) +
-    (features.Way == Features::Ways::Pyramid ? "" : vtkTerrainSearch) +
-    (features.Tiles ? vtkTerrainTileTrace : "") + vtkTerrainTrace + vtkTerrainSighting +
-    vtkTerrainCast;
+  return pyramidFunctions(features) +
+    (features.Way == Features::Ways::Pyramid ? "" : vtkTerrainSearch) + vtkTerrainTrace +
+    vtkTerrainSighting + vtkTerrainCast;
 }
 }
 
@@ -88,7 +96,13 @@ std::string Technique::FragmentFunctions(const Features& features)
   {
     functions += features.ReadsSightings ? vtkTerrainSighting : castFunctions(features);
   }
-  return functions + vtkTerrainGradient + vtkTerrainSurface + vtkTerrainColor;
+  functions += std::string(vtkTerrainGradient) + vtkTerrainSurface + vtkTerrainColor;
+  const bool looks = features.ShadowMask != 0 && !features.ReadsLights;
+  const bool hasPyramid = features.CastsRays() && !features.ReadsSightings;
+  functions += looks && !hasPyramid ? pyramidFunctions(features) : "";
+  functions += looks ? vtkTerrainOutlook : "";
+  functions += features.ShadowMask != 0 ? vtkTerrainLight : "";
+  return functions + (features.Sky ? vtkTerrainSky : "");
 }
 
 //------------------------------------------------------------------------------
@@ -103,6 +117,14 @@ std::string Technique::SightingSource(const Features& features)
 {
   return features.Defines() + commonFunctions(features) + castFunctions(features) +
     vtkTerrainSightingCS;
+}
+
+//------------------------------------------------------------------------------
+std::string Technique::LightSource(const Features& features)
+{
+  return features.Defines() + commonFunctions(features) + pyramidFunctions(features) +
+    vtkTerrainSighting + vtkTerrainGradient + vtkTerrainSurface + vtkTerrainOutlook +
+    vtkTerrainLight + vtkTerrainLightCS;
 }
 
 //------------------------------------------------------------------------------

@@ -46,10 +46,12 @@ public:
 
   ///@{
   /// The functions of a fragment shader; the sources of the compute shaders that find where beams
-  /// start and cast all rays ahead, without version lines.
+  /// start, cast all rays ahead, and look for the lights from where they meet the surface, without
+  /// version lines.
   static std::string FragmentFunctions(const Features& features);
   static std::string BeamSource(const Features& features);
   static std::string SightingSource(const Features& features);
+  static std::string LightSource(const Features& features);
   ///@}
 
 private:

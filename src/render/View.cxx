@@ -89,6 +89,7 @@ void View::Update(
   this->GridFromView = glm::inverse(viewFromGrid);
   this->DisplayFromGrid = camera.DisplayFromView * viewFromGrid;
   this->ModelFromView = glm::inverse(viewFromModel);
+  this->HeightOfCode = modelFromGrid[2][2];
   this->OrientationKept = glm::determinant(glm::dmat3(viewFromGrid)) > 0.0;
   this->Box = box;
   const auto nearBounds = NearBoundsGC(this->Rays, pixels);

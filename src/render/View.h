@@ -73,6 +73,21 @@ public:
   {
     return this->OrientationKept;
   }
+  ///@{
+  /// Matrices from view to grid and to model coordinates, and the height of a code in the model.
+  const glm::dmat4& GetGridFromView() const
+  {
+    return this->GridFromView;
+  }
+  const glm::dmat4& GetModelFromView() const
+  {
+    return this->ModelFromView;
+  }
+  double GetHeightOfCode() const
+  {
+    return this->HeightOfCode;
+  }
+  ///@}
   /// Width and height in pixels.
   glm::ivec2 GetSize() const
   {
@@ -87,6 +102,7 @@ private:
   glm::dmat4 GridFromView{ 1.0 };
   glm::dmat4 DisplayFromGrid{ 1.0 };
   glm::dmat4 ModelFromView{ 1.0 };
+  double HeightOfCode = 1.0;
   glm::ivec4 Viewport{ 0 };
   BoxGC Box{};
   std::vector<glm::vec4> PlanesVC;

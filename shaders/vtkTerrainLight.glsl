@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How much of each light a point of the surface sees over the surface. Needs vtkTerrainView.glsl; to cast
+// rays, vtkTerrainHorizon.glsl; in a fragment shader, vtkTerrainSurface.glsl.
+// Defines: TERRAIN_SHADOWS, how many lights cast shadows; TERRAIN_CLIP_PLANES and TERRAIN_COLUMNS as in
+// vtkTerrainCast.glsl; TERRAIN_READ_LIGHTS if a compute shader has cast the rays (vtkTerrainLightCS.glsl).
+// Constant: terrainShareSteps, steps of a share in a texel (kShareSteps in src/render/Features.h).
+//
+// A sun is a disc of even brightness, whose share above a level horizon is that of the circle beyond a
+// chord: (acos(x) - x sqrt(1 - x^2)) / pi for a chord at x radii from the centre, by the area of a
+// circular segment. The horizon is that of the sun's azimuth, taken to be level across the disc.
+
+#ifdef TERRAIN_READ_LIGHTS
+uniform sampler2D terrainLightShares; // one texel a pixel: terrainPackShares()
+
+void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERRAIN_SHADOWS])
+{
+  vec4 texel = texelFetch(terrainLightShares, ivec2(pixel) - terrainViewportOrigin, 0);
+  for (int i = 0; i < TERRAIN_SHADOWS; ++i)
+  {
+    float pair = texel[i >> 1];
+    float high = floor(pair / terrainShareSteps);
+    shares[i] = ((i & 1) == 0 ? pair - high * terrainShareSteps : high) / (terrainShareSteps - 1.0);
+  }
+}
+#else
+uniform vec4 terrainLightsGC[TERRAIN_SHADOWS];    // sun: direction in cells, of length 1 or, at the zenith,
+                                                  // 0; tangents of the disc's lower and upper edge
+uniform vec4 terrainLightsVC[TERRAIN_SHADOWS];    // sun: the same way in view coordinates, w = 0;
+                                                  // lamp: position, w = 1
+uniform vec4 terrainLightDiscs[TERRAIN_SHADOWS];  // altitude and radius of the disc, radians; tangent in
+                                                  // the model over that in codes per cell; share of
+                                                  // the light that a shadow takes away
+
+// The share of a sun's disc above a horizon; disc: terrainLightDiscs.
+float terrainDiscShare(vec4 disc, float tangent)
+{
+  float x = clamp((atan(tangent * disc.z) - disc.x) / max(disc.y, 1e-6), -1.0, 1.0);
+  return (acos(x) - x * sqrt(1.0 - x * x)) / 3.14159265;
+}
+
+// Distance along a way of directionVC a unit at which the first clipping plane ends it.
+float terrainPlaneEnd(vec3 positionVC, vec3 directionVC, float end)
+{
+#ifdef TERRAIN_CLIP_PLANES
+  for (int i = 0; i < terrainClipPlaneCount; ++i)
+  {
+    float inside = max(dot(terrainClipPlanesVC[i], vec4(positionVC, 1.0)), 0.0);
+    float leaving = -dot(terrainClipPlanesVC[i].xyz, directionVC);
+    end = leaving > 0.0 ? min(end, inside / leaving) : end;
+  }
+#endif
+  return end;
+}
+
+// The share of a light that a point sees; outlook: of the point, its way still to be set. None is looked
+// for where the light is behind the normal.
+float terrainLightShare(int light, TerrainOutlook outlook, vec3 positionVC, vec3 normalVC)
+{
+  vec4 wayGC = terrainLightsGC[light];
+  vec4 wayVC = terrainLightsVC[light];
+  float end = 1e30;
+  if (wayVC.w > 0.0)
+  {
+    wayVC.xyz -= positionVC;
+    vec3 way = mat3(terrainViewToGrid) * wayVC.xyz;
+    end = length(way.xy);
+    float pace = 1.0 / max(end, 1e-20);
+    wayGC = vec4(way.xy, way.zz) * pace;
+    wayVC.xyz *= pace;
+  }
+  outlook.direction = wayGC.xy;
+  outlook.low = wayGC.z;
+  outlook.high = wayGC.w;
+  outlook.end = terrainPlaneEnd(positionVC, wayVC.xyz, end);
+  float share = wayGC.w > 0.0 ? 1.0 : 0.0; // of a light overhead
+  if (dot(wayGC.xy, wayGC.xy) > 0.25 && end > 1e-6 && dot(normalVC, wayVC.xyz) >= 0.0)
+  {
+    float tangent = terrainHorizonTangent(outlook);
+    share = tangent <= wayGC.z ? 1.0 : tangent > wayGC.w ? 0.0 :
+      terrainDiscShare(terrainLightDiscs[light], tangent);
+  }
+  return 1.0 - terrainLightDiscs[light].w * (1.0 - share);
+}
+
+// The shares that a point of the surface sees of all lights that cast shadows, in a pixel. Those behind
+// a block's cut faces, where nothing is left, and those of the underside are whole: VTK's own light.
+void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERRAIN_SHADOWS])
+{
+  vec4 codes = terrainCellCodes(surface.cell);
+  TerrainOutlook outlook = TerrainOutlook(surface.cell, surface.fraction, codes,
+    terrainPatchCode(codes, surface.fraction), vec2(0.0), 0.0, 0.0, 0.0);
+#ifdef TERRAIN_COLUMNS
+  // The pixel's ray has come through the air before a wall: the way begins there.
+  vec3 ray = terrainAtPixelGC(pixel);
+  TerrainColumnFace face = terrainFindColumnFace(codes, surface.fraction, ray);
+  outlook.fraction = clamp(surface.fraction - terrainColumnReach * sign(ray.xy), 0.0, 1.0);
+  outlook.code =
+    face.normal.z > 0.0 ? face.code : terrainPositionGC(pixel, -surface.positionVC.z).z;
+#endif
+  for (int i = 0; i < TERRAIN_SHADOWS; ++i)
+  {
+    shares[i] = surface.cut || !surface.front
+      ? 1.0
+      : terrainLightShare(i, outlook, surface.positionVC.xyz, surface.normalVC);
+  }
+}
+#endif

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How high the surface stands before a light: the horizon of a point of the surface in one direction,
+// through the max pyramid. Needs vtkTerrainPyramid.glsl; for columns, vtkTerrainColumns.glsl; for tiles,
+// vtkTerrainTileTrace.glsl.
+//
+// The horizon is the highest tangent (h(s) - h(0)) / s over all distances s > 0 at which there is
+// surface, as in src/core/rays/Horizon.h; the ground is solid, so that no light comes up through a hole.
+// The ray starts on the surface itself. Its own patch counts by the slope b and the bend a that the patch
+// has in the direction: the tangent there is b + a s, in which h(0) does not appear. No distance and no
+// height is added to get off the surface. Beyond, the ray that runs at the horizon so far goes through
+// the pyramid as in vtkTerrainPyramid.glsl, and rises where it meets something higher.
+
+// A way over the grid from a point of the surface.
+struct TerrainOutlook
+{
+  ivec2 cell;
+  vec2 fraction;   // position in the cell, 0..1
+  vec4 codes;      // of the cell's corners
+  float code;      // height of the point
+  vec2 direction;  // of length 1, in cells
+  float low;       // tangents, codes per cell: lower horizons count as this
+  float high;      // the search ends where the horizon is higher
+  float end;       // distance at which it ends, cells
+};
+
+// The highest tangent to three points of the surface, height over distance, that lie above the ray of
+// a tangent by more than rounding; else that tangent.
+float terrainRaise(float tangent, vec3 heights, vec3 distances, float rounding)
+{
+  vec3 tangents = mix(vec3(tangent), heights / max(distances, vec3(1e-9)),
+    greaterThan(heights - tangent * distances, vec3(rounding)));
+  return max(max(tangents.x, tangents.y), max(tangents.z, tangent));
+}
+
+#ifdef TERRAIN_COLUMNS
+// The tangent of a ray that has passed the columns of a cell, which are level: each is highest at its
+// near end if it stands above the ray's origin, else at its far end.
+float terrainPassCell(
+  float tangent, vec4 codes, float originCode, vec2 begin, vec2 end, vec2 span, float rounding)
+{
+  bvec2 from = greaterThanEqual(begin, vec2(0.5));
+  bvec2 to = greaterThanEqual(end, vec2(0.5));
+  vec2 wall = mix(vec2(1.0), clamp((0.5 - begin) / (end - begin), vec2(0.0), vec2(1.0)),
+    notEqual(from, to));
+  bvec2 between = wall.x <= wall.y ? bvec2(to.x, from.y) : bvec2(from.x, to.y);
+  vec3 heights = vec3(terrainColumnCode(codes, from), terrainColumnCode(codes, between),
+                   terrainColumnCode(codes, to)) - originCode;
+  vec2 walls = mix(span.xx, span.yy, vec2(min(wall.x, wall.y), max(wall.x, wall.y)));
+  vec3 nearEnds = vec3(span.x, walls);
+  vec3 farEnds = vec3(walls, span.y);
+  return terrainRaise(terrainRaise(tangent, heights, nearEnds, rounding), heights, farEnds, rounding);
+}
+#else
+// The tangent of a ray that has passed the patch of a cell between two positions in it, as fractions,
+// and two distances. Over the ray the height is c + b u + a u^2 for u = 0..1, and the tangent to it
+// highest at an end or, if a < 0, where a L u^2 + 2 a s u + b s - L c = 0, with the distance s + L u.
+float terrainPassCell(
+  float tangent, vec4 codes, float originCode, vec2 begin, vec2 end, vec2 span, float rounding)
+{
+  vec2 move = end - begin;
+  float bend = ((codes.x - codes.y) - (codes.z - codes.w)) * move.x * move.y;
+  float atBegin = terrainPatchCode(codes - originCode, begin);
+  float atEnd = terrainPatchCode(codes - originCode, end);
+  float slope = atEnd - atBegin - bend;
+  float length = span.y - span.x;
+  float square = length * (slope * span.x - length * atBegin) / max(-bend, 1e-30);
+  float root = span.x + sqrt(max(span.x * span.x + square, 0.0));
+  float summit = bend < 0.0 ? clamp(square / max(length * root, 1e-20), 0.0, 1.0) : 0.0;
+  return terrainRaise(tangent, vec3(atBegin, atEnd, atBegin + summit * (slope + summit * bend)),
+    vec3(span, mix(span.x, span.y, summit)), rounding);
+}
+#endif
+
+// The path of a ray at the tangent: the heights on it have their origin at the point's own.
+void terrainAim(inout TerrainPath path, inout TerrainStep at, float tangent)
+{
+  path.direction.z = tangent;
+  path.inverse.z = abs(tangent) < 1e-30 ? 0.0 : 1.0 / tangent;
+  at.z = path.origin.z + tangent * at.s;
+}
+
+// The horizon of the point's own cell: the tangent, and the step out of the cell.
+float terrainLeaveCell(TerrainOutlook outlook, TerrainPath path, inout TerrainStep at, out bool ends)
+{
+  // A point on the far side of its cell leaves it at once: its own cell is the next.
+  vec2 position = path.origin.xy - vec2(at.cell - path.anchor);
+  at.cell += ivec2(greaterThanEqual(position, vec2(1.0))) * ivec2(greaterThan(path.direction.xy, vec2(0.0)));
+  ends = any(greaterThan(at.cell, path.lastCell));
+  at.cell = min(at.cell, path.lastCell);
+  ivec2 cell = at.cell ^ path.mirror;
+  vec4 codes = cell == outlook.cell ? outlook.codes : terrainCellCodes(cell);
+  TerrainSpan span = terrainNodeSpan(path, at);
+  vec2 begin = terrainCellFraction(path, at.cell, 0.0, 0, 0.0);
+#ifdef TERRAIN_COLUMNS
+  vec2 end = terrainCellFraction(path, at.cell, span.s, span.ends ? 0 : span.crossEast ? 1 : 2, 1.0);
+  float tangent = terrainPassCell(outlook.low, codes, outlook.code, begin, end, vec2(0.0, span.s),
+    1e-6 * terrainMaximumCode);
+#else
+  float slope = dot(terrainPatchGradient(codes, begin), outlook.direction);
+  float bend = ((codes.x - codes.y) - (codes.z - codes.w)) * outlook.direction.x * outlook.direction.y;
+  float tangent = max(outlook.low, slope + max(bend * span.s, 0.0));
+#endif
+  tangent = terrainCellValid(codes) ? tangent : outlook.low;
+  ends = ends || span.ends;
+  at = terrainNextStep(path, at, span, false, span.s);
+#ifdef TERRAIN_TILES
+  at.line = 0; // of cells, which nodes of coarser tiles do not have
+#endif
+  return tangent;
+}
+
+// The path of the ray from a point, and its first step.
+TerrainPath terrainOutlookPath(TerrainOutlook outlook, out TerrainStep at)
+{
+  float anchorCode = clamp(outlook.code, 0.0, terrainMaximumCode);
+  TerrainRay ray = TerrainRay(outlook.cell, vec3(outlook.fraction, anchorCode),
+    vec3(outlook.direction, outlook.low), 0.0, outlook.end, outlook.code - anchorCode);
+  TerrainPath path = terrainMirrorRay(ray);
+#ifndef TERRAIN_COLUMNS
+  path.origin.z = terrainPatchCode(outlook.codes - anchorCode, outlook.fraction);
+#endif
+  path = terrainClipPath(path);
+  ivec2 cell = clamp(outlook.cell ^ path.mirror, path.firstCell, path.lastCell);
+  at = TerrainStep(cell, 0, 0.0, path.origin.z, 0);
+  return path;
+}
+
+// The tangent of a ray that has passed a node by the patch over it, of these codes; of a cell, level 0.
+float terrainPassNode(
+  TerrainPath path, TerrainStep at, TerrainSpan span, vec4 codes, float tangent)
+{
+  int leaves = span.ends ? 0 : span.crossEast ? 1 : 2;
+#ifdef TERRAIN_TILES
+  vec2 begin = terrainNodeFraction(path, at.cell, at.level, at.s, at.line, 0.0);
+  vec2 end = terrainNodeFraction(path, at.cell, at.level, span.s, leaves, 1.0);
+#else
+  vec2 begin = terrainCellFraction(path, at.cell, at.s, at.line, 0.0);
+  vec2 end = terrainCellFraction(path, at.cell, span.s, leaves, 1.0);
+#endif
+  bool valid = terrainCellValid(codes);
+  codes -= path.anchorCode;
+  float rounding = 5e-7 * (dot(abs(codes), vec4(1.0)) + abs(at.z));
+  float passed =
+    terrainPassCell(tangent, codes, path.origin.z, begin, end, vec2(at.s, span.s), rounding);
+  return valid ? passed : tangent;
+}
+
+// The step after a node whose highest code is given: down if the ray meets that. Ended: the ray ends.
+TerrainStep terrainPassTop(
+  TerrainPath path, TerrainStep at, TerrainSpan span, float topCode, out bool down)
+{
+  float top = topCode - path.anchorCode + path.slack;
+  down = min(at.z, span.z) <= top;
+  float meets = path.direction.z < 0.0 ? at.s + (top - at.z) * path.inverse.z : at.s;
+  return terrainNextStep(path, at, span, down, down ? clamp(meets, at.s, span.s) : span.s);
+}
+
+// The horizon of a point as a tangent: that of outlook.low if nothing is higher, and any that is above
+// outlook.high for all such.
+float terrainHorizonTangent(TerrainOutlook outlook)
+{
+  TerrainStep at;
+  TerrainPath path = terrainOutlookPath(outlook, at);
+  bool ended;
+  float tangent = terrainLeaveCell(outlook, path, at, ended);
+  ended = ended || tangent > outlook.high || !(path.sEnd > 0.0);
+  terrainAim(path, at, tangent);
+  int most = 2 * (terrainSize.x + terrainSize.y) + terrainPyramidTop;
+  int crossings = 0;
+#ifdef TERRAIN_TILES
+  while (!ended)
+  {
+    ++crossings;
+    int slot = terrainFinestSlot(at.cell ^ path.mirror, at.level);
+    ivec2 node = (at.cell >> at.level) ^ path.mirror;
+    TERRAIN_VISIT(node, at.level)
+    TerrainSpan span = terrainNodeSpan(path, at);
+    bool down = true;
+    TerrainStep next = at;
+    if (at.level > 0)
+    {
+      next = terrainPassTop(path, at, span, terrainSlotBounds(node, slot).x, down);
+    }
+    int finer = max(at.level - 1, 0);
+    if (down && (at.level == 0 || terrainTileSlot((next.cell >> finer) ^ path.mirror, finer) < 0))
+    {
+      tangent = terrainPassNode(path, at, span, terrainSlotCodes(node, slot), tangent);
+      next = terrainNextStep(path, at, span, false, span.s);
+      down = false;
+    }
+    ended = (span.ends && !down) || tangent > outlook.high || crossings >= most;
+    at = next;
+    terrainAim(path, at, tangent);
+  }
+#else
+  // Two loops in turn, as in terrainTracePyramidWithin().
+  do
+  {
+    do
+    {
+      if (!ended && at.level > 0)
+      {
+        ++crossings;
+        ivec2 node = (at.cell >> at.level) ^ path.mirror;
+        TERRAIN_VISIT(node, at.level)
+        TerrainSpan span = terrainNodeSpan(path, at);
+        bool down;
+        at = terrainPassTop(path, at, span, terrainNodeExtremes(node, at.level).x, down);
+        ended = (span.ends && !down) || crossings >= most;
+      }
+    } while (!ended && at.level > 0);
+    do
+    {
+      if (!ended && at.level == 0)
+      {
+        ++crossings;
+        ivec2 cell = at.cell ^ path.mirror;
+        TERRAIN_VISIT(cell, 0)
+        TerrainSpan span = terrainNodeSpan(path, at);
+        tangent = terrainPassNode(path, at, span, terrainCellCodes(cell), tangent);
+        ended = span.ends || tangent > outlook.high || crossings >= most;
+        at = terrainNextStep(path, at, span, false, span.s);
+        terrainAim(path, at, tangent);
+      }
+    } while (!ended && at.level == 0);
+  } while (!ended);
+#endif
+  return tangent;
+}

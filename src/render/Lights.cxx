@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "render/Lights.h"
+
+#include "core/grid/Constants.h"
+#include "render/Uniforms.h"
+#include "render/View.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace terrain
+{
+namespace
+{
+/// Steepest edge of a sun's disc, in degrees: tangents stay finite.
+constexpr double kSteepest = 89.99;
+
+/// Tangent of an altitude in degrees.
+double tangentOf(double altitude)
+{
+  return std::tan(std::clamp(altitude, -kSteepest, kSteepest) * kDegree);
+}
+}
+
+//------------------------------------------------------------------------------
+// VTK numbers the lights that are on, in their order.
+std::string Lights::Update(vtkRenderer* renderer, const View& view, double sunAngle)
+{
+  const CameraMatrices camera(renderer);
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator cookie = nullptr;
+  lights->InitTraversal(cookie);
+  this->Mask = 0;
+  this->Count = 0;
+  std::string words;
+  int number = 0;
+  while (vtkLight* light = lights->GetNextLight(cookie))
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    const bool casts = !light->LightTypeIsHeadlight() && light->GetShadowAttenuation() > 0.0f;
+    if (casts && number >= kMostShadows)
+    {
+      words = "Only the first " + std::to_string(kMostShadows) + " lights cast shadows";
+    }
+    else if (casts && this->Add(light, camera.ViewFromWorld, view, sunAngle))
+    {
+      this->Mask |= 1 << number;
+    }
+    ++number;
+  }
+  return words;
+}
+
+//------------------------------------------------------------------------------
+bool Lights::Add(
+  vtkLight* light, const glm::dmat4& viewFromWorld, const View& view, double sunAngle)
+{
+  glm::dvec3 position;
+  glm::dvec3 focus;
+  light->GetTransformedPosition(&position[0]);
+  light->GetTransformedFocalPoint(&focus[0]);
+  const auto index = static_cast<std::size_t>(this->Count);
+  glm::dvec4 disc(0.0, 0.0, 1.0, std::min(static_cast<double>(light->GetShadowAttenuation()), 1.0));
+  if (light->GetPositional())
+  {
+    const glm::dvec4 placeVC = viewFromWorld * glm::dvec4(position, 1.0);
+    this->WaysGC[index] = glm::vec4(0.0f);
+    this->WaysVC[index] = glm::vec4(glm::dvec4(glm::dvec3(placeVC) / placeVC.w, 1.0));
+  }
+  else
+  {
+    const glm::dvec3 wayVC = glm::dmat3(viewFromWorld) * (position - focus);
+    const glm::dvec3 way = glm::dmat3(view.GetModelFromView()) * wayVC;
+    const glm::dvec3 wayGC = glm::dmat3(view.GetGridFromView()) * wayVC;
+    const double across = glm::length(glm::dvec2(way));
+    const double cells = glm::length(glm::dvec2(wayGC));
+    const double altitude = std::atan2(way.z, across) / kDegree;
+    if (!(glm::length(way) > 0.0) || !std::isfinite(glm::length(way) + cells))
+    {
+      return false;
+    }
+    if (std::abs(altitude) > kSteepest)
+    {
+      this->WaysGC[index] = glm::vec4(0.0, 0.0, way.z, way.z);
+      this->WaysVC[index] = glm::vec4(0.0f);
+    }
+    else
+    {
+      const double codes =
+        view.GetHeightOfCode() * cells / across; // tangent in the model over that in codes
+      const double radius = std::clamp(0.5 * sunAngle, 0.0, 90.0);
+      this->WaysGC[index] = glm::vec4(glm::dvec2(wayGC) / cells,
+        tangentOf(altitude - radius) / codes, tangentOf(altitude + radius) / codes);
+      this->WaysVC[index] = glm::vec4(glm::dvec4(wayVC / cells, 0.0));
+      disc = { altitude * kDegree, radius * kDegree, codes, disc.w };
+    }
+  }
+  this->Discs[index] = glm::vec4(disc);
+  ++this->Count;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Lights::SetUniforms(Uniforms& uniforms) const
+{
+  if (this->Count > 0 && uniforms.Uses("terrainLightDiscs"))
+  {
+    uniforms.SetArray("terrainLightsGC", this->Count, this->WaysGC.data());
+    uniforms.SetArray("terrainLightsVC", this->Count, this->WaysVC.data());
+    uniforms.SetArray("terrainLightDiscs", this->Count, this->Discs.data());
+  }
+}
+}

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The lights of a renderer that cast shadows over a surface; uniforms of
+ * shaders/vtkTerrainLight.glsl. Private to the module.
+ */
+#ifndef vtkTerrain_render_Lights_h
+#define vtkTerrain_render_Lights_h
+
+#include "render/Features.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <string>
+
+class vtkLight;
+class vtkRenderer;
+
+namespace terrain
+{
+class Uniforms;
+class View;
+
+class Lights
+{
+public:
+  /// Looks at a renderer's lights. sunAngle: angular diameter, in degrees, of the lights that are
+  /// infinitely far away; lamps, which have a place, are points. Lights that are off, headlights
+  /// (whose shadows nobody sees), lights without attenuation of shadows or without a finite
+  /// direction cast none. Returns an empty string, or what is not drawn.
+  std::string Update(vtkRenderer* renderer, const View& view, double sunAngle);
+  /// None casts shadows.
+  void Clear()
+  {
+    this->Mask = 0;
+  }
+  /// Features::ShadowMask.
+  int GetMask() const
+  {
+    return this->Mask;
+  }
+  void SetUniforms(Uniforms& uniforms) const;
+
+private:
+  bool Add(vtkLight* light, const glm::dmat4& viewFromWorld, const View& view, double sunAngle);
+
+  int Mask = 0;
+  int Count = 0;
+  std::array<glm::vec4, kMostShadows> WaysGC{};
+  std::array<glm::vec4, kMostShadows> WaysVC{};
+  std::array<glm::vec4, kMostShadows> Discs{};
+};
+}
+#endif
