@@ -468,52 +468,22 @@ void vtkTerrainRepresentation::SetLevelOfDetail(bool use)
 }
 
 //------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetContours(bool show)
-{
-  this->Actor->GetTerrainMapper()->SetContours(show);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetContourInterval(double heights)
-{
-  this->Actor->GetTerrainMapper()->SetContourInterval(heights);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetContourWidth(double pixels)
-{
-  this->Actor->GetTerrainMapper()->SetContourWidth(pixels);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetHillshade(bool show)
-{
-  this->Actor->GetTerrainMapper()->SetHillshade(show);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetHillshadeAzimuth(double degrees)
-{
-  this->Actor->GetTerrainMapper()->SetHillshadeAzimuth(degrees);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetHillshadeAltitude(double degrees)
-{
-  this->Actor->GetTerrainMapper()->SetHillshadeAltitude(degrees);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetBlock(bool show)
-{
-  this->Actor->GetTerrainMapper()->SetBlock(show);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetBlockBase(double height)
-{
-  this->Actor->GetTerrainMapper()->SetBlockBase(height);
-}
+#define vtkTerrainMapperMacro(Name, Type)                                                          \
+  void vtkTerrainRepresentation::Set##Name(Type value)                                             \
+  {                                                                                                \
+    this->Actor->GetTerrainMapper()->Set##Name(value);                                             \
+  }
+vtkTerrainMapperMacro(Contours, bool);
+vtkTerrainMapperMacro(ContourInterval, double);
+vtkTerrainMapperMacro(ContourWidth, double);
+vtkTerrainMapperMacro(Hillshade, bool);
+vtkTerrainMapperMacro(HillshadeAzimuth, double);
+vtkTerrainMapperMacro(HillshadeAltitude, double);
+vtkTerrainMapperMacro(SunShadows, bool);
+vtkTerrainMapperMacro(SunAngle, double);
+vtkTerrainMapperMacro(SkyLight, double);
+vtkTerrainMapperMacro(Block, bool);
+vtkTerrainMapperMacro(BlockBase, double);
 
 //------------------------------------------------------------------------------
 void vtkTerrainRepresentation::SetLookupTable(vtkScalarsToColors* colors)

@@ -86,6 +86,14 @@ public:
   ///@}
 
   ///@{
+  /// As vtkTerrainLook has them: shadows, the angular diameter in degrees of lights far away, and
+  /// the light of the sky. Default off, 0, 0.
+  void SetSunShadows(bool cast);
+  void SetSunAngle(double degrees);
+  void SetSkyLight(double light);
+  ///@}
+
+  ///@{
   /// A solid block down to a height; default off, 0.
   void SetBlock(bool show);
   void SetBlockBase(double height);

@@ -129,7 +129,8 @@ def _add_scalar_bar(plotter, table, options):
 
 def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap=None, clim=None,
                 color=None, texture=None, opacity=1.0, show_scalar_bar=None, scalar_bar_args=None, name=None,
-                reset_camera=None, pickable=True, scene=None, **place):
+                reset_camera=None, pickable=True, scene=None, shadows=False, sun_angle=0.53, sky_light=0.0,
+                **place):
     """Adds a heightfield to a plotter; returns the ``vtkTerrainActor``.
 
     Parameters
@@ -166,6 +167,12 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
     scene : vtkTerrainGeoreference, optional
         Frame and origin that the heights are brought into; by default those of the plotter
         (``terrain_scene``), so that tiles that are added one by one meet.
+    shadows : bool
+        Whether the surface lies in its own shadow, of all lights of the plotter but a headlight.
+    sun_angle : float
+        Angular diameter in degrees, 0 to 90, of lights far away, for the edges of shadows; 0 for hard ones.
+    sky_light : float
+        Light of the sky over that of a light of intensity 1, as far as it is seen over the surface.
     **place
         What the heights do not say, or say wrongly: ``crs``, ``nodata`` (a value, or "none"),
         ``height_unit`` ("ft", "-m", 0.3048), ``flip``, of files also ``band`` and ``part``. For a plain
@@ -179,6 +186,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
         raise ValueError(f"technique must be one of {', '.join(techniques)}, not {technique!r}")
     if not exaggeration > 0:
         raise ValueError(f"exaggeration must be above 0, not {exaggeration}")
+    if not 0 <= sun_angle <= 90 or not 0 <= sky_light < np.inf:
+        raise ValueError(f"sun_angle must be 0 to 90 and sky_light 0 or more, not {sun_angle} and {sky_light}")
     actor.SetTechnique(techniques[technique])
     scene = scene or terrain_scene(plotter)
     tell_of_apart(scene)
@@ -192,6 +201,9 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
     if is_drawn_as_it_is:
         join_as_it_is(scene, actor, os.fspath(heights))
     actor.SetVerticalExaggeration(exaggeration)
+    actor.SetSunShadows(bool(shadows))
+    actor.SetSunAngle(sun_angle)
+    actor.SetSkyLight(sky_light)
     actor.GetProperty().SetOpacity(opacity)
     has_height_colors = color is None and texture is None
     actor.SetColorByHeight(has_height_colors)
