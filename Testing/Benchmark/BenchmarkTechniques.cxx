@@ -12,7 +12,9 @@
 // compute-linear, compute-exponential, compute-equidistant (in a compute shader), pyramid-alone
 // (pyramid without beams), pyramid-within (with a tolerance of a pixel), pyramid-detail (with 64
 // cells of detail along a cell), compute and compute-detail (the same in a compute shader), full
-// (every cell two triangles).
+// (every cell two triangles). Names that end in -shadows are drawn with hard shadows, in -soft with
+// those of the sun's disc, in -sky with the light of the sky: pyramid-shadows, compute-soft. If
+// there are such, all are lit by a sun 20 degrees high in the south-east, not by a headlight.
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainDetailSource.h"
@@ -21,6 +23,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -116,6 +119,26 @@ vtkOpenGLTerrainMapper::Techniques techniqueOf(const std::string& name)
                          : Techniques::Pyramid;
 }
 
+bool endsIn(const std::string& name, const std::string& end)
+{
+  return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+bool isInSun(const std::string& name)
+{
+  return endsIn(name, "-shadows") || endsIn(name, "-soft") || endsIn(name, "-sky");
+}
+
+void shine(vtkRenderer* renderer)
+{
+  renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  sun->SetPosition(0.664, -0.664, 0.342);
+  renderer->AddLight(sun);
+}
+
 Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMesh* hull)
 {
   using Modes = vtkOpenGLTerrainMapper::ComputeModes;
@@ -131,6 +154,9 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
   }
   mapper->SetHeightsData(image);
   const bool compute = name.rfind("compute", 0) == 0;
+  mapper->SetSunShadows(endsIn(name, "-shadows") || endsIn(name, "-soft"));
+  mapper->SetSunAngle(endsIn(name, "-soft") ? 0.53 : 0.0);
+  mapper->SetSkyLight(endsIn(name, "-sky") ? 0.35 : 0.0);
   mapper->SetTechnique(techniqueOf(name));
   mapper->SetComputeMode(compute ? Modes::On : Modes::Off);
   mapper->SetUseBeams(name != "pyramid-alone");
@@ -244,6 +270,10 @@ int main(int argc, char* argv[])
   window->SetSize(std::atoi(argv[2]), std::atoi(argv[3]));
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
+  if (std::any_of(techniques.begin(), techniques.end(), isInSun))
+  {
+    shine(renderer);
+  }
   std::vector<Entry> entries;
   for (const std::string& technique : techniques)
   {

@@ -3,6 +3,7 @@
 #include "Options.h"
 
 #include "Arguments.h"
+#include "Day.h"
 
 #include "vtkNew.h"
 #include "vtkTerrainOutputFile.h"
@@ -174,6 +175,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
     "print what HEIGHTS is taken for and what was taken from where, and draw nothing");
   options.Input.Declare(app);
   options.Colors.Declare(app);
+  options.Light.Declare(app, true);
   texts.Place.Declare(app, options.Place);
   texts.Detail.Declare(app, options.Detail);
   app.set_version_flag("--version", TERRAIN_RENDER_VERSION);
@@ -263,6 +265,7 @@ void Interpret(const Texts& texts, Options& options)
     Refuse("--describe", "needs a file of heights");
   }
   texts.Place.Interpret(options.Place);
+  options.Place.HasTimeOfSun = options.Light.NeedsPlace();
   texts.Detail.Interpret(options.Detail);
   if (options.View && !options.Place.LookFrom.empty())
   {
@@ -330,9 +333,14 @@ void CheckFiles(const Options& options)
     files->AddInput(input);
     paths.push_back(CanonicalPath(input));
   }
-  for (const auto& [option, output] :
-    { std::pair<const char*, std::string>{ "--output", options.Output },
-      { "--depth", options.Depth }, { "--stats", options.Stats } })
+  std::vector<std::pair<const char*, std::string>> outputs = { { "--depth", options.Depth },
+    { "--stats", options.Stats }, { "--output", options.Output } };
+  const std::size_t pictures = options.Light.GetSuns().size();
+  for (std::size_t k = 1; pictures > 1 && k <= pictures; ++k)
+  {
+    outputs.emplace_back("--output", PictureName(options.Output, k, pictures));
+  }
+  for (const auto& [option, output] : outputs)
   {
     const std::string input = files->FindInput(output);
     if (!input.empty())

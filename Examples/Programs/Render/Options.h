@@ -10,6 +10,7 @@
 #include "ColorOptions.h"
 #include "Detail.h"
 #include "HeightOptions.h"
+#include "LightOptions.h"
 #include "PlaceOptions.h"
 
 #include "vtkOpenGLTerrainMapper.h"
@@ -94,6 +95,7 @@ struct Options
   /// What the file of heights does not say.
   HeightOptions Input;
   ColorOptions Colors;
+  LightOptions Light;
   /// True to tell what the heights are, and to draw nothing.
   bool Describe = false;
   PlaceOptions Place;

@@ -99,12 +99,6 @@ void CheckView(const PlaceOptions& options)
       Refuse(option, why);
     }
   }
-  const std::string why =
-    options.Sun.empty() ? std::string() : vtkTerrainViewpoint::GetWhyNoTime(options.Sun);
-  if (!why.empty())
-  {
-    Refuse("--sun", why);
-  }
 }
 }
 
@@ -112,7 +106,7 @@ void CheckView(const PlaceOptions& options)
 const char* PlaceOptions::FirstThatNeedsPlaces() const
 {
   const std::array<std::pair<const char*, bool>, 5> needs = {
-    { { "--look-from", !this->LookFrom.empty() }, { "--sun", !this->Sun.empty() },
+    { { "--look-from", !this->LookFrom.empty() }, { "--sun", this->HasTimeOfSun },
       { "--drape", !this->Drape.empty() }, { "--track", !this->Tracks.empty() },
       { "--graticule", this->Graticule.has_value() } }
   };
@@ -167,7 +161,6 @@ void PlaceArguments::Declare(CLI::App& app, PlaceOptions& options)
     "place of the eye: metres, or metres above the ground; also MGRS,HEIGHT");
   add("--look-at", options.LookAt, "LON,LAT[,HEIGHT[agl]]",
     "place that the eye looks at; default height: on the ground");
-  add("--sun", options.Sun, "DATE-TIME", "sunlight of a time, 2024-06-21T06:30Z or with +05:45");
   add("--graticule", options.Graticule, "NAME", "lines of degrees, or of the utm grid")
     ->transform(OneOf(kGraticules));
   flag("--scale-bar", options.ScaleBar, "bar in round units, true at the focal point");

@@ -48,8 +48,8 @@ struct PlaceOptions
   /// Places of the eye and of what it looks at, both or none.
   std::string LookFrom;
   std::string LookAt;
-  /// Date and time of the sunlight; empty for the light from the north-west.
-  std::string Sun;
+  /// Whether the sun is that of a time (LightOptions).
+  bool HasTimeOfSun = false;
 
   std::optional<vtkTerrainGraticule::GridType> Graticule;
   bool ScaleBar = false;

@@ -343,6 +343,7 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const
   terrain.Bounds.SetBounds(actor->GetBounds());
   ThrowOnError(name);
   UseColors(terrain, heights, options);
+  options.Light.Apply(actor);
   vtkProperty* property = actor->GetProperty();
   property->SetAmbient(0.0);
   property->SetDiffuse(1.0);

@@ -11,6 +11,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
@@ -30,6 +31,8 @@ namespace
 constexpr double kDefaultTilt = 38.0;
 /// Part of the picture's width and height that the terrain fills at most in the default view.
 constexpr double kFill = 0.94;
+/// Intensity of the light of the sun.
+constexpr double kSunIntensity = 1.05;
 /// Distance of the near plane where the eye is close to the terrain, over the terrain's diagonal.
 constexpr double kNearPlane = 0.9e-4;
 
@@ -141,26 +144,17 @@ void AddLights(vtkRenderer* renderer, const PlacedHeights& heights, const Option
 {
   renderer->AutomaticLightCreationOff();
   const vtkNew<vtkLight> sun;
-  sun->SetLightTypeToSceneLight();
-  sun->PositionalOff();
-  sun->SetPosition(-1.0, 1.0, 1.2);
-  sun->SetFocalPoint(0.0, 0.0, 0.0);
   sun->SetColor(1.0, 0.98, 0.94);
-  sun->SetIntensity(1.05);
-  if (!options.Place.Sun.empty())
-  {
-    ThrowIf("--sun", MakeViewpoint(heights)->SetSun(options.Place.Sun, sun));
-    if (!sun->GetSwitch())
-    {
-      Warn("--sun: it is night");
-    }
-  }
   renderer->AddLight(sun);
-  const vtkNew<vtkLight> sky;
-  sky->SetLightTypeToHeadlight();
-  sky->SetColor(0.86, 0.92, 1.0);
-  sky->SetIntensity(0.35);
-  renderer->AddLight(sky);
+  SetSun(renderer, heights, options, options.Light.GetSuns().front());
+  if (options.Light.SkyLight == 0.0)
+  {
+    const vtkNew<vtkLight> sky;
+    sky->SetLightTypeToHeadlight();
+    sky->SetColor(0.86, 0.92, 1.0);
+    sky->SetIntensity(0.35);
+    renderer->AddLight(sky);
+  }
 }
 
 /// VTK's own OSMesa window takes the library for granted, and would crash without it.
@@ -175,6 +169,21 @@ void RequireOSMesa()
   }
   throw Failure("no OSMesa window can be had: libOSMesa is not installed");
 }
+}
+
+//------------------------------------------------------------------------------
+void SetSun(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options,
+  const std::string& sun)
+{
+  auto* light = static_cast<vtkLight*>(renderer->GetLights()->GetItemAsObject(0));
+  ThrowIf("--sun", PlaceSun(sun, heights.Georeference, heights.Image, options.Exaggeration, light));
+  if (!light->GetSwitch() && options.Light.GetSuns().size() == 1)
+  {
+    Warn("--sun: it is night");
+  }
+  // VTK draws everything in full light where no light is on
+  light->SetIntensity(light->GetSwitch() ? kSunIntensity : 0.0);
+  light->SwitchOn();
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 class vtkRenderWindow;
 class vtkRenderer;
 struct Options;
@@ -24,5 +26,9 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options);
 /// Throws a Failure.
 vtkSmartPointer<vtkRenderer> MakeRenderer(
   const Terrain& terrain, const PlacedHeights& heights, const Options& options);
+
+/// Moves the sun of such a renderer to one of LightOptions::GetSuns(). Throws a Failure.
+void SetSun(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options,
+  const std::string& sun);
 
 #endif

@@ -6,6 +6,7 @@
  * is 0, 2 for a wrong command line, 1 otherwise, with one line on stderr and no output left behind.
  */
 #include "Annotations.h"
+#include "Day.h"
 #include "Draping.h"
 #include "Ending.h"
 #include "Failure.h"
@@ -26,7 +27,6 @@
 
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -38,7 +38,8 @@ void Render(const Options& options)
 {
   const Stopwatch watch;
   Statistics statistics;
-  PendingFile picture(options.Output);
+  const bool severalSuns = options.Light.GetSuns().size() > 1;
+  PendingFile picture(severalSuns ? std::string() : options.Output);
   PendingFile depth(options.Depth);
   PendingFile stats(options.Stats);
 
@@ -66,7 +67,14 @@ void Render(const Options& options)
   DescribeTerrain(terrain, heights.Image, statistics);
   statistics.AddTime("total", watch.GetMilliseconds());
 
-  WritePicture(window, picture);
+  if (severalSuns)
+  {
+    DrawSuns(window, renderer, heights, options);
+  }
+  else
+  {
+    WritePicture(window, picture);
+  }
   CountMisses(terrain, options, window, renderer, statistics);
   if (depth.IsWanted())
   {
@@ -82,7 +90,10 @@ void Render(const Options& options)
   {
     file->Commit();
   }
-  std::cout << std::filesystem::absolute(options.Output).lexically_normal().string() << '\n';
+  if (!severalSuns)
+  {
+    TellName(options.Output);
+  }
 }
 }
 

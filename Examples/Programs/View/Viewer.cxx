@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer.h"
 
+#include "Failure.h"
 #include "Messages.h"
 
 #include "vtkAxesActor.h"
@@ -13,6 +14,7 @@
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkPNGWriter.h"
 #include "vtkProperty.h"
+#include "vtkTerrainGeoreference.h"
 #include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
@@ -76,6 +78,7 @@ const char* Viewer::GetHelp()
          "c      colours\n"
          "i      contour lines\n"
          "l      lights or hillshade\n"
+         "u      shadows\n"
          "w      coarse mesh as wireframe\n"
          "x      number of nodes or samples a ray takes\n"
          "o      perspective or parallel projection\n"
@@ -116,15 +119,34 @@ Viewer::Viewer(vtkImageData* heights, const std::string& name, int width, int he
 void Viewer::AddLights()
 {
   this->Renderer->AutomaticLightCreationOff();
-  const vtkNew<vtkLight> sun; // in the north-west, as on maps
-  sun->SetLightTypeToSceneLight();
-  sun->SetPosition(-1.0, 1.0, 1.2);
-  sun->SetFocalPoint(0.0, 0.0, 0.0);
-  this->Renderer->AddLight(sun);
-  const vtkNew<vtkLight> sky;
-  sky->SetLightTypeToHeadlight();
-  sky->SetIntensity(0.5);
-  this->Renderer->AddLight(sky);
+  this->Sun->SetLightTypeToSceneLight();
+  this->Sun->SetPosition(-1.0, 1.0, 1.2); // in the north-west, as on maps
+  this->Sun->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Renderer->AddLight(this->Sun);
+  this->EyeLight->SetLightTypeToHeadlight();
+  this->EyeLight->SetIntensity(0.5);
+  this->Renderer->AddLight(this->EyeLight);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SetLight(const LightOptions& options)
+{
+  const vtkNew<vtkTerrainGeoreference> frame;
+  frame->SetFromHeights(this->Terrain->GetHeights());
+  const std::string why = PlaceSun(options.Sun, frame, this->Terrain->GetHeights(),
+    this->Terrain->GetVerticalExaggeration(), this->Sun);
+  if (!why.empty())
+  {
+    throw Failure("--sun", why);
+  }
+  if (!this->Sun->GetSwitch())
+  {
+    Warn("--sun: it is night");
+    this->Sun->SetIntensity(0.0); // VTK draws everything in full light where no light is on
+    this->Sun->SwitchOn();
+  }
+  this->EyeLight->SetSwitch(options.SkyLight == 0.0 ? 1 : 0);
+  options.Apply(this->Terrain);
 }
 
 //------------------------------------------------------------------------------
@@ -247,6 +269,7 @@ void Viewer::MapKeys()
     mapper->SetHillshade(!mapper->GetHillshade());
     this->Terrain->GetProperty()->SetLighting(!mapper->GetHillshade());
   };
+  this->Keys['u'] = [this] { this->Terrain->SetSunShadows(!this->Terrain->GetSunShadows()); };
   this->Keys['w'] = [this] { this->MeshActor->SetVisibility(!this->MeshActor->GetVisibility()); };
   this->Keys['x'] = [mapper] { mapper->SetShowCrossings(!mapper->GetShowCrossings()); };
   this->Keys['o'] = [this] { this->SwitchProjection(); };

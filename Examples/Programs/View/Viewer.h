@@ -7,12 +7,14 @@
 #ifndef terrain_view_Viewer_h
 #define terrain_view_Viewer_h
 
+#include "LightOptions.h"
 #include "Palettes.h"
 #include "Readout.h"
 #include "TerrainStyle.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkOrientationMarkerWidget.h"
 #include "vtkPolyDataMapper.h"
@@ -41,6 +43,9 @@ public:
   {
     return this->Terrain;
   }
+
+  /// Sun, shadows and sky. Throws a Failure.
+  void SetLight(const LightOptions& options);
 
   /// Shows the window until it is closed.
   void Run();
@@ -82,6 +87,8 @@ private:
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkOrientationMarkerWidget> Marker;
+  vtkNew<vtkLight> Sun;
+  vtkNew<vtkLight> EyeLight;
   vtkNew<vtkScalarBarActor> ScalarBar;
   vtkNew<vtkTextActor> Status;
   vtkNew<vtkTextActor> Position;

@@ -8,6 +8,7 @@
 #include "Ending.h"
 #include "Failure.h"
 #include "HeightOptions.h"
+#include "LightOptions.h"
 #include "Messages.h"
 #include "Viewer.h"
 
@@ -34,6 +35,7 @@ struct Options
 {
   std::string Heights;
   HeightOptions Input;
+  LightOptions Light;
   double Exaggeration = 1.0;
   int Width = 1280;
   int Height = 720;
@@ -88,6 +90,7 @@ void Show(const Options& options)
     viewer.GetTerrain()->GetTerrainMapper()->SetTileSource(reader->GetTileSource());
   }
   viewer.GetTerrain()->SetVerticalExaggeration(options.Exaggeration);
+  viewer.SetLight(options.Light);
   if (vtkTerrainHierarchy::IsPreparedFile(options.Heights))
   {
     const vtkNew<vtkTerrainHierarchy> hierarchy;
@@ -110,6 +113,7 @@ std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
     .add_option("--exaggeration", options.Exaggeration, "drawn height over true height, default 1")
     ->check(CLI::Range(1e-3, 1e3));
   options.Input.Declare(app);
+  options.Light.Declare(app, false);
   app.add_option("--width", options.Width, "of the window in pixels, default 1280")
     ->check(CLI::Range(64, 16384));
   app.add_option("--height", options.Height, "of the window in pixels, default 720")

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Day.h"
+
+#include "Messages.h"
+#include "Options.h"
+#include "Outputs.h"
+#include "Placing.h"
+#include "Progress.h"
+#include "View.h"
+
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+//------------------------------------------------------------------------------
+std::string PictureName(const std::string& output, std::size_t number, std::size_t count)
+{
+  const std::filesystem::path path(output);
+  const std::size_t digits = std::max<std::size_t>(std::to_string(count).size(), 3);
+  std::string text = std::to_string(number);
+  text.insert(0, digits - text.size(), '0');
+  const std::string name = path.stem().string() + "-" + text + path.extension().string();
+  return (path.parent_path() / name).string();
+}
+
+//------------------------------------------------------------------------------
+void TellName(const std::string& file)
+{
+  std::cout << std::filesystem::absolute(file).lexically_normal().string() << '\n';
+}
+
+//------------------------------------------------------------------------------
+void DrawSuns(vtkRenderWindow* window, vtkRenderer* renderer, const PlacedHeights& heights,
+  const Options& options)
+{
+  const std::vector<std::string> suns = options.Light.GetSuns();
+  ProgressBar progress;
+  for (std::size_t k = 0; k < suns.size(); ++k)
+  {
+    const std::string name = PictureName(options.Output, k + 1, suns.size());
+    const PendingFile picture(name);
+    SetSun(renderer, heights, options, suns[k]);
+    window->Render();
+    ThrowOnError("cannot draw");
+    WritePicture(window, picture);
+    ThrowOnError(options.Output);
+    picture.Commit();
+    TellName(name);
+    progress.Show(static_cast<double>(k + 1) / static_cast<double>(suns.size()), "drawing");
+  }
+}
