@@ -21,7 +21,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -33,7 +32,6 @@ using vtkTerrainTesting::DrawingWidth;
 namespace
 {
 using Techniques = vtkOpenGLTerrainMapper::Techniques;
-using Place = std::array<double, 3>;
 
 /// A terrain under one light, with nothing but what that light gives.
 class Sunlit : public Drawing
