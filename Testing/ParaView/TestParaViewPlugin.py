@@ -71,7 +71,8 @@ class TestPlugin(unittest.TestCase):
         for name, default, value, least in (
                 ("TerrainVerticalExaggeration", 1.0, 2.0, 0.1), ("Opacity", 1.0, 0.4, 0.2),
                 ("TerrainContours", 0, 1, 0.005), ("TerrainHillshade", 0, 1, 0.1),
-                ("TerrainBlock", 0, 1, 0.0005), ("TerrainSkyLight", 0.0, 0.5, 0.1), ("TerrainColorSource", "Array", "Slope", 0.1),
+                ("TerrainBlock", 0, 1, 0.0005), ("TerrainSkyLight", 0.0, 0.5, 0.1),
+                ("TerrainColorSource", "Array", "Slope", 0.1),
                 (TRANSLATION, [0.0, 0.0, 0.0], [5000.0, 0.0, 0.0], 0.1)):
             setattr(display, name, value)
             changed = picture(self.view, f"property-{name}")

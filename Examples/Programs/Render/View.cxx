@@ -176,7 +176,7 @@ void SetSun(vtkRenderer* renderer, const PlacedHeights& heights, const Options& 
   const std::string& sun)
 {
   auto* light = static_cast<vtkLight*>(renderer->GetLights()->GetItemAsObject(0));
-  ThrowIf("--sun", PlaceSun(sun, heights.Georeference, heights.Image, options.Exaggeration, light));
+  ThrowIf("--sun", PlaceSun(sun, heights.Georeference, heights.Image, heights.Exaggeration, light));
   if (!light->GetSwitch() && options.Light.GetSuns().size() == 1)
   {
     Warn("--sun: it is night");
