@@ -15,6 +15,7 @@
 #include "render/Lights.h"
 #include "render/Prepass.h"
 #include "render/Proxy.h"
+#include "render/ShadowBoundsTexture.h"
 #include "render/SkyTexture.h"
 #include "render/SurfaceTextures.h"
 #include "render/Technique.h"
@@ -25,6 +26,7 @@
 class vtkActor;
 class vtkImageData;
 class vtkMapper;
+class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTerrainLook;
 
@@ -105,6 +107,7 @@ public:
   terrain::View View;
   terrain::Lights Lights;
   SkyTexture Sky;
+  ShadowBoundsTexture ShadowBounds;
   terrain::Prepass Prepass;
 
 private:
@@ -114,7 +117,10 @@ private:
 
   vtkMapper* Mapper;
   vtkTerrainLook* Look;
+  bool UploadShadowBounds(vtkOpenGLRenderWindow* window);
+
   bool SkyShines = false;
+  bool BoundsShadows = false;
   /// Surfaces that rays pass by.
   int Layer = 0;
 };
