@@ -32,19 +32,20 @@ struct ShadowRays
 };
 
 /**
- * The grid is laid out along the longer part of the rays' direction, its major axis: a = 0 where rays
- * come in, growing along them; b is the other coordinate. A ray keeps w = b - Slope a, and falls into
- * one of the strips of w; a column is a stretch of a. Both are as wide as the nodes of a level of the
- * pyramid. On a ray of height z at a, the number z - Rise a stays the same, so that the surface at q is
- * above the ray if h(q) - Rise a(q) is more than that number. The texel of a column and a strip has the
- * bounds of it over that column and all behind it:
+ * The grid is laid out along the longer part of the rays' direction, its major axis: a = 0 where
+ * rays come in, growing along them; b is the other coordinate. A ray keeps w = b - Slope a, and
+ * falls into one of the strips of w; a column is a stretch of a. Both are as wide as the nodes of a
+ * level of the pyramid. On a ray of height z at a, the number z - Rise a stays the same, so that
+ * the surface at q is above the ray if h(q) - Rise a(q) is more than that number. The texel of a
+ * column and a strip has the bounds of it over that column and all behind it:
  *
  * x: more than that of any surface, with the rise of the lowest rays: a ray with more is free;
  * y: less than that of the surface somewhere, all across the strip, with the rise of the highest
  *    rays: a ray with less that starts before the column is hidden.
  *
- * Both hold by the extremes of nodes, of which a strip meets up to three in a column. A position may be
- * off by kShadowMargin of a node. Twin of what reads it: shaders/vtkTerrainOutlook.glsl.
+ * Both hold by the extremes of nodes, of which a strip meets up to three in a column. A position
+ * may be off by half of kShadowMargin of a node. Twin of what reads it:
+ * shaders/vtkTerrainOutlook.glsl.
  *
  * Cost: three nodes for each texel, of which there are one to two for each node of the level.
  */
