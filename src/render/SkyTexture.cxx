@@ -117,7 +117,9 @@ bool SkyTexture::Upload(vtkOpenGLRenderWindow* window, vtkImageData* heights, do
   MeanHeights means;
   ImageHeights::Dispatch(heights, [&](const auto& view) { means = meansOf(view); });
   const double* spacing = heights->GetSpacing();
-  std::vector<float> shares = sharesOf(means, glm::dvec2(spacing[0], spacing[1]) / exaggeration);
+  const GridGeometry drawn{ {}, {}, exaggeration };
+  std::vector<float> shares =
+    sharesOf(means, { drawn.RiseToHeights(spacing[0]), drawn.RiseToHeights(spacing[1]) });
   this->Scale = 1.0 / (std::exp2(means.Level) * glm::dvec2(means.Size));
   this->Heights = heights;
   this->HeightsTime = heights->GetMTime();

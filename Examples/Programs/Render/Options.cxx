@@ -333,8 +333,8 @@ void CheckFiles(const Options& options)
     files->AddInput(input);
     paths.push_back(CanonicalPath(input));
   }
-  std::vector<std::pair<const char*, std::string>> outputs = { { "--depth", options.Depth },
-    { "--stats", options.Stats }, { "--output", options.Output } };
+  std::vector<std::pair<const char*, std::string>> outputs = { { "--output", options.Output },
+    { "--depth", options.Depth }, { "--stats", options.Stats } };
   const std::size_t pictures = options.Light.GetSuns().size();
   for (std::size_t k = 1; pictures > 1 && k <= pictures; ++k)
   {
