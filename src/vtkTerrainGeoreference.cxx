@@ -491,8 +491,9 @@ std::string vtkTerrainGeoreference::GetReadout(const double scene[3])
   const glm::dvec3 place(point[0], point[1], point[2]);
   char height[40];
   std::snprintf(height, sizeof(height), "%.1f m", place.z);
-  return terrain::ToDegreesText(place) + "  " + height + "  " + terrain::ToUtmText(place) + "  " +
-    terrain::ToMgrs(place);
+  const std::string text = terrain::ToDegreesText(place) + "  " + height;
+  return this->IsOnEarth() ? text + "  " + terrain::ToUtmText(place) + "  " + terrain::ToMgrs(place)
+                           : text;
 }
 
 std::string vtkTerrainGeoreference::GetMGRS(double longitude, double latitude, int precision)

@@ -174,6 +174,64 @@ class TestIntake(unittest.TestCase):
         path = self.write("special.cub", z, (0, 100, 0, 0, 0, -100), moon, gdal.GDT_Int16, driver="ISIS3")
         self.assertEqual(np.isnan(self.read(path)[0]).sum(), 5)
 
+    def test_turned_rasters_are_refused_with_what_to_do(self):
+        path = self.write("turned.tif", ground(), (5e5, 8.0, 3.0, 5e6, 3.0, -8.0))
+        reader = vtkTerrainRasterReader()
+        reader.SetFileName(path)
+        reader.Update()
+        self.assertIn("gdalwarp -dstnodata -9999", reader.GetErrorMessage())
+        gdal.Warp(self.path("north-up.tif"), path, dstNodata=-9999)
+        self.assertAlmostEqual(np.nanmin(self.read(self.path("north-up.tif"))[0]), 100.0)
+
+    def test_sites_of_a_folder(self):
+        z, step = ground(), 0.0003
+        self.write("sites/a.tif", z[:20], (-97.0, step, 0.0, 30.0, 0.0, -step), "EPSG:4326")
+        self.write("sites/b.tif", z + 5.0, (-81.0, step, 0.0, 27.0, 0.0, -step), "EPSG:4326")
+        self.write("sites/c.tif", z, (-81.0 + COLUMNS * step, step, 0.0, 27.0, 0.0, -step), "EPSG:4326")
+        # a raster round all of them would have more than 4 million samples
+        heights, _, warning = self.read(self.path("sites"))
+        self.assertIn("--part N", warning)
+        np.testing.assert_allclose(heights, np.hstack([z + 5.0, z]))
+        heights, _, warning = self.read(self.path("sites"), Part="1")
+        self.assertEqual(warning, "")
+        np.testing.assert_allclose(heights, z[:20])
+        reader = vtkTerrainRasterReader()
+        reader.SetFileName(self.path("sites"))
+        reader.SetPart("3")
+        reader.Update()
+        self.assertIn("sites are 1 to 2", reader.GetErrorMessage())
+
+    def test_sidecars_stand_for_their_data(self):
+        path = self.write("data.bil", ground(), driver="EHdr")
+        for name in ("data.hdr", "data.prj", "data.bil.aux.xml"):
+            if os.path.exists(self.path(name)):
+                np.testing.assert_allclose(self.read(self.path(name))[0], ground(), err_msg=name)
+        self.assertTrue(os.path.exists(path))
+
+    def test_texts_by_the_names_of_their_columns(self):
+        row, column = np.mgrid[0:ROWS, 0:COLUMNS]
+        lines = {"x": 5e5 + 10.0 * column, "y": 5e6 - 10.0 * row, "z": ground(), "id": row * COLUMNS + column}
+        for names in ("x,y,z", "id,x,y,z", "y,x,z", "easting,northing,height", "northing,easting,masl"):
+            keys = [{"e": "x", "n": "y", "h": "z", "m": "z"}.get(name[0], name) for name in names.split(",")]
+            with open(self.path("points.csv"), "w", encoding="ascii") as file:
+                file.write(names + "\n")
+                np.savetxt(file, np.column_stack([lines[key].ravel() for key in keys]), "%.10g", ",")
+            heights, image, _ = self.read(self.path("points.csv"))
+            np.testing.assert_allclose(heights, ground(), err_msg=names)
+            self.assertEqual(image.GetBounds()[:2], (5e5, 5e5 + 10.0 * (COLUMNS - 1)), names)
+        with open(self.path("points.csv"), "w", encoding="ascii") as file:
+            file.write("id,x,y,masl\n")
+            np.savetxt(file, np.column_stack([lines[key].ravel() for key in ("id", "x", "y", "z")]), "%.10g", ",")
+        reader = vtkTerrainRasterReader()
+        reader.SetFileName(self.path("points.csv"))
+        reader.Update()
+        self.assertIn("call the right columns x, y and z", reader.GetErrorMessage())
+
+    def test_distances_from_the_centre_of_a_body_are_told(self):
+        moon = "+proj=eqc +lat_ts=0 +R=1737400 +units=m"
+        path = self.write("radii.tif", ground() + 1737400.0, (0, 100, 0, 0, 0, -100), moon, gdal.GDT_Float64)
+        self.assertIn("from the centre of its body", self.read(path)[2])
+
     def test_flip_and_describe(self):
         path = self.write("flip.tif", ground())
         heights, image, _ = self.read(path, Flip=True)

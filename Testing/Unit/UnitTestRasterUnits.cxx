@@ -57,6 +57,17 @@ TEST(UnitTestRasterUnits, BandsByName)
   }
 }
 
+TEST(UnitTestRasterUnits, GeopotentialsAreHeightsTimesGravity)
+{
+  for (const char* name : { "m**2 s**-2", "m2 s-2", "m^2/s^2", "J/kg" })
+  {
+    HeightFacts facts;
+    facts.BandUnit = name;
+    EXPECT_NEAR(9.80665 * Find(facts).Factor, 1.0, 1e-12) << name;
+    EXPECT_EQ(Find(facts).Warnings, "");
+  }
+}
+
 TEST(UnitTestRasterUnits, AnUnknownUnitIsToldWithItsRemedy)
 {
   HeightFacts facts;

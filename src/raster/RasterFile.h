@@ -230,6 +230,7 @@ private:
   std::vector<double> ReadHeights();
   void Replace(GDALDatasetH dataset);
   void CheckSanity();
+  void CheckBytes();
 
   std::string Name;
   GDALDatasetH Dataset = nullptr;

@@ -54,6 +54,29 @@ bool Holds(const std::vector<double>& values, double value)
   return std::find(values.begin(), values.end(), value) != values.end();
 }
 
+std::string ListNumbers(const std::vector<double>& values)
+{
+  constexpr std::size_t kListedValues = 4;
+  std::vector<std::string> names;
+  names.reserve(values.size());
+  for (const double value : values)
+  {
+    names.push_back(NumberText(value));
+  }
+  return ListText(names, kListedValues);
+}
+
+/// Values that are no heights in bands of signed numbers of metres among these samples.
+std::vector<double> ListImpossible(const std::vector<double>& samples)
+{
+  std::vector<double> values(kImpossibleHeights.begin(), kImpossibleHeights.end());
+  const bool isDeep = std::any_of(samples.begin(), samples.end(),
+    [](double value)
+    { return value < kDeepSea && value > kDeepestSea && value != kUnlikelyHeight; });
+  values.insert(values.end(), isDeep ? 0 : 1, kUnlikelyHeight);
+  return values;
+}
+
 /// Longitudes of neighbours differ by less than half a turn.
 void UnwrapField(std::vector<double>& x, std::size_t width)
 {
@@ -206,68 +229,48 @@ std::vector<double> RasterFile::SampleBand() const
 void RasterFile::FindHoles(const RasterOptions& options)
 {
   this->Holes.Declared = this->GetDeclaredNoData();
-  const bool isDeclared = !this->Holes.Declared.empty();
-  if (isDeclared)
+  if (!this->Holes.Declared.empty())
   {
-    std::vector<std::string> names;
-    names.reserve(this->Holes.Declared.size());
-    for (const double value : this->Holes.Declared)
-    {
-      names.push_back(NumberText(value));
-    }
-    this->Record.Take("no data", ListText(names, 4), "declared");
+    this->Record.Take("no data", ListNumbers(this->Holes.Declared), "declared");
   }
   if (this->HasMask())
   {
     this->Record.Take("mask", "hides samples", "the file's mask");
   }
+  const bool isDeclared = !this->Holes.Declared.empty();
   if (options.UseNoData)
   {
     this->Holes.Declared.push_back(options.NoData);
-    this->Record.Take("no data", NumberText(options.NoData), "given");
+    this->Record.Take("no data, too", NumberText(options.NoData), "given");
   }
   const std::vector<double> samples = this->SampleBand();
-  const FillFindings fill = FindFill(samples);
-  this->Holes.Low = fill.Low;
-  this->Holes.High = fill.High;
-  this->Holes.Seen = fill;
+  this->Holes.Seen = FindFill(samples);
+  this->Holes.Low = this->Holes.Seen.Low;
+  this->Holes.High = this->Holes.Seen.High;
   if (!options.DetectNoData || options.UseNoData)
   {
     return;
   }
-  this->Holes.Undeclared = fill.Values;
-  this->Holes.UndeclaredOccurs = !fill.Values.empty();
-  for (const double value : fill.Values)
-  {
-    this->Record.Take("no data", NumberText(value), "fill that nobody declares");
-  }
+  this->Holes.Undeclared = this->Holes.Seen.Values;
+  std::vector<double> seen = this->Holes.Undeclared;
   double scale = 1.0;
   double offset = 0.0;
   this->GetScaleAndOffset(scale, offset);
-  if (isDeclared || !IsSigned(this->GetType()) || scale != 1.0 || offset != 0.0)
+  if (!isDeclared && IsSigned(this->GetType()) && scale == 1.0 && offset == 0.0)
   {
-    return;
-  }
-  const bool isDeep = std::any_of(samples.begin(), samples.end(),
-    [](double value)
-    { return value < kDeepSea && value > kDeepestSea && value != kUnlikelyHeight; });
-  std::vector<double> others(kImpossibleHeights.begin(), kImpossibleHeights.end());
-  if (!isDeep)
-  {
-    others.push_back(kUnlikelyHeight);
-  }
-  for (const double other : others)
-  {
-    if (Holds(this->Holes.Undeclared, other))
+    for (const double value : ListImpossible(samples))
     {
-      continue;
+      if (!Holds(this->Holes.Undeclared, value))
+      {
+        this->Holes.Undeclared.push_back(value);
+        seen.insert(seen.end(), Holds(samples, value) ? 1 : 0, value);
+      }
     }
-    this->Holes.Undeclared.push_back(other);
-    if (Holds(samples, other))
-    {
-      this->Holes.UndeclaredOccurs = true;
-      this->Record.Take("no data", NumberText(other), "fill that nobody declares");
-    }
+  }
+  this->Holes.UndeclaredOccurs = !seen.empty();
+  if (this->Holes.UndeclaredOccurs)
+  {
+    this->Record.Take("fill", ListNumbers(seen), "taken for no data, which nobody declares");
   }
 }
 
@@ -427,21 +430,10 @@ void RasterFile::TakeIn(const RasterOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// Warns of what no terrain looks like.
-void RasterFile::CheckSanity()
+// Warns of bytes that are no heights.
+void RasterFile::CheckBytes()
 {
-  constexpr double kSteepestRelief = 3.0; // times the longer side
-  constexpr double kMostOfOne = 0.9;
-  constexpr double kNeedle = 10.0; // cells
-  constexpr double kFewest = 0.01;
-  constexpr double kSmallestRaster = 64.0;
   const FillFindings& seen = this->Holes.Seen;
-  const double samples =
-    static_cast<double>(this->GetWidth()) * static_cast<double>(this->GetHeight());
-  if (!(seen.High > seen.Low) || samples < kSmallestRaster)
-  {
-    return;
-  }
   if (GDALGetRasterDataType(this->Band) == GDT_Byte && !this->IsSignedByte() &&
     (seen.LevelCount == 2 || IsNamedAsProduct(this->Name)))
   {
@@ -452,6 +444,26 @@ void RasterFile::CheckSanity()
           "for "
           "heights in metres");
   }
+}
+
+//------------------------------------------------------------------------------
+// Warns of what no terrain looks like.
+void RasterFile::CheckSanity()
+{
+  constexpr double kSteepestRelief = 3.0; // times the longer side
+  constexpr double kMostOfOne = 0.9;
+  constexpr double kNeedle = 10.0; // cells
+  constexpr double kFewest = 0.01;
+  constexpr double kLeastRadius = 0.9;
+  constexpr double kSmallestRaster = 64.0;
+  const FillFindings& seen = this->Holes.Seen;
+  const double samples =
+    static_cast<double>(this->GetWidth()) * static_cast<double>(this->GetHeight());
+  if (!(seen.High > seen.Low) || samples < kSmallestRaster)
+  {
+    return;
+  }
+  this->CheckBytes();
   double scale = 1.0;
   double offset = 0.0;
   this->GetScaleAndOffset(scale, offset);
@@ -464,6 +476,13 @@ void RasterFile::CheckSanity()
   const std::string range = "heights from " + NumberText(std::min(ends[0], ends[1])) + " to " +
     NumberText(std::max(ends[0], ends[1])) + " m, cells of " + NumberText(cellX) + " x " +
     NumberText(cellY) + " m";
+  OGRErr error = OGRERR_NONE;
+  const double radius = this->Reference ? OSRGetSemiMajor(this->Reference, &error) : 0.0;
+  if (error == OGRERR_NONE && std::min(ends[0], ends[1]) > kLeastRadius * radius && radius > 0.0)
+  {
+    this->Record.Warn("its heights are distances from the centre of its body, whose radius is " +
+      NumberText(radius) + " m, and are drawn as such (" + range + ")");
+  }
   if (relief > kSteepestRelief * longest)
   {
     this->Record.Warn("it is more than three times as high as it is wide (" + range +

@@ -41,7 +41,7 @@ void CheckAxes(const std::array<double, 6>& transform, double width, double heig
     std::fabs(transform[4]) * width > kShearTolerance * std::fabs(transform[5]))
   {
     throw RasterError("its rows do not run east (rotated or sheared georeference); warp "
-                      "it to a north-up grid first (gdalwarp IN OUT.tif)");
+                      "it to a north-up grid first (gdalwarp -dstnodata -9999 IN OUT.tif)");
   }
 }
 
@@ -304,7 +304,7 @@ void RasterFile::PlaceByGeolocation()
   {
     this->Record.Warn(
       "it is placed by arrays of coordinates of another size than its own, which are not "
-      "used: warp it to an even grid first (gdalwarp -geoloc IN OUT.tif)");
+      "used: warp it to an even grid first (gdalwarp -geoloc -dstnodata -9999 IN OUT.tif)");
     return;
   }
   place.IsField = true;
@@ -385,13 +385,13 @@ void RasterFile::TurnFileAxes()
   if (axes.IsSwapped)
   {
     this->Replace(MakeTransposed(this->Dataset, this->BandNumber));
-    this->Transform = { axes.Sign[0] * t[3], axes.Sign[0] * t[5], 0.0, axes.Sign[1] * t[0], 0.0,
-      axes.Sign[1] * t[1] };
+    this->Transform = { axes.Sign[0] * t[3], axes.Sign[0] * t[5], axes.Sign[0] * t[4],
+      axes.Sign[1] * t[0], axes.Sign[1] * t[2], axes.Sign[1] * t[1] };
   }
   else
   {
-    this->Transform = { axes.Sign[0] * t[0], axes.Sign[0] * t[1], 0.0, axes.Sign[1] * t[3], 0.0,
-      axes.Sign[1] * t[5] };
+    this->Transform = { axes.Sign[0] * t[0], axes.Sign[0] * t[1], axes.Sign[0] * t[2],
+      axes.Sign[1] * t[3], axes.Sign[1] * t[4], axes.Sign[1] * t[5] };
   }
   if (axes.IsSwapped || axes.Sign[0] < 0.0 || axes.Sign[1] < 0.0)
   {
@@ -421,8 +421,8 @@ void RasterFile::WarnOfPlace()
   if (!this->HasTransform && GDALGetGCPCount(this->Dataset) > 0)
   {
     this->Record.Warn(
-      "it is placed by ground control points, which are not used: warp it first (gdalwarp IN "
-      "OUT.tif)");
+      "it is placed by ground control points, which are not used: warp it first (gdalwarp "
+      "-dstnodata -9999 IN OUT.tif)");
   }
   else if (!this->HasTransform && this->Reference)
   {

@@ -24,6 +24,16 @@ bool Contains(const std::string& text, std::initializer_list<const char*> words)
     [&lower](const char* word) { return lower.find(word) != std::string::npos; });
 }
 
+/// Names of the unit of a geopotential, which is a height times the standard gravity.
+bool IsGeopotential(const std::string& unit)
+{
+  std::string name = LowerCase(unit);
+  name.erase(std::remove_if(name.begin(), name.end(),
+               [](char c) { return c == ' ' || c == '*' || c == '^' || c == '(' || c == ')'; }),
+    name.end());
+  return IsOneOf(name, { "m2s-2", "m2/s2", "m2.s-2", "jkg-1", "j/kg" });
+}
+
 struct Unit
 {
   double Metres = 1.0;
@@ -33,6 +43,12 @@ struct Unit
 /// By the band, against the vertical axis of the CRS.
 Unit UnitOfBand(const HeightFacts& facts, RasterRecord& record)
 {
+  if (IsGeopotential(facts.BandUnit))
+  {
+    constexpr double kGravity = 9.80665; // metres a second squared: the 3rd CGPM, 1901
+    record.Take("height unit", facts.BandUnit + ", a geopotential over 9.80665 m/s2", "band");
+    return { 1.0 / kGravity, facts.BandUnit };
+  }
   const bool axisSays = facts.VerticalMetres > 0.0;
   const bool isAxisName = axisSays && facts.BandUnit == facts.VerticalUnit;
   const double byName = isAxisName ? facts.VerticalMetres : MetresOfUnit(facts.BandUnit);
