@@ -1,23 +1,38 @@
 #!/bin/sh
-# clang-tidy over the sources of the module and the examples in a configured build, on all cores. What
-# passed is not looked at again until it, a header or the checks change.
-#   sh Testing/check-lint.sh BUILD_DIR
+# clang-tidy over the sources of the module, the examples and the tests in a configured build, on all cores, and
+# over the ParaView plugin where its build is there (Testing/ParaView/run.sh). What passed is not looked at again
+# until it, a header or the checks change.
+#   sh Testing/check-lint.sh BUILD_DIR [GLOB...]     GLOB: only files that match, 'Testing/Cxx/*.cxx'
 set -eu
 build_dir=$(cd "$1" && pwd)
+shift
 cd "$(dirname "$0")/.."
 passed=$build_dir/lint-passed
+plugin=${VTKTERRAIN_PARAVIEW_BUILD_DIR:-build-paraview}
 mkdir -p "$passed"
 # Every file by itself, and without the headers that GCC has precompiled, which clang cannot read;
 # the headers made from shaders are those of the build.
-cmake -G Ninja -S . -B "$passed/separate" -DCMAKE_UNITY_BUILD=OFF \
+cmake -G Ninja -S . -B "$passed/separate" -DCMAKE_UNITY_BUILD=OFF -DVTKTERRAIN_BUILD_TESTING=ON \
   -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DVTKTERRAIN_BUILD_EXAMPLES=ON >"$passed/configured.log"
 sed "s|$passed/separate/module/|$build_dir/module/|g" "$passed/separate/compile_commands.json" \
   >"$passed/compile_commands.json"
 
+# shellcheck disable=SC2046
 common=$(cat .clang-tidy $(git ls-files '*.h') | cksum | tr -d ' ')
-for file in $(git ls-files 'src/*.cxx' 'Examples/*.cxx'); do
-  grep -qF "/$file\"" "$passed/compile_commands.json" || continue
+[ $# -gt 0 ] || set -- 'src/*.cxx' 'Examples/*.cxx' 'Testing/*.cxx' 'Module/*.cxx'
+# shellcheck disable=SC2046 # file names here have no spaces
+for file in $(git ls-files "$@"); do
+  commands=$passed
+  case $file in
+    Module/ParaView/*) commands=$plugin ;;
+  esac
+  grep -qsF "/$file\"" "$commands/compile_commands.json" || continue
   stamp=$passed/$(cat "$file" | cksum | tr -d ' ')-$common-$(echo "$file" | tr / _)
-  [ -e "$stamp" ] || printf '%s\n%s\n' "$file" "$stamp"
-done | xargs -r -n 2 -P "$(nproc)" sh -c \
-  'clang-tidy-16 --quiet -p "$0" "$1" 2>/dev/null && : >"$2"' "$passed"
+  [ -e "$stamp" ] || printf '%s\n%s\n%s\n' "$commands" "$file" "$stamp"
+done | xargs -r -n 3 -P "$(nproc)" sh -c '
+  if clang-tidy-16 --quiet -p "$0" "$1" 2>"$2.log"; then
+    mv "$2.log" "$2"
+  else
+    cat "$2.log" >&2
+    exit 1
+  fi'

@@ -9,6 +9,7 @@ set -euo pipefail
 vtk_series=9.6 # the next one: this number, and the release that has it
 vtk_release=forky
 pythons="3.10 3.11 3.12 3.13 3.14"
+# shellcheck disable=SC2034 # read in functions.sh
 largest=3000000 # bytes
 
 # shellcheck source=/dev/null

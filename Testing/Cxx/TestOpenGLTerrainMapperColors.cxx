@@ -176,7 +176,8 @@ double premultipliedAt(vtkImageData* picture, double x, double y, int component)
   for (int k = 0; k < 4; ++k)
   {
     const double i = std::floor(x) + k % 2;
-    const double j = std::floor(y) + k / 2;
+    const int north = k / 2;
+    const double j = std::floor(y) + north;
     const double weight = (1.0 - std::abs(x - i)) * (1.0 - std::abs(y - j));
     const int column = std::clamp(static_cast<int>(i), 0, size[0] - 1);
     const int row = std::clamp(static_cast<int>(j), 0, size[1] - 1);
@@ -199,7 +200,8 @@ vtkSmartPointer<vtkImageData> composite(
   for (vtkIdType index = 0; index < texels->GetNumberOfTuples(); ++index)
   {
     const double x = 400.0 * (index % side) / (side - 1);
-    const double y = 384.0 * static_cast<double>(index / side) / (side - 1);
+    const vtkIdType line = index / side;
+    const double y = 384.0 * static_cast<double>(line) / (side - 1);
     const double i = size[0] * (x - bounds[0]) / (bounds[1] - bounds[0]) - 0.5;
     const double j = size[1] * (y - bounds[2]) / (bounds[3] - bounds[2]) - 0.5;
     const bool within = x > bounds[0] && x < bounds[1] && y > bounds[2] && y < bounds[3];

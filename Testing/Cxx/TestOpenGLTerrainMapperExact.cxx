@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 namespace
@@ -220,8 +221,8 @@ struct Twin
   terrain::TestField Field;
   terrain::CodedField<float> Coded;
 
-  explicit Twin(const terrain::TestField& field)
-    : Field(field)
+  explicit Twin(terrain::TestField field)
+    : Field(std::move(field))
     , Coded(this->Field)
   {
     this->Coded.Coded.start = 5;

@@ -82,7 +82,8 @@ vtkSmartPointer<vtkTexture> makeSky()
   for (int i = 0; i < width * height; ++i)
   {
     const double around = 0.5 + 0.5 * std::cos(6.28 * (i % width) / width);
-    const double up = static_cast<double>(i / width) / height;
+    const int row = i / width;
+    const double up = static_cast<double>(row) / height;
     texels->SetTuple3(i, around, 0.5 * up + 0.3 * around, up);
   }
   vtkNew<vtkImageData> image;

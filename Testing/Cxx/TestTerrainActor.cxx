@@ -47,7 +47,8 @@ vtkSmartPointer<vtkImageData> makeHeights(int n)
   for (int id = 0; id < n * n; ++id)
   {
     const double x = 20.0 * (id % n) / n;
-    const double y = 20.0 * static_cast<double>(id / n) / n;
+    const int row = id / n;
+    const double y = 20.0 * row / n;
     values->InsertNextValue(
       static_cast<float>(100.0 + 60.0 * std::sin(x) * std::cos(y) + 30.0 * std::sin(0.3 * x * y)));
   }

@@ -27,7 +27,7 @@ std::string WriteText(const std::string& name, const std::string& text)
   const std::filesystem::path folder =
     std::filesystem::path(testing::TempDir()) / "TestTerrainColors";
   std::filesystem::create_directories(folder);
-  const std::string path = (folder / name).string();
+  std::string path = (folder / name).string();
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

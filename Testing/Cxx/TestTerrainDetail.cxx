@@ -239,8 +239,8 @@ TEST(TerrainDetailLight, IsThatOfTheSum)
   const auto base = makeBase();
   for (vtkIdType k = 0; k < base->GetNumberOfPoints(); ++k)
   {
-    base->GetPointData()->GetScalars()->SetComponent(
-      k, 0, static_cast<double>(3 * (k % 33) + 2 * (k / 33)));
+    const vtkIdType height = 3 * (k % 33) + 2 * (k / 33);
+    base->GetPointData()->GetScalars()->SetComponent(k, 0, static_cast<double>(height));
   }
   const auto detail = makeDetail(64);
   Drawing parts(base, detail);

@@ -23,6 +23,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdlib>
+#include <dlfcn.h>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -66,7 +67,8 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
   return reader;
 }
 
-void Show(const Options& options)
+/// Throws where a window would end the program: VTK does not say that a display does not open.
+void CheckDisplay()
 {
   const char* display = std::getenv("DISPLAY");
   if (!display || !*display)
@@ -74,6 +76,19 @@ void Show(const Options& options)
     throw Failure(
       "DISPLAY", "is not set, and a window needs an X server (terrain-render does not)");
   }
+  // The library is the one that VTK has loaded. The connection stays open: a server may reset
+  // itself when its only one closes, just before the window connects.
+  using Open = void* (*)(const char* name);
+  const auto open = reinterpret_cast<Open>(dlsym(RTLD_DEFAULT, "XOpenDisplay"));
+  if (open && !open(display))
+  {
+    throw Failure(display, "does not open: there is no such X server, or it refuses this user");
+  }
+}
+
+void Show(const Options& options)
+{
+  CheckDisplay();
   // No window that nobody would see.
   setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkXOpenGLRenderWindow", 1);
   const std::string name = options.Heights.empty() ? "built-in landscape" : options.Heights;

@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # Runs in the Debian 11 root: builds the library and the package, and wraps it for every CPython.
 #   bash inside.sh WORK VTK_SERIES
 set -euo pipefail
