@@ -288,6 +288,21 @@ bool GreedyTile::FlipIfBetter(int triangle)
   return false;
 }
 
+void GreedyTile::ScanRow(int y, int begin, int end, const Plane& plane, Candidate& worst) const
+{
+  const double base = plane.Height + plane.Y * (y - plane.Origin.y) - plane.X * plane.Origin.x;
+  const double* row = this->Heights.data() + static_cast<std::size_t>(this->Width) * y;
+  for (int x = begin; x <= end; ++x)
+  {
+    const double error = std::abs(row[x] - (base + plane.X * x));
+    if (error > worst.Error)
+    {
+      worst.Error = error;
+      worst.Sample = x + this->Width * y;
+    }
+  }
+}
+
 GreedyTile::Candidate GreedyTile::FindWorst(std::array<int, 3> corners) const
 {
   std::sort(corners.begin(), corners.end(),
@@ -307,23 +322,8 @@ GreedyTile::Candidate GreedyTile::FindWorst(std::array<int, 3> corners) const
   const glm::dvec2 ab = b - a;
   const glm::dvec2 ac = c - a;
   const double area = ab.x * ac.y - ab.y * ac.x;
-  const double zx = ((zb - za) * ac.y - (zc - za) * ab.y) / area;
-  const double zy = ((zc - za) * ab.x - (zb - za) * ac.x) / area;
-
-  const auto scanRow = [&](int y, int begin, int end)
-  {
-    const double base = za + zy * (y - a.y) - zx * a.x;
-    const double* row = this->Heights.data() + static_cast<std::size_t>(this->Width) * y;
-    for (int x = begin; x <= end; ++x)
-    {
-      const double error = std::abs(row[x] - (base + zx * x));
-      if (error > worst.Error)
-      {
-        worst.Error = error;
-        worst.Sample = x + this->Width * y;
-      }
-    }
-  };
+  const Plane plane{ a, za, ((zb - za) * ac.y - (zc - za) * ab.y) / area,
+    ((zc - za) * ab.x - (zb - za) * ac.x) / area };
 
   // x along a-c, and along a-b and then b-c; whole numbers are hit exactly but for 1e-9
   constexpr double kRounding = 1e-6;
@@ -339,7 +339,7 @@ GreedyTile::Candidate GreedyTile::FindWorst(std::array<int, 3> corners) const
       const double right = isMiddleRight ? xOther : xAC;
       const int begin = static_cast<int>(left + (1.0 - kRounding));
       const int end = static_cast<int>(right + kRounding);
-      scanRow(y, begin, end);
+      this->ScanRow(y, begin, end, plane, worst);
     }
   };
   if (b.y > a.y)
@@ -353,7 +353,7 @@ GreedyTile::Candidate GreedyTile::FindWorst(std::array<int, 3> corners) const
   else
   {
     // the upper side is level
-    scanRow(c.y, std::min(b.x, c.x), std::max(b.x, c.x));
+    this->ScanRow(c.y, std::min(b.x, c.x), std::max(b.x, c.x), plane, worst);
   }
   return worst;
 }

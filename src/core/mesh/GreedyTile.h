@@ -108,6 +108,16 @@ private:
   /// Flips an edge of a triangle if both diagonals are Delaunay's and the other has a smaller
   /// error.
   bool FlipIfBetter(int triangle);
+  /// The plane of a triangle: height at one corner, and slopes per column and row.
+  struct Plane
+  {
+    glm::ivec2 Origin;
+    double Height;
+    double X;
+    double Y;
+  };
+  /// Makes a sample of a row, of columns begin to end, the worst one if it is.
+  void ScanRow(int y, int begin, int end, const Plane& plane, Candidate& worst) const;
   /// The worst sample on the triangle between three vertices, borders included.
   Candidate FindWorst(std::array<int, 3> corners) const;
   double Height(int vertex) const;

@@ -244,6 +244,35 @@ void HierarchyBands::WriteVertex(std::int64_t band, std::int64_t column, int x, 
   record.SetError(BitsFloat(static_cast<std::uint32_t>(error)));
 }
 
+/// Error of a vertex of the finest depth: the one that its square has, where that is known.
+float HierarchyBands::LeafError(const HierarchyRecord& record, const Tile& tile,
+  const glm::ivec2& at, const glm::i64vec2& position, const DiamondState& state, float peak,
+  float error) const
+{
+  const int dx = at.x & 1;
+  const int dy = at.y & 1;
+  if (!state.HasSurface)
+  {
+    return 0.0f;
+  }
+  if (state.IsMixed)
+  {
+    const glm::dvec2 spacing = this->Target.Geometry.Spacing;
+    return static_cast<float>(2.0 * (dx != 0 ? spacing.x : spacing.y));
+  }
+  if (std::isfinite(error))
+  {
+    return error;
+  }
+  // One triangle has no surface, or the raster ends here: the other triangle's own bound.
+  const float ends = 0.5f *
+    (tile.Errors.HeightAt(at.x - dx, at.y - dy) + tile.Errors.HeightAt(at.x + dx, at.y + dy));
+  const bool across = this->Layout.IsAcrossBorder(this->Layout.Pairs() - 1, position.x, position.y);
+  const bool isLast =
+    !(position.x + dx < this->Layout.Width() && position.y + dy < this->Layout.Height());
+  return peak + (across && isLast ? 0.0f : std::abs(record.Height - ends));
+}
+
 /// Completes a vertex of the finest depth: its four half cells tell everything.
 void HierarchyBands::WriteLeaf(HierarchyRecord& record, const Tile& tile, int x, int y,
   glm::i64vec2 position, std::int32_t errorBits)
@@ -282,33 +311,8 @@ void HierarchyBands::WriteLeaf(HierarchyRecord& record, const Tile& tile, int x,
   }
   const int direction = (x & 1) != 0 ? 2 : 0;
   const DiamondState state(direction, false, drawn, outside);
-  float error = BitsFloat(static_cast<std::uint32_t>(errorBits));
-  if (!state.HasSurface)
-  {
-    error = 0.0f;
-  }
-  else if (state.IsMixed)
-  {
-    error = static_cast<float>(
-      2.0 * ((x & 1) != 0 ? this->Target.Geometry.Spacing.x : this->Target.Geometry.Spacing.y));
-  }
-  else if (!std::isfinite(error))
-  {
-    // One triangle has no surface, or the raster ends here: the other triangle's own bound.
-    const int dx = x & 1;
-    const int dy = y & 1;
-    const float ends =
-      0.5f * (tile.Errors.HeightAt(x - dx, y - dy) + tile.Errors.HeightAt(x + dx, y + dy));
-    const bool across =
-      this->Layout.IsAcrossBorder(this->Layout.Pairs() - 1, position.x, position.y);
-    const float change = std::abs(record.Height - ends);
-    error = peak +
-      (across &&
-            !(position.x + dx < this->Layout.Width() && position.y + dy < this->Layout.Height())
-          ? 0.0f
-          : change);
-  }
-  record.SetError(error);
+  record.SetError(this->LeafError(record, tile, { x, y }, position, state, peak,
+    BitsFloat(static_cast<std::uint32_t>(errorBits))));
   record.SetRadius(static_cast<float>((std::sqrt(radius2) + peak) * (1.0 + kRadiusSlack)));
   record.SetDrawn(drawn);
   record.SetRough(state.IsMixed ||

@@ -15,6 +15,8 @@
 
 namespace terrain
 {
+struct DiamondState;
+
 /// Streams the raster once. Run() does it; the target then lacks only the nesting.
 class HierarchyBands
 {
@@ -57,6 +59,8 @@ private:
   void WriteVertex(std::int64_t band, std::int64_t column, int x, int y);
   void WriteLeaf(HierarchyRecord& record, const Tile& tile, int x, int y, glm::i64vec2 position,
     std::int32_t errorBits);
+  float LeafError(const HierarchyRecord& record, const Tile& tile, const glm::ivec2& at,
+    const glm::i64vec2& position, const DiamondState& state, float peak, float error) const;
   float SampleAt(std::int64_t x, std::int64_t y) const
   {
     return this->Rows[(y - this->LowRow) * this->Layout.Width() + x];

@@ -152,6 +152,26 @@ void HierarchyTile::Diagonal(const Square& square, bool rising)
   this->Merge(square.X + side / 2, square.Y + side / 2, largest);
 }
 
+/// Largest distance along a square's half diagonal from a corner on, whose cells it halves.
+std::int32_t HierarchyTile::Spoke(const Square& square, int x, int y, int dx, int dy)
+{
+  const int half = square.Side / 2;
+  const float corner = square.At(x, y);
+  const float step = (square.At(half, half) - corner) / static_cast<float>(half);
+  std::int32_t largest = 0;
+  for (int i = 0; i < half; ++i)
+  {
+    const int x0 = x + i * dx;
+    const int y0 = y + i * dy;
+    const float line = corner + step * static_cast<float>(i);
+    const float twist = square.Twist(std::min(x0, x0 + dx), std::min(y0, y0 + dy));
+    largest = std::max(largest,
+      DiagonalPeak(square.At(x0, y0) - line, square.At(x0 + dx, y0 + dy) - (line + step),
+        dx == dy ? twist : -twist));
+  }
+  return largest;
+}
+
 /// The square's four quarters between its centre and its sides, which the middles of the sides
 /// split.
 void HierarchyTile::Sides(const Square& square)
@@ -193,27 +213,10 @@ void HierarchyTile::Sides(const Square& square)
       north = std::max(north, LargestDistance(row, near, side - near, { start, slope }));
     }
   }
-  const auto spoke = [&](int x, int y, int dx, int dy)
-  {
-    std::int32_t largest = 0;
-    const float corner = square.At(x, y);
-    const float step = (centre - corner) / static_cast<float>(half);
-    for (int i = 0; i < half; ++i)
-    {
-      const int x0 = x + i * dx;
-      const int y0 = y + i * dy;
-      const float line = corner + step * static_cast<float>(i);
-      const float twist = square.Twist(std::min(x0, x0 + dx), std::min(y0, y0 + dy));
-      largest = std::max(largest,
-        DiagonalPeak(square.At(x0, y0) - line, square.At(x0 + dx, y0 + dy) - (line + step),
-          dx == dy ? twist : -twist));
-    }
-    return largest;
-  };
-  const std::int32_t spokeSW = spoke(0, 0, 1, 1);
-  const std::int32_t spokeSE = spoke(side, 0, -1, 1);
-  const std::int32_t spokeNW = spoke(0, side, 1, -1);
-  const std::int32_t spokeNE = spoke(side, side, -1, -1);
+  const std::int32_t spokeSW = Spoke(square, 0, 0, 1, 1);
+  const std::int32_t spokeSE = Spoke(square, side, 0, -1, 1);
+  const std::int32_t spokeNW = Spoke(square, 0, side, 1, -1);
+  const std::int32_t spokeNE = Spoke(square, side, side, -1, -1);
   this->Merge(square.X + half, square.Y, std::max({ south, spokeSW, spokeSE }));
   this->Merge(square.X + half, square.Y + side, std::max({ north, spokeNW, spokeNE }));
   this->Merge(square.X, square.Y + half, std::max({ west, spokeSW, spokeNW }));

@@ -53,6 +53,7 @@ private:
   struct Square;
   void Diagonal(const Square& square, bool rising);
   void Sides(const Square& square);
+  static std::int32_t Spoke(const Square& square, int x, int y, int dx, int dy);
   void Merge(int x, int y, std::int32_t error);
 
   int TileSide;
