@@ -32,9 +32,12 @@ def command(*arguments):
 @contextlib.contextmanager
 def viewer(*arguments):
     """A viewer, from when it answers on; gives its process and the address it printed."""
-    process = subprocess.Popen(command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    said = pathlib.Path(vtkTerrainTesting.output_path("viewer.log"))
+    with said.open("w", encoding="utf-8") as log:
+        process = subprocess.Popen(command(*arguments), stdout=subprocess.PIPE, stderr=log, text=True)
     try:
         yield process, process.stdout.readline().strip()
+        assert "Traceback" not in said.read_text(encoding="utf-8"), said.read_text(encoding="utf-8")
     finally:
         process.send_signal(signal.SIGINT)
         try:
@@ -112,6 +115,58 @@ class TestServer(unittest.TestCase):
 
 
 @unittest.skipUnless(HAS_TRAME, "trame, trame-rca, trame-vuetify and pillow are not installed")
+class TestFingers(unittest.TestCase):
+    """Gestures as trame-rca tells them: what each amounts to since it began."""
+
+    def setUp(self):
+        from vtkterrain.server import RemoteWindow
+        from vtkterrain.viewer import Viewer, read_heights
+
+        self.viewer = Viewer(read_heights(str(HEIGHTS)))
+        self.told = []
+        self.window = RemoteWindow(self.viewer, self.told.append, self.told.append, lambda: True)
+        self.viewer.draw()
+        self.camera = self.viewer.renderer.GetActiveCamera()
+
+    def gesture(self, kind, key, values):
+        for prefix in ("Start", "End"):
+            self.window.process_interaction_event({"type": "LeftButtonPress", "x": 300, "y": 300})
+            self.window.process_interaction_event({"type": "LeftButtonRelease", "x": 300, "y": 300})
+            if prefix == "Start":
+                self.window.process_interaction_event({"type": f"Start{kind}", key: values[0]})
+                for value in values[1:]:
+                    self.window.process_interaction_event({"type": kind, key: value})
+            self.window.process_interaction_event({"type": f"End{kind}", key: values[-1]})
+
+    def test_pinch_zooms_by_its_factor(self):
+        for factor in (2.0, 0.25):
+            before = self.camera.GetDistance()
+            self.gesture("Pinch", "factor", [1.0, factor**0.3, factor])
+            self.assertAlmostEqual(before / self.camera.GetDistance(), factor)
+
+    def test_rotation_turns_the_terrain_with_the_fingers(self):
+        self.assertAlmostEqual(self.camera.GetPosition()[0], 0.0)
+        distance = np.hypot(*self.camera.GetPosition()[:2])
+        self.gesture("Rotate", "rotation", [0.0, 10.0, 30.0])  # against the clock: the eye goes the other way
+        self.assertAlmostEqual(self.camera.GetPosition()[0] / distance, -np.sin(np.radians(30.0)))
+
+    def test_two_fingers_move(self):
+        before = np.array(self.camera.GetFocalPoint())
+        self.gesture("Pan", "translation", [[0, 0], [10, 0], [60, 20]])
+        moved = np.array(self.camera.GetFocalPoint()) - before
+        self.assertLess(moved[0], 0.0)
+        self.assertLess(moved[1], 0.0)
+        self.assertAlmostEqual(moved[0] / moved[1], 3.0)
+
+    def test_only_a_tap_tells_the_place(self):
+        self.gesture("Pinch", "factor", [1.0, 1.1])
+        self.assertEqual(self.told, [])
+        width, height = self.viewer.size
+        self.window.process_interaction_event({"type": "Tap", "position": {"x": width / 2, "y": height / 2}})
+        self.assertRegex(self.told[0], r"^6\d\.\d+N")
+
+
+@unittest.skipUnless(HAS_TRAME, "trame, trame-rca, trame-vuetify and pillow are not installed")
 class TestRefusals(unittest.TestCase):
     def refusal(self, *arguments):
         result = subprocess.run(command(*arguments), capture_output=True, text=True, check=False, timeout=120)
@@ -148,7 +203,8 @@ class TestChromium(unittest.TestCase):
         browser = self.running.enter_context(sync_playwright()).chromium.launch(
             executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
         self.running.callback(browser.close)
-        self.page = browser.new_page(viewport={"width": 1000, "height": 700})
+        self.browser = browser.new_context(viewport={"width": 1000, "height": 700}, has_touch=True)
+        self.page = self.browser.new_page()
         self.page.goto(self.address)
         self.page.wait_for_selector("img", timeout=60_000)
 
@@ -199,6 +255,51 @@ class TestChromium(unittest.TestCase):
         self.wait_for_text(r"\d+\.\d+.*\d")
         self.page.mouse.click(20, 20)
         self.wait_for_text("sky")
+
+    def touch(self, path):
+        """Fingers go along path(t), 0 <= t <= 1, which gives where each is."""
+        session = self.browser.new_cdp_session(self.page)
+        for step in range(21):
+            points = [{"x": x, "y": y, "id": finger} for finger, (x, y) in enumerate(path(step / 20))]
+            session.send("Input.dispatchTouchEvent",
+                         {"type": "touchMove" if step else "touchStart", "touchPoints": points})
+            time.sleep(0.02)
+        session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+
+    def test_fingers(self):
+        last = first = self.picture("untouched")
+        help_text = self.page.inner_text("#picked")
+
+        def turned(t):
+            return 70 * np.cos(1.3 * t), 70 * np.sin(1.3 * t)
+
+        for name, path in (
+                ("finger", lambda t: [(300 + 150 * t, 350)]),
+                ("pinch", lambda t: [(400 - 40 - 80 * t, 350), (400 + 40 + 80 * t, 350)]),
+                ("fingers", lambda t: [(300 + 90 * t, 350), (420 + 90 * t, 350)]),
+                ("twist", lambda t: [(400 + turned(t)[0], 350 + turned(t)[1]),
+                                     (400 - turned(t)[0], 350 - turned(t)[1])])):
+            self.touch(path)
+            now = self.picture(name)
+            self.assertGreater((np.abs(now - last).max(axis=2) > 10).mean(), 0.1, name)
+            last = now
+        self.assertEqual(self.page.inner_text("#picked"), help_text)
+        self.page.touchscreen.tap(400, 450)
+        self.wait_for_text(r"^6\d\.\d+N")
+        self.page.click("#reset")
+        self.assertLess((np.abs(self.picture("whole") - first).max(axis=2) > 10).mean(), 0.01)
+
+    def test_a_browser_that_closes_while_it_is_sent_pictures_is_no_harm(self):
+        for _ in range(3):
+            page = self.browser.new_page()
+            page.goto(self.address)
+            page.mouse.move(300, 300)
+            page.mouse.down()
+            page.mouse.move(350, 300)
+            page.close()
+        self.page.reload()
+        self.page.wait_for_selector("img", timeout=60_000)
+        self.picture("after-others")
 
     def test_a_lost_connection_is_told_and_a_reload_goes_on(self):
         self.page.reload()

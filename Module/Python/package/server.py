@@ -5,29 +5,37 @@
 Only who has the token of the address gets an answer, and no page of another origin. Nothing of a
 request names a file: what is served is the page, trame's own scripts, and pictures of the terrain.
 """
+import asyncio
 import hmac
+import logging
 import secrets
 import socket
+import sys
+import time
 
 from aiohttp import web
-from trame.app import get_server
+from trame.app import asynchronous, get_server
 from trame.ui.vuetify3 import VAppLayout
 from trame.widgets import client, html, rca
 from trame.widgets import vuetify3 as vuetify
-from trame_rca.utils import RcaRenderScheduler, RcaViewAdapter
+from trame_rca.utils import RcaEncoder, RcaViewAdapter
 
 from .viewer import COLORS, TECHNIQUES, Viewer
 
-_HELP = "Drag turns, right or Shift drag moves, wheel zooms, click tells the place. Keys: arrows + - r c t"
+_HELP = ("Drag turns, right or Shift drag moves, wheel zooms, click tells the place. Two fingers move, turn, zoom. "
+         "Keys: arrows + - r c t")
 _KEYS = {"ArrowLeft": (-5.0, 0.0), "ArrowRight": (5.0, 0.0), "ArrowUp": (0.0, 5.0), "ArrowDown": (0.0, -5.0)}
+_SECONDS_OF_REST = 0.17  # until a picture is drawn without haste
+_QUALITY_IN_HASTE, _QUALITY_AT_REST = 65, 92  # of JPEG
 _LARGEST_CLICK = 3  # pixels that the pointer may move between press and release
 
 
 class RemoteWindow:
     """What trame-rca asks of a window: pictures, and what pointer, fingers and keys do."""
 
-    def __init__(self, viewer, on_pick, on_key):
+    def __init__(self, viewer, on_pick, on_key, is_touched=lambda: False):
         self._viewer = viewer
+        self._is_touched = is_touched
         self._on_pick = on_pick
         self._on_key = on_key
         self._button = None
@@ -54,9 +62,11 @@ class RemoteWindow:
             self._drag(event)
         elif kind == "MouseWheel":
             self._viewer.zoom(1.1 ** -max(-3.0, min(3.0, float(event.get("spinY", 0.0)))))
-        elif kind in ("Pinch", "StartPinch", "EndPinch"):
+        elif kind in ("StartPinch", "Pinch"):
             self._pinch(kind, event)
-        elif kind in ("Pan", "StartPan", "EndPan"):
+        elif kind in ("StartRotate", "Rotate"):
+            self._rotate(kind, event)
+        elif kind in ("StartPan", "Pan"):
             self._pan(kind, event)
         elif kind == "Tap":
             self._tell(event.get("position", {}))
@@ -70,7 +80,8 @@ class RemoteWindow:
             self._pressed_at = self._last = here
         else:
             way = max(abs(a - b) for a, b in zip(here, self._pressed_at))
-            if self._button == "turn" and way <= _LARGEST_CLICK:
+            # Fingers press and let go at one place before and after each gesture; they tap.
+            if self._button == "turn" and way <= _LARGEST_CLICK and not self._is_touched():
                 self._tell(event)
             self._button = None
 
@@ -83,16 +94,23 @@ class RemoteWindow:
         else:
             self._viewer.pan(x / height, y / height)
 
+    # Gestures of fingers tell what they amount to since they began.
+    def _since_last(self, gesture, now, is_start):
+        before = now if is_start else self._gesture.get(gesture, now)
+        self._gesture[gesture] = now
+        return now, before
+
     def _pinch(self, kind, event):
-        now = max(1e-3, float(event.get("factor") or 1.0))
-        before = now if kind.startswith("Start") else self._gesture.get("pinch", now)
-        self._gesture["pinch"] = now
+        now, before = self._since_last("pinch", max(1e-3, float(event.get("factor") or 1.0)), kind == "StartPinch")
         self._viewer.zoom(now / before)
+
+    def _rotate(self, kind, event):
+        now, before = self._since_last("rotate", float(event.get("rotation") or 0.0), kind == "StartRotate")
+        self._viewer.turn(now - before, 0.0)
 
     def _pan(self, kind, event):
         now = [float(part) for part in event.get("translation") or (0.0, 0.0)][:2]
-        before = now if kind.startswith("Start") else self._gesture.get("pan", now)
-        self._gesture["pan"] = now
+        now, before = self._since_last("pan", now, kind == "StartPan")
         height = self._viewer.size[1]
         self._viewer.pan((now[0] - before[0]) / height, (now[1] - before[1]) / height)
 
@@ -109,12 +127,67 @@ class RemoteWindow:
             self._on_key(key)
 
 
-class _Scheduler(RcaRenderScheduler):
-    """Pictures while something moves are hasty, the one after it is not."""
+class Scheduler:
+    """When pictures are drawn, and how they travel: a scheduler of trame-rca's.
 
-    def _render_frame(self, quality):
-        self.rca.is_hasty = quality == self._interactive_quality
-        super()._render_frame(quality)
+    Pictures while something moves are hasty, the one after it is not. The next one is drawn as soon as
+    there is something to draw and the last but one has been encoded, which threads do meanwhile;
+    trame-rca's own scheduler draws at even times only, which costs half of the pictures where one takes
+    little more than its time.
+    """
+
+    target_fps = 30.0
+
+    def __init__(self, window):
+        self.rca = window
+        self._encoder = RcaEncoder("jpeg")
+        self._push = None
+        self._is_wanted = asyncio.Event()
+        self._underway = asyncio.Semaphore(2)
+        self._last_pushed = 0
+        self._task = asynchronous.create_task(self._run())
+
+    def set_push_callback(self, callback):
+        """What is called with each picture and what is to be known of it."""
+        self._push = callback
+
+    def schedule_render(self):
+        """Asks for a picture."""
+        self._is_wanted.set()
+
+    def reset(self):
+        """A browser has come: every picture stands for itself."""
+
+    async def close(self):
+        """Draws no more."""
+        self._task.cancel()
+
+    async def _run(self):
+        is_settled = True
+        while True:
+            try:
+                await asyncio.wait_for(self._is_wanted.wait(), None if is_settled else _SECONDS_OF_REST)
+                is_settled = False
+            except asyncio.TimeoutError:
+                is_settled = True
+            self._is_wanted.clear()
+            await self._underway.acquire()
+            begin = time.monotonic()
+            self.rca.is_hasty = not is_settled
+            quality = _QUALITY_AT_REST if is_settled else _QUALITY_IN_HASTE
+            asynchronous.create_task(self._send(*self.rca.img_cols_rows, quality))
+            # What the browser says is heard before the next one is drawn.
+            await asyncio.sleep(max(0.001, 1.0 / self.target_fps - (time.monotonic() - begin)))
+
+    async def _send(self, picture, columns, rows, quality):
+        try:
+            image, facts, made = await asyncio.get_running_loop().run_in_executor(
+                None, self._encoder.encode, picture, columns, rows, quality)
+        finally:
+            self._underway.release()
+        if self._push and made >= self._last_pushed:
+            self._last_pushed = made
+            self._push(image, facts)
 
 
 def _is_same_origin(request):
@@ -156,6 +229,17 @@ def free_port(host, port):
         return tried.getsockname()[1]
 
 
+def _is_no_lost_connection(record):
+    error = record.exc_info[1] if record.exc_info else sys.exc_info()[1]
+    return not isinstance(error, ConnectionError)
+
+
+def hush_lost_connections():
+    """A browser may close while it is being sent something: nothing to log a traceback of."""
+    for name in ("asyncio", "wslink.protocol", "wslink.backends.aiohttp"):
+        logging.getLogger(name).addFilter(_is_no_lost_connection)
+
+
 class Page:
     """The page of one terrain."""
 
@@ -168,8 +252,8 @@ class Page:
         state = self.server.state
         state.trame__title = title
         state.update({"exaggeration": 1.0, "technique": TECHNIQUES[0], "colors": COLORS[0], "contours": False,
-                      "azimuth": 315, "altitude": 45, "picked": _HELP})
-        window = RemoteWindow(self.viewer, self._picked, self._key)
+                      "azimuth": 315, "altitude": 45, "picked": _HELP, "pointer": "mouse"})
+        window = RemoteWindow(self.viewer, self._picked, self._key, lambda: state.pointer == "touch")
         self._build(title, window)
         for names, setter in ((("exaggeration",), self.viewer.set_exaggeration),
                               (("technique",), self.viewer.set_technique),
@@ -205,14 +289,15 @@ class Page:
     def _build(self, title, window):
         with VAppLayout(self.server) as layout, layout.root:
             client.Style("html, body { overflow: hidden; margin: 0 } .v-field__input { padding-top: 14px }")
-            with vuetify.VContainer(fluid=True, classes="pa-0 fill-height", style="height: 100vh; position: relative"):
+            with vuetify.VContainer(fluid=True, classes="pa-0 fill-height", style="height: 100vh; position: relative",
+                                    pointerdown="pointer = $event.pointerType",
+                                    __events=[("pointerdown", "pointerdown.capture")]):
                 self._area = rca.RemoteControlledArea(
                     name="terrain", display="image", send_mouse_move=False, event_throttle_ms=20,
                     image_style=("{ width: '100%', height: '100%' }",),
                     style="width: 100%; height: 100%; position: absolute; touch-action: none")
                 self._controls(title)
-        scheduler = _Scheduler(window, target_fps=30.0, interactive_quality=65, still_quality=92, rca_encoder="jpeg")
-        self._handler = RcaViewAdapter(window, "terrain", scheduler=scheduler)
+        self._handler = RcaViewAdapter(window, "terrain", scheduler=Scheduler(window))
         self._area.add_view_handler(self._handler)
 
     def _controls(self, title):
@@ -237,6 +322,7 @@ class Page:
 
     def start(self, host="127.0.0.1", port=0, open_browser=True, on_ready=print):
         """Serves until it is interrupted; ``on_ready`` gets the address once there is an answer."""
+        hush_lost_connections()
         port = free_port(host, port)
         address = f"http://{f'[{host}]' if ':' in host else host}:{port}/?token={self.token}"
 
