@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLTerrainMapper.h"
 
+#include "data/ImageHeights.h"
 #include "render/Driver.h"
 #include "render/Features.h"
 #include "render/Scene.h"
@@ -167,9 +168,11 @@ void vtkOpenGLTerrainMapper::HeightsModified(
   if (vtkImageData* image = this->GetHeights())
   {
     const int* extent = image->GetExtent();
-    this->Internals->Scene.Surface.SetImagePart(image,
-      { { firstColumn - extent[0], firstRow - extent[2] },
-        { lastColumn - extent[0] + 1, lastRow - extent[2] + 1 } });
+    const bool turned = terrain::ImageHeights::AreRowsFromNorth(image);
+    const int south = turned ? extent[3] - lastRow : firstRow - extent[2];
+    const int north = turned ? extent[3] - firstRow : lastRow - extent[2];
+    this->Internals->Scene.Surface.SetImagePart(
+      image, { { firstColumn - extent[0], south }, { lastColumn - extent[0] + 1, north + 1 } });
     this->PictureModified();
   }
 }

@@ -90,11 +90,12 @@ void AddFieldArray(vtkPolyData* output, const char* name, std::initializer_list<
 void AddPointArrays(
   const terrain::CoarseMeshSurface& surface, vtkImageData* image, vtkPolyData* output)
 {
-  const vtkIdType width = image->GetDimensions()[0];
   vtkNew<vtkIdList> samples;
   samples->SetNumberOfIds(surface.NumberOfVertices());
-  surface.ForEachVertex([&](std::int64_t id, const terrain::CoarseMeshVertex& vertex)
-    { samples->SetId(id, vertex.Column + width * vertex.Row); });
+  surface.ForEachVertex(
+    [&](std::int64_t id, const terrain::CoarseMeshVertex& vertex) {
+      samples->SetId(id, terrain::ImageHeights::PointOfSample(image, vertex.Column, vertex.Row));
+    });
   terrain::AddPointArrays(image, samples, output);
 }
 

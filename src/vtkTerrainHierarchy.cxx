@@ -26,11 +26,15 @@ terrain::HeightRows RowsOf(vtkImageData* image)
     terrain::ImageHeights::Dispatch(image,
       [&](const auto& view)
       {
-        const std::int64_t begin = first * view.Width;
-        for (std::int64_t i = 0; i < count * view.Width; ++i)
+        float* out = heights;
+        for (std::int64_t j = first; j < first + count; ++j)
         {
-          heights[i] = view.IsValid(begin + i) ? static_cast<float>(view.Samples[begin + i])
-                                               : std::numeric_limits<float>::quiet_NaN();
+          for (std::int64_t i = 0; i < view.Width; ++i)
+          {
+            const std::int64_t index = view.Index(i, j);
+            *out++ = view.IsValid(index) ? static_cast<float>(view.Samples[index])
+                                         : std::numeric_limits<float>::quiet_NaN();
+          }
         }
       });
     return std::string();

@@ -45,7 +45,7 @@ class Latitudes
 public:
   explicit Latitudes(vtkImageData* heights)
     : Layout(terrain::FieldData::GetLayout(heights))
-    , First(heights->GetOrigin()[1] + heights->GetExtent()[2] * heights->GetSpacing()[1])
+    , First(terrain::ImageHeights::Geometry(heights).Origin.y)
     , Spacing(heights->GetSpacing()[1])
   {
     vtkNew<vtkTerrainGeoreference> georeference;
@@ -205,6 +205,8 @@ std::string vtkTerrainHorizon::ComputeHorizon(
     this->Internals->Grid->Cast(azimuth, options, band.Rows,
       degrees->GetPointer(band.Rows.First * width), terrain::SMPParallelFor);
   }
+  terrain::ImageHeights::ArrangeRows(
+    heights, degrees->GetPointer(0), width, heights->GetDimensions()[1]);
   return {};
 }
 
@@ -362,10 +364,10 @@ struct SunLook
   double Turbidity = 3.0;
 };
 
-/// Adds what a sample gets of the sun; limit: its horizon there.
+/// Adds what sample (i, j), point k, gets of the sun; limit: its horizon there.
 template <typename View>
-void AddLight(const View& view, vtkIdType k, const glm::dvec2& spacing, const SunLook& look,
-  float limit, const SunArrays& arrays)
+void AddLight(const View& view, const glm::i64vec2& sample, vtkIdType k, const glm::dvec2& spacing,
+  const SunLook& look, float limit, const SunArrays& arrays)
 {
   if (std::isnan(limit))
   {
@@ -376,10 +378,10 @@ void AddLight(const View& view, vtkIdType k, const glm::dvec2& spacing, const Su
   {
     return;
   }
-  const glm::dvec3 normal = NormalAt(view, k % view.Width, k / view.Width, spacing);
+  const glm::dvec3 normal = NormalAt(view, sample.x, sample.y, spacing);
   const double facing = std::max(glm::dot(normal, terrain::SunDirection(look.Sun)), 0.0);
   const double direct = terrain::ClearSkyDirect(
-    look.Sun.Elevation, static_cast<double>(view.Samples[k]), look.Turbidity, look.Day);
+    look.Sun.Elevation, view.At(sample.x, sample.y), look.Turbidity, look.Day);
   arrays.Hours->SetValue(k, arrays.Hours->GetValue(k) + static_cast<float>(look.Hours));
   arrays.Irradiation->SetValue(
     k, arrays.Irradiation->GetValue(k) + static_cast<float>(look.Hours * direct * facing));
@@ -399,13 +401,16 @@ void AddLights(vtkImageData* heights, const std::vector<RowBand>& bands, const S
       for (const RowBand& band : bands)
       {
         const glm::dvec2 spacing(band.Spacing, heights->GetSpacing()[1]);
-        const vtkIdType first = band.Rows.First * view.Width;
-        terrain::SMPParallelFor(band.Rows.End * view.Width - first,
+        terrain::SMPParallelFor(band.Rows.End - band.Rows.First,
           [&](std::int64_t begin, std::int64_t end)
           {
-            for (vtkIdType k = first + begin; k < first + end; ++k)
+            for (std::int64_t j = band.Rows.First + begin; j < band.Rows.First + end; ++j)
             {
-              AddLight(view, k, spacing, look, horizon->GetValue(k), arrays);
+              vtkIdType k = terrain::ImageHeights::PointOfSample(heights, 0, j);
+              for (std::int64_t i = 0; i < view.Width; ++i, ++k)
+              {
+                AddLight(view, { i, j }, k, spacing, look, horizon->GetValue(k), arrays);
+              }
             }
           });
       }

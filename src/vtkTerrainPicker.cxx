@@ -310,7 +310,9 @@ double vtkTerrainPicker::IntersectActorWithLine(const double p1[3], const double
     this->GridPosition[0] = position.x;
     this->GridPosition[1] = position.y;
     const int* extent = shown.Heights->GetExtent();
-    const double structured[3] = { extent[0] + position.x, extent[2] + position.y,
+    const double structured[3] = { extent[0] + position.x,
+      terrain::ImageHeights::AreRowsFromNorth(shown.Heights) ? extent[3] - position.y
+                                                             : extent[2] + position.y,
       static_cast<double>(extent[4]) };
     this->SetImageDataPickInfo(structured, extent);
     const glm::dvec3 point = shown.Surface.Frame.ToModel(positionGC, hit.Height);

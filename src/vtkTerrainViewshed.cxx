@@ -126,6 +126,7 @@ int vtkTerrainViewshed::RequestInformation(
   out->CopyEntry(info, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
   out->CopyEntry(info, vtkDataObject::ORIGIN());
   out->CopyEntry(info, vtkDataObject::SPACING());
+  out->CopyEntry(info, vtkDataObject::DIRECTION());
   return 1;
 }
 
@@ -186,6 +187,8 @@ int vtkTerrainViewshed::RequestData(
     vtkErrorMacro("No viewshed: " << this->ErrorMessage << ".");
     return 0;
   }
+  const int* size = heights->GetDimensions();
+  terrain::ImageHeights::ArrangeRows(heights, counts->GetPointer(0), size[0], size[1]);
   output->ShallowCopy(heights);
   output->GetPointData()->AddArray(counts);
   return 1;

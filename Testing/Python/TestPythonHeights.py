@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """numpy arrays as heights, and heights as numpy arrays."""
 import gc
+import resource
+import tracemalloc
 import unittest
 import weakref
 
 import numpy as np
 import vtkTerrainTesting
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
 
 from vtkterrain import array_from_heights, heights_from_array, vtkTerrainCoarseMesh, vtkTerrainSource
@@ -20,6 +23,34 @@ class TestHeights(unittest.TestCase):
             self.assertTrue(np.shares_memory(array, array_from_heights(image)), kind)
             array[0, 3] = 77
             self.assertEqual(image.GetScalarComponentAsDouble(3, 0, 0, 0), 77.0, kind)
+
+    def test_nothing_is_copied_from_either_side(self):
+        # 32 to 64 MiB, so that a copy of the samples cannot hide, neither of numpy's nor of C++'s.
+        for kind in ("float32", "uint16", "int16"):
+            for first_row in ("south", "north"):
+                array = (vtkTerrainTesting.ramp(1, 4096) + np.zeros((4096, 1))).astype(kind)
+                array[17] = 3
+                heights_from_array(array[:2], first_row=first_row)  # what is loaded once
+                peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+                tracemalloc.start()
+                image = heights_from_array(array, (30.0, 20.0), (5.0, 7.0), first_row=first_row)
+                traced = tracemalloc.get_traced_memory()[1]
+                tracemalloc.stop()
+                more = 1024 * (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - peak)
+                scalars = image.GetPointData().GetScalars()
+                self.assertEqual(vtk_to_numpy(scalars).ctypes.data, array.ctypes.data, (kind, first_row))
+                self.assertLess(traced, 0.05 * array.nbytes, (kind, first_row))
+                self.assertLess(more, 0.25 * array.nbytes, (kind, first_row))
+                row = 17 if first_row == "south" else 4096 - 18
+                self.assertEqual(array_from_heights(image)[row, 5], 3)
+                self.assertEqual(image.GetPoint(17 * 4096), (5.0, 7.0 + 20.0 * row, 0.0))
+
+    def test_views_and_files_in_memory_are_shared(self):
+        array = vtkTerrainTesting.ramp(1, 30).repeat(20, axis=0).astype(np.float32)
+        path = vtkTerrainTesting.output_path("mapped.npy")
+        np.save(path, array)
+        for samples in (array[::-1], np.load(path, mmap_mode="r"), np.load(path, mmap_mode="r")[::-1]):
+            self.assertTrue(np.shares_memory(samples, array_from_heights(heights_from_array(samples))))
 
     def test_image_keeps_the_array_alive(self):
         array = np.arange(200_000, dtype=np.float32).reshape(400, 500)
@@ -45,8 +76,10 @@ class TestHeights(unittest.TestCase):
 
     def test_first_row_in_the_north(self):
         array = vtkTerrainTesting.ramp(3, 4)
-        image = heights_from_array(array, first_row="north")
-        self.assertEqual(image.GetScalarComponentAsDouble(2, 0, 0, 0), 202.0)
+        image = heights_from_array(array, (1.0, 10.0), (5.0, 6.0), first_row="north")
+        self.assertEqual(image.GetScalarComponentAsDouble(2, 0, 0, 0), 2.0)
+        self.assertEqual(image.GetPoint(2), (7.0, 26.0, 0.0))
+        self.assertEqual(image.GetBounds(), (5.0, 8.0, 6.0, 26.0, 0.0, 0.0))
         np.testing.assert_array_equal(array_from_heights(image), array[::-1])
 
     def test_other_layouts_and_types_are_copied(self):

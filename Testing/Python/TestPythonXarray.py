@@ -27,13 +27,14 @@ class TestXarray(unittest.TestCase):
         data = elevation(5e5 + 30.0 * np.arange(4), 3.1e6 - 20.0 * np.arange(3), crs="EPSG:32645")
         image = heights_from_dataarray(data)
         self.assertEqual(image.GetSpacing(), (30.0, 20.0, 1.0))
-        self.assertEqual(image.GetOrigin(), (5e5, 3.1e6 - 40.0, 0.0))
+        self.assertEqual(image.GetBounds(), (5e5, 5e5 + 90.0, 3.1e6 - 40.0, 3.1e6, 0.0, 0.0))
         np.testing.assert_array_equal(array_from_heights(image), data.values[::-1])
         self.assertEqual(image.GetFieldData().GetAbstractArray("CRS").GetValue(0), "EPSG:32645")
 
-    def test_memory_is_shared_where_rows_come_from_the_south(self):
-        data = elevation(np.arange(4.0), np.arange(3.0))
-        self.assertTrue(np.shares_memory(array_from_heights(heights_from_dataarray(data)), data.values))
+    def test_memory_is_shared(self):
+        for y in (np.arange(3.0), np.arange(3.0)[::-1]):
+            data = elevation(np.arange(4.0), y)
+            self.assertTrue(np.shares_memory(array_from_heights(heights_from_dataarray(data)), data.values))
 
     def test_order_of_dimensions_and_falling_columns(self):
         data = elevation(np.arange(4.0)[::-1], np.arange(3.0))

@@ -6,6 +6,9 @@
  *
  * Heights are an image of W x H x 1 points whose active point scalars have one component, of any
  * VTK numeric type. No data are NaN, infinities, and points whose vtkGhostType has HIDDENPOINT set.
+ *
+ * Rows of the image run north, or south where its direction matrix is diag(1, -1, 1), as rasters
+ * have them. Core counts rows from the south in both cases.
  */
 #ifndef vtkTerrain_data_ImageHeights_h
 #define vtkTerrain_data_ImageHeights_h
@@ -21,10 +24,56 @@
 #include "vtkSetGet.h" // For vtkTemplateMacro
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace terrain::ImageHeights
 {
+/// True if the image's first row is the northern one.
+inline bool AreRowsFromNorth(vtkImageData* image)
+{
+  return image->GetDirectionMatrix()->GetElement(1, 1) < 0.0;
+}
+
+/// The row of the image that is row j from the south, and the reverse; both count from 0.
+inline vtkIdType ImageRow(vtkImageData* image, vtkIdType j)
+{
+  return AreRowsFromNorth(image) ? image->GetDimensions()[1] - 1 - j : j;
+}
+
+/// The point of the image that is sample (i, j), counted from the south-west.
+inline vtkIdType PointOfSample(vtkImageData* image, vtkIdType i, vtkIdType j)
+{
+  return i + image->GetDimensions()[0] * ImageRow(image, j);
+}
+
+/// Brings what was computed row by row from the south into the order of the image's rows, or back:
+/// `rows` rows of `length` values.
+template <typename T>
+void ArrangeRows(vtkImageData* image, T* values, std::ptrdiff_t length, std::ptrdiff_t rows)
+{
+  for (std::ptrdiff_t j = 0; AreRowsFromNorth(image) && j < rows / 2; ++j)
+  {
+    T* row = values + length * j;
+    std::swap_ranges(row, row + length, values + length * (rows - 1 - j));
+  }
+}
+
+/// True if the image lies along the axes, its rows running north or south.
+inline bool IsAlongAxes(vtkImageData* image)
+{
+  for (int i = 0; i < 9; ++i)
+  {
+    const double element = image->GetDirectionMatrix()->GetElement(i / 3, i % 3);
+    if (element != (i % 4 == 0 ? 1.0 : 0.0) && !(i == 4 && element == -1.0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Empty if the image holds heights (above), else one sentence that says why not.
 inline std::string WhyNotHeights(vtkImageData* image)
 {
@@ -38,9 +87,9 @@ inline std::string WhyNotHeights(vtkImageData* image)
     return "heights must be an image of W x H x 1 points, this one has " + std::to_string(dims[0]) +
       " x " + std::to_string(dims[1]) + " x " + std::to_string(dims[2]);
   }
-  if (!image->GetDirectionMatrix()->IsIdentity())
+  if (!IsAlongAxes(image))
   {
-    return "heights must lie along the axes, this image has a direction matrix";
+    return "heights must lie along the axes, this image has another direction matrix";
   }
   const double* spacing = image->GetSpacing();
   if (!(spacing[0] > 0.0) || !(spacing[1] > 0.0))
@@ -68,7 +117,9 @@ inline GridGeometry Geometry(vtkImageData* image, double exaggeration = 1.0)
   const double* spacing = image->GetSpacing();
   const int* extent = image->GetExtent();
   GridGeometry geometry;
-  geometry.Origin = { origin[0] + extent[0] * spacing[0], origin[1] + extent[2] * spacing[1],
+  geometry.Origin = { origin[0] + extent[0] * spacing[0],
+    AreRowsFromNorth(image) ? origin[1] - extent[3] * spacing[1]
+                            : origin[1] + extent[2] * spacing[1],
     origin[2] + extent[4] * spacing[2] };
   geometry.Spacing = { spacing[0], spacing[1] };
   geometry.Exaggeration = exaggeration;
@@ -80,12 +131,15 @@ template <typename T>
 HeightfieldView<T> View(vtkImageData* image)
 {
   HeightfieldView<T> view;
-  view.Samples = static_cast<const T*>(image->GetPointData()->GetScalars()->GetVoidPointer(0));
+  const vtkIdType first = PointOfSample(image, 0, 0);
+  view.Samples =
+    static_cast<const T*>(image->GetPointData()->GetScalars()->GetVoidPointer(0)) + first;
+  view.RowsFromNorth = AreRowsFromNorth(image);
   view.Width = image->GetDimensions()[0];
   view.Height = image->GetDimensions()[1];
   if (vtkUnsignedCharArray* ghosts = image->GetPointGhostArray())
   {
-    view.Mask = ghosts->GetPointer(0);
+    view.Mask = ghosts->GetPointer(first);
     view.MaskBits = vtkDataSetAttributes::HIDDENPOINT;
   }
   return view;

@@ -182,13 +182,13 @@ void AddTextureCoordinates(vtkImageData* image, const MeshParts& parts, vtkPolyD
 
 void AddArraysOfSamples(vtkImageData* image, const MeshParts& parts, vtkPolyData* output)
 {
-  const vtkIdType width = image->GetDimensions()[0];
   vtkNew<vtkIdList> samples;
   samples->SetNumberOfIds(static_cast<vtkIdType>(parts.Points.size()));
   for (std::size_t k = 0; k < parts.Points.size(); ++k)
   {
     const glm::ivec2& sample = parts.Points[k].Sample;
-    samples->SetId(static_cast<vtkIdType>(k), sample.x + width * sample.y);
+    samples->SetId(
+      static_cast<vtkIdType>(k), ImageHeights::PointOfSample(image, sample.x, sample.y));
   }
   AddPointArrays(image, samples, output);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "render/Paint.h"
 
+#include "data/ImageHeights.h"
 #include "data/SMPParallelFor.h"
 #include "render/Driver.h"
 #include "render/Uniforms.h"
@@ -264,6 +265,7 @@ void Paint::UpdateValues(vtkDataArray* array, int component, int width, int heig
         values[i] = std::isfinite(value) ? static_cast<float>(value) : kNotANumber;
       }
     });
+  ImageHeights::ArrangeRows(this->Heights, values.data(), width, height);
   this->Values.Texture->SetInternalFormat(GL_R32F);
   this->Values.Texture->SetFormat(GL_RED);
   this->Values.Texture->Create2DFromRaw(static_cast<unsigned int>(width),
@@ -282,8 +284,16 @@ void Paint::UpdateColors(vtkDataArray* array, int width, int height)
   {
     return;
   }
-  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
     table->MapScalars(array, mapper->GetColorMode(), mapper->GetArrayComponent(), VTK_RGBA));
+  if (ImageHeights::AreRowsFromNorth(this->Heights))
+  {
+    const auto mapped = colors; // may be the array itself
+    colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    colors->DeepCopy(mapped);
+    ImageHeights::ArrangeRows(
+      this->Heights, colors->GetPointer(0), std::ptrdiff_t{ 4 } * width, height);
+  }
   this->Colors.Texture->Create2DFromRaw(static_cast<unsigned int>(width),
     static_cast<unsigned int>(height), 4, VTK_UNSIGNED_CHAR, colors->GetPointer(0));
   ++this->NumberOfUploads;

@@ -13,10 +13,10 @@ _CODES_OF_VTK_TYPES = "bBhHiIlLqQfd"
 
 def _fill_masked(array):
     """An array without a mask: floats with NaN in place of masked samples."""
-    mask = np.ma.getmaskarray(array)
     samples = np.ma.getdata(array)
-    if not mask.any():
+    if not np.ma.is_masked(array):
         return samples
+    mask = np.ma.getmaskarray(array)
     is_exact_as_float = samples.dtype.kind == "f" or samples.dtype.itemsize <= 2
     samples = samples.astype(np.promote_types(samples.dtype, np.float32) if is_exact_as_float
                              else np.float64)
@@ -43,12 +43,21 @@ def _check_place(spacing, origin):
         raise ValueError(f"origin must be two or three finite numbers, not {origin}")
 
 
+def _is_from_north(samples):
+    """Whether rows from the south lie in memory from the north, so that they need no copy that way."""
+    return not samples.flags.c_contiguous and samples[::-1].flags.c_contiguous
+
+
 def _take_in(samples, spacing, nodata, height_unit):
     """Samples from the south as heights in metres, NaN for fill: themselves if they are so already."""
     has_place = min(samples.shape) > 1
     axes = [(name, {}, step * np.arange(size)) if has_place else None
             for name, step, size in zip("yx", spacing[::-1], samples.shape)]
-    described = describe_samples(samples, None, rows=axes[0], columns=axes[1])
+    in_memory = samples
+    if has_place and _is_from_north(samples):
+        in_memory = samples[::-1]
+        axes[0] = (*axes[0][:2], axes[0][2][::-1])
+    described = describe_samples(in_memory, None, rows=axes[0], columns=axes[1])
     reader = make_reader(described, nodata=nodata, height_unit=height_unit)
     if reader.GetSamplesAreHeights():
         return samples
@@ -63,9 +72,10 @@ def heights_from_array(array, spacing=(1.0, 1.0), origin=(0.0, 0.0), *, first_ro
                        flip=False):
     """A ``vtkImageData`` of heights from a numpy array.
 
-    The image shares the memory of the array, and keeps it alive, if the array is contiguous, its
-    first row is the southern one, VTK has its type, no sample is masked or fill and the heights are
-    metres. Otherwise the samples are copied. After a change of shared samples call
+    The image shares the memory of the array, and keeps it alive, if the array is contiguous, VTK has
+    its type, no sample is masked or fill and the heights are metres. Otherwise the samples are copied.
+    Where memory begins in the north, the image does so too: its origin is the north-western sample, and
+    its direction matrix is diag(1, -1, 1). After a change of shared samples call
     ``image.GetPointData().GetScalars().Modified()``.
 
     Parameters
@@ -102,12 +112,17 @@ def heights_from_array(array, spacing=(1.0, 1.0), origin=(0.0, 0.0), *, first_ro
         samples = samples[::-1]
     samples = _take_in(samples, spacing, nodata, height_unit)
     rows, columns = samples.shape
-    scalars = numpy_to_vtk(np.ascontiguousarray(samples).reshape(-1))
-    scalars.SetName(name)
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
     image.SetSpacing(*spacing, 1.0)
-    image.SetOrigin(*origin, *([0.0] * (3 - len(origin))))
+    x, y, z = (*origin, *([0.0] * (3 - len(origin))))
+    if _is_from_north(samples):
+        samples = samples[::-1]
+        y += (rows - 1) * spacing[1]
+        image.SetDirectionMatrix(1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0)
+    image.SetOrigin(x, y, z)
+    scalars = numpy_to_vtk(np.ascontiguousarray(samples).reshape(-1))
+    scalars.SetName(name)
     image.GetPointData().SetScalars(scalars)
     if coordinate_system:
         text = vtkStringArray()
@@ -126,9 +141,10 @@ def array_from_heights(image):
     scalars = image.GetPointData().GetScalars()
     if layers != 1 or scalars is None or scalars.GetNumberOfComponents() != 1:
         raise ValueError("heights must be an image of W x H x 1 points with one scalar each")
-    samples = vtk_to_numpy(scalars).reshape(rows, columns)
+    step = -1 if image.GetDirectionMatrix().GetElement(1, 1) < 0 else 1
+    samples = vtk_to_numpy(scalars).reshape(rows, columns)[::step]
     ghosts = image.GetPointGhostArray()
     if ghosts is None:
         return samples
-    is_hidden = vtk_to_numpy(ghosts).reshape(rows, columns) & vtkDataSetAttributes.HIDDENPOINT != 0
+    is_hidden = vtk_to_numpy(ghosts).reshape(rows, columns)[::step] & vtkDataSetAttributes.HIDDENPOINT != 0
     return _fill_masked(np.ma.masked_array(samples, is_hidden))

@@ -73,7 +73,8 @@ HeightRange<T> FindHeightRange(const HeightfieldView<T>& view, const ParallelFor
     [&](std::int64_t begin, std::int64_t end)
     {
       HeightRange<T> local;
-      for (std::int64_t index = view.Index(0, begin); index < view.Index(0, end); ++index)
+      const std::int64_t first = std::min(view.Index(0, begin), view.Index(0, end - 1));
+      for (std::int64_t index = first; index < first + view.Width * (end - begin); ++index)
       {
         if (!view.IsValid(index))
         {

@@ -29,11 +29,12 @@ constexpr bool IsHeight(T value)
   return true;
 }
 
-/// View of W x H samples of arithmetic type T, row by row from the south; never owns them.
+/// View of W x H samples of arithmetic type T, row by row from the south or from the north; never owns
+/// them. Everything counts rows from the south: an index may be below 0.
 template <typename T>
 struct HeightfieldView
 {
-  /// Height of sample (i, j) at Samples[i + Width * j], in height units.
+  /// The south-western sample; the height of sample (i, j) is Samples[Index(i, j)], in height units.
   const T* Samples = nullptr;
   /// Number of samples east and north, >= 0.
   std::int64_t Width = 0;
@@ -44,10 +45,18 @@ struct HeightfieldView
   /// If HasNoData, samples equal to NoData have no height either (height codes: HeightCodes.h).
   bool HasNoData = false;
   T NoData{};
+  /// Whether the next row to the north lies before a row in memory, instead of behind it.
+  bool RowsFromNorth = false;
+
+  /// What the index grows by from a row to the next one north.
+  std::int64_t RowStep() const
+  {
+    return this->RowsFromNorth ? -this->Width : this->Width;
+  }
 
   std::int64_t Index(std::int64_t i, std::int64_t j) const
   {
-    return i + this->Width * j;
+    return i + this->RowStep() * j;
   }
 
   /// True where there is a height: not masked, not NoData, and IsHeight().
@@ -76,8 +85,9 @@ struct HeightfieldView
   bool IsCellValid(std::int64_t i, std::int64_t j) const
   {
     const std::int64_t index = this->Index(i, j);
-    return this->IsValid(index) && this->IsValid(index + 1) && this->IsValid(index + this->Width) &&
-      this->IsValid(index + this->Width + 1);
+    const std::int64_t north = index + this->RowStep();
+    return this->IsValid(index) && this->IsValid(index + 1) && this->IsValid(north) &&
+      this->IsValid(north + 1);
   }
 };
 }

@@ -182,7 +182,7 @@ void AddCut(const HeightfieldView<T>& view, const Quad& quad, std::int64_t x, st
     : DiagonalPoint{ divide(y + 1, h), divide((y + 1) * w - x * h, h), 1.0 };
 
   const T* south = view.Samples + view.Index(quad.X + x, quad.Y + y);
-  const T* north = south + view.Width;
+  const T* north = south + view.RowStep();
   const double sw = static_cast<double>(south[0]) - quad.Reference;
   const double se = static_cast<double>(south[1]) - quad.Reference;
   const double nw = static_cast<double>(north[0]) - quad.Reference;

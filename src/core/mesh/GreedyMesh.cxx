@@ -336,11 +336,15 @@ template <typename T>
 double LargestHeight(const HeightfieldView<T>& view)
 {
   double largest = 0.0;
-  for (std::int64_t k = 0; k < view.Width * view.Height; ++k)
+  for (std::int64_t j = 0; j < view.Height; ++j)
   {
-    if (view.IsValid(k))
+    for (std::int64_t i = 0; i < view.Width; ++i)
     {
-      largest = std::max(largest, std::abs(static_cast<double>(view.Samples[k])));
+      const std::int64_t index = view.Index(i, j);
+      if (view.IsValid(index))
+      {
+        largest = std::max(largest, std::abs(static_cast<double>(view.Samples[index])));
+      }
     }
   }
   return largest;
@@ -409,7 +413,7 @@ double CompareTriangle(const HeightfieldView<T>& view, const glm::ivec2* corners
       const double w = cross(corners[0], corners[1], p);
       if (u >= 0.0 && v >= 0.0 && w >= 0.0)
       {
-        covered[view.Index(x, y)].store(true, std::memory_order_relaxed);
+        covered[x + view.Width * y].store(true, std::memory_order_relaxed);
         const double z = (u * heights[0] + v * heights[1] + w * heights[2]) / area;
         largest = std::max(largest, std::abs(z - view.At(x, y)));
       }
@@ -444,7 +448,7 @@ double FindMeshError(
   {
     for (std::int64_t i = 0; i < view.Width; ++i)
     {
-      if (!covered[view.Index(i, j)] && samples.CountCells(i, j).first > 0)
+      if (!covered[i + view.Width * j] && samples.CountCells(i, j).first > 0)
       {
         return std::numeric_limits<double>::infinity();
       }

@@ -104,7 +104,7 @@ private:
     if (view.IsCellValid(x, y))
     {
       const T* south = view.Samples + view.Index(x, y);
-      const T* north = south + view.Width;
+      const T* north = south + view.RowStep();
       node.Low = std::min(std::min(south[0], south[1]), std::min(north[0], north[1]));
       node.High = std::max(std::max(south[0], south[1]), std::max(north[0], north[1]));
     }

@@ -52,7 +52,7 @@ Sum SumCells(const HeightfieldView<T>& view, const glm::i64vec2& first, const gl
       if (view.IsCellValid(i, j))
       {
         const T* southWest = view.Samples + view.Index(i, j);
-        const T* northWest = southWest + view.Width;
+        const T* northWest = southWest + view.RowStep();
         const double rising = static_cast<double>(northWest[1]) - static_cast<double>(southWest[0]);
         const double falling =
           static_cast<double>(southWest[1]) - static_cast<double>(northWest[0]);

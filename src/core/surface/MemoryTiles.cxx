@@ -28,10 +28,14 @@ std::unique_ptr<TileSource> StoreAs(
   const HeightfieldView<T>& view, int tileLevel, const ParallelFor& parallelFor)
 {
   std::vector<Out> samples(static_cast<std::size_t>(view.Width * view.Height));
-  for (std::int64_t index = 0; index < view.Width * view.Height; ++index)
+  Out* out = samples.data();
+  for (std::int64_t j = 0; j < view.Height; ++j)
   {
-    samples[static_cast<std::size_t>(index)] =
-      view.IsValid(index) ? static_cast<Out>(view.Samples[index]) : NoStoredHeight<Out>();
+    for (std::int64_t i = 0; i < view.Width; ++i)
+    {
+      const std::int64_t index = view.Index(i, j);
+      *out++ = view.IsValid(index) ? static_cast<Out>(view.Samples[index]) : NoStoredHeight<Out>();
+    }
   }
   return std::make_unique<MemoryTiles<Out>>(
     samples.data(), TileLayout{ view.Width, view.Height, tileLevel }, parallelFor);
@@ -114,7 +118,8 @@ std::unique_ptr<TileSource> MakeMemoryTiles(
   if constexpr (std::is_same_v<T, short> || std::is_same_v<T, unsigned short>)
   {
     // 16-bit heights that use the value that stands for none are kept as float.
-    for (std::int64_t index = 0; index < view.Width * view.Height; ++index)
+    const std::int64_t first = std::min<std::int64_t>(view.Index(0, view.Height - 1), 0);
+    for (std::int64_t index = first; index < first + view.Width * view.Height; ++index)
     {
       if (view.Samples[index] == NoStoredHeight<T>() && view.IsValid(index))
       {

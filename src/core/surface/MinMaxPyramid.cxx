@@ -64,7 +64,7 @@ void BoundSamples(const HeightfieldView<T>& view, std::int64_t first, std::int64
   std::int64_t row, CellRow<T>& cells)
 {
   const T* below = view.Samples + view.Index(first, row);
-  const T* above = below + view.Width;
+  const T* above = below + view.RowStep();
   T* maximum = cells.Maximum.data();
   T* minimum = cells.Minimum.data();
   for (std::int64_t k = 0; k < count; ++k)
