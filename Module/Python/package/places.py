@@ -48,9 +48,26 @@ class Placement:
         """x and y in the image of coordinates in the heights' own system, both N x 2."""
         return (np.asarray(coordinates, dtype=float) - self._origin) * self._scale
 
+    def to_coordinates(self, points):
+        """The reverse of ``from_coordinates``."""
+        return np.asarray(points, dtype=float) / self._scale + self._origin
+
+    def place(self, where):
+        """x and y in the image, N x 2, of a GeoPandas frame or series of points, or of N x 2 coordinates."""
+        if not hasattr(where, "geometry"):
+            coordinates = np.atleast_2d(np.asarray(where, dtype=float))
+            if coordinates.ndim != 2 or coordinates.shape[1] not in (2, 3):
+                raise ValueError(f"places must be N x 2 coordinates, not of shape {coordinates.shape}")
+            return self.from_coordinates(coordinates[:, :2])
+        points = where.geometry
+        if points.crs is None:
+            return self.from_coordinates(np.column_stack([points.x, points.y]))
+        points = points.to_crs(4326)
+        return self.from_places(np.column_stack([points.x, points.y]))
+
     def describe(self, x, y, height):
         """A point of the image in words: longitude, latitude, height, UTM and MGRS, or x, y, height."""
-        coordinates = np.array([x, y]) / self._scale + self._origin
+        coordinates = self.to_coordinates([x, y])
         point = np.array([*coordinates, height], dtype=float)
         if self.is_on_earth and self._georeference.FileToScene(point, point, 1):
             return self._georeference.GetReadout(point)

@@ -10,9 +10,11 @@ Importing this module gives every DataArray ``.terrain``:
 import numpy as np
 import xarray
 
+from . import analysis
 from ._intake import describe_samples, lay_out, make_reader, read
 from .heights import _fill_masked, _to_vtk_type, heights_from_array
 
+_UNEVEN = 0.1  # of a step: what a coordinate may be off
 _NAMES_OF_X = ("x", "lon", "longitude", "easting", "rlon")
 _NAMES_OF_Y = ("y", "lat", "latitude", "northing", "rlat")
 
@@ -103,7 +105,11 @@ def heights_from_dataarray(data, *, crs=None, nodata=None, height_unit=None, fli
     array where ``heights_from_array`` can. ``crs``, ``nodata``, ``height_unit`` and ``flip`` say what the
     array does not, as in ``heights_from_array``.
     """
-    data = _flatten(data)
+    return lay_out(_own_heights(_flatten(data), crs, nodata, height_unit, flip), scene)
+
+
+def _own_heights(data, crs=None, nodata=None, height_unit=None, flip=False):
+    """Heights in metres in the grid that the array says."""
     fields = _fields(data)
     _check_names(data, fields)
     mapping = _grid_mapping(data)
@@ -117,8 +123,8 @@ def heights_from_dataarray(data, *, crs=None, nodata=None, height_unit=None, fli
                                  columns=axes[1], fields=fields, grid_mapping=mapping)
     reader = make_reader(described, crs=crs, nodata=nodata, height_unit=height_unit, flip=flip)
     if reader.GetSamplesAreHeights() and not flip:
-        return lay_out(_share(samples, axes, name, crs or system), scene)
-    return lay_out(read(reader, ValueError), scene)
+        return _share(samples, axes, name, crs or system)
+    return read(reader, ValueError)
 
 
 def _share(samples, axes, name, system):
@@ -134,13 +140,115 @@ def _share(samples, axes, name, system):
                               coordinate_system=system, nodata="none")
 
 
+def _is_x(data, dimension):
+    attributes = data.coords[dimension].attrs if dimension in data.coords else {}
+    return (str(dimension).lower() in _NAMES_OF_X or attributes.get("axis") == "X"
+            or attributes.get("standard_name") in ("longitude", "projection_x_coordinate", "grid_longitude"))
+
+
+class _Grid:
+    """The grid of a DataArray: its heights there, and the way back from what is computed of them."""
+
+    def __init__(self, data):
+        self._data = _flatten(data)
+        self.heights = _own_heights(self._data)
+        self._is_turned = _is_x(self._data, self._data.dims[0])
+        shape = self.heights.GetDimensions()[1::-1]
+        is_even = all(map(self._is_even, self._data.dims))
+        if not is_even or shape != (self._data.shape[::-1] if self._is_turned else self._data.shape):
+            raise ValueError("results need a grid of even coordinates: resample the array first")
+
+    def _coordinate(self, dimension):
+        if dimension not in self._data.coords or not _is_numeric(self._data.coords[dimension]):
+            return np.arange(self._data.sizes[dimension])
+        return self._data.coords[dimension].values
+
+    def _is_falling(self, dimension):
+        coordinate = self._coordinate(dimension)
+        return coordinate[-1] < coordinate[0]
+
+    def _is_even(self, dimension):
+        coordinate = self._coordinate(dimension)
+        even = np.linspace(coordinate[0], coordinate[-1], len(coordinate))
+        return np.abs(coordinate - even).max() <= _UNEVEN * abs(even[-1] - even[0]) / len(even)
+
+    def wrap(self, values, name, units, long_name, further=()):
+        """A DataArray, like the one of heights, of values by rows from the south, columns and ``further``.
+
+        ``further`` is a dimension and its coordinates, put first.
+        """
+        dims = self._data.dims
+        values = values.swapaxes(0, 1) if self._is_turned else values
+        values = values[tuple(slice(None, None, -1 if self._is_falling(dimension) else 1) for dimension in dims)]
+        coords = dict(self._data.coords)
+        if further:
+            values = np.moveaxis(values, 2, 0)
+            coords[further[0]] = list(further[1])
+        result = xarray.DataArray(np.ascontiguousarray(values), coords=coords, dims=(*further[:1], *dims), name=name,
+                                  attrs={"units": units, "long_name": long_name})
+        for source, target in ((self._data.attrs, result.attrs), (self._data.encoding, result.encoding)):
+            target.update({key: source[key] for key in ("crs", "grid_mapping") if key in source})
+        return result
+
+
 @xarray.register_dataarray_accessor("terrain")
 class TerrainAccessor:
-    """A DataArray of heights as terrain: ``data.terrain``."""
+    """A DataArray of heights as terrain: ``data.terrain``.
+
+    ``plot`` and ``add_to`` draw it. The others compute an array on the same grid, with its coordinates
+    and CRS; their options are those of the functions of ``vtkterrain.analysis``.
+    """
 
     def __init__(self, data):
         self._data = data
         self._heights = None
+        self._grid = None
+
+    def _own(self):
+        if self._grid is None:
+            self._grid = _Grid(self._data)
+        return self._grid
+
+    def slope(self):
+        """Angle of the surface with the horizontal, degrees."""
+        return self._own().wrap(analysis.slope(self._own().heights), "slope", "degree", "slope")
+
+    def aspect(self):
+        """Where the surface goes down, degrees clockwise from grid north; NaN where it is level."""
+        return self._own().wrap(analysis.aspect(self._own().heights), "aspect", "degree", "aspect")
+
+    def curvature(self):
+        """A Dataset of "profile" and "plan" curvature, 1/m."""
+        both = zip(("profile", "plan"), analysis.curvature(self._own().heights))
+        return xarray.Dataset({name: self._own().wrap(values, name, "m-1", f"{name} curvature")
+                               for name, values in both})
+
+    def ruggedness(self):
+        """Root of the sum of squared differences to the eight neighbours, metres."""
+        return self._own().wrap(analysis.ruggedness(self._own().heights), "ruggedness", "m", "terrain ruggedness index")
+
+    def horizon(self, directions=16, **options):
+        """Elevation of the horizon in degrees, with a first dimension "azimuth" in degrees from grid north."""
+        values = analysis.horizon(self._own().heights, directions, **options)
+        return self._own().wrap(values, "horizon", "degree", "elevation of the horizon",
+                                ("azimuth", 360.0 * np.arange(directions) / directions))
+
+    def sky_view(self, directions=16, **options):
+        """Share of an even sky's light on a level plate, 0 to 1."""
+        return self._own().wrap(analysis.sky_view(self._own().heights, directions, **options), "sky_view", "1",
+                                "sky view factor")
+
+    def sunlight(self, date, **options):
+        """A Dataset of the direct sun of a day: "hours", "first", "last" and "irradiation"."""
+        units = {"hours": "h", "first": "h", "last": "h", "irradiation": "W h m-2"}
+        results = analysis.sunlight(self._own().heights, date, **options)
+        return xarray.Dataset({name: self._own().wrap(values, name, units[name], f"{name} of direct sun on {date}")
+                               for name, values in results.items()})
+
+    def viewshed(self, observers, **options):
+        """How many observers, coordinates of the array's or a GeoPandas frame of points, see each sample."""
+        return self._own().wrap(analysis.viewshed(self._own().heights, observers, **options), "viewshed", "1",
+                                "observers that see the place")
 
     @property
     def heights(self):
