@@ -34,6 +34,7 @@ set(classes
 # Private to the module: one line a file, by rooms.
 set(private_sources
   vtkTerrainActorInput
+  vtkTerrainActorSurface
   vtkTerrainRasterReaderLevels
   data/ColorDocument
   data/HierarchyHeights

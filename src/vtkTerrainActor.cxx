@@ -10,6 +10,7 @@
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainColors.h"
 #include "vtkTerrainHierarchy.h"
+#include "vtkTerrainMesh.h" // For the destructor of a member
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainStrips.h"
 
@@ -82,6 +83,7 @@ void vtkTerrainActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Strips: " << this->Strips << "\n";
   os << indent << "VerticalExaggeration: " << this->GetVerticalExaggeration() << "\n";
   os << indent << "ColorByHeight: " << this->ColorByHeight << "\n";
+  os << indent << "SurfaceError: " << this->SurfaceError << "\n";
   os << indent << "LevelOfDetail: " << this->LevelOfDetail << "\n";
   os << indent << "LookupTable: " << this->LookupTable << "\n";
 }

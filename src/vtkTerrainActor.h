@@ -54,9 +54,11 @@ class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkColorTransferFunction;
 class vtkImageData;
+class vtkPolyData;
 class vtkScalarsToColors;
 class vtkTerrainCoarseMesh;
 class vtkTerrainHierarchy;
+class vtkTerrainMesh;
 class vtkTerrainRasterReader;
 class vtkTerrainStrips;
 
@@ -133,6 +135,30 @@ public:
   void SetSkyLight(double light);
   double GetSkyLight() const;
   ///@}
+  ///@{
+  /// Largest vertical distance between a sample and the mesh of GetSurface(), in height units,
+  /// >= 0; 0 for all samples. Below 0, the default, for SurfaceErrorShare of the range of the
+  /// heights.
+  void SetSurfaceError(double error);
+  double GetSurfaceError() const
+  {
+    return this->SurfaceError;
+  }
+  double GetUsedSurfaceError();
+  static constexpr double SurfaceErrorShare = 1e-3;
+  ///@}
+  ///@{
+  /// The surface as an adaptive mesh (vtkTerrainMesh), exaggerated, with normals, texture
+  /// coordinates and the point arrays of the heights; and a plain actor that shows it with this
+  /// actor's matrix, property, texture and colours. Exporters and VTK's pickers get it by
+  /// themselves in place of the box that rays start from, through InitPathTraversal(): a picker's
+  /// GetActor() is the terrain. vtkTerrainPicker does without and is exact. The mesh is made when
+  /// somebody asks, and again after changes: about 0.2 microseconds a sample. It has no detail,
+  /// block or extract. Null without an image of heights (strips of a prepared file alone).
+  vtkPolyData* GetSurface();
+  vtkActor* GetSurfaceActor();
+  ///@}
+  void InitPathTraversal() override;
 
   ///@{
   /// Whether heights are shown in colours (default), or everything in that of the property.
@@ -220,6 +246,7 @@ private:
   void UpdateMesh();
   void UpdateColors();
   bool HasSea();
+  void UpdateSurfaceLook(vtkImageData* heights);
   void RenderInTime(vtkRenderer* renderer, vtkMapper* mapper);
 
   vtkSmartPointer<vtkOpenGLTerrainMapper> TerrainMapper;
@@ -238,6 +265,9 @@ private:
   bool LevelOfDetail = true;
   double InteractionTolerance = 0.0;
   std::string ErrorMessage;
+  double SurfaceError = -1.0;
+  vtkSmartPointer<vtkTerrainMesh> SurfaceMesh; ///< null until somebody asks for the surface
+  vtkSmartPointer<vtkActor> SurfaceActor;
 };
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "data/ImageHeights.h"
 #include "data/ImageSurface.h"
+#include "render/SurfaceScope.h"
 #include "vtkOpenGLTerrainMapper.h"
 
 #include "core/rays/RayQuery.h"
@@ -274,6 +275,13 @@ void vtkTerrainPicker::ResetPickInfo()
   this->Height = vtkMath::Nan();
   this->GridPosition[0] = vtkMath::Nan();
   this->GridPosition[1] = vtkMath::Nan();
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainPicker::Pick3DInternal(vtkRenderer* renderer, double p1World[4], double p2World[4])
+{
+  const terrain::SurfaceScope scope; // rays ask the terrain itself
+  return this->Superclass::Pick3DInternal(renderer, p1World, p2World);
 }
 
 //------------------------------------------------------------------------------

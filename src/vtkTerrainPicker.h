@@ -66,8 +66,8 @@ public:
     return this->TerrainPicked;
   }
 
-  /// Column and row of the last pick on a terrain, in cells from the first sample, with their
-  /// fractions; NaN without one.
+  /// Column and row of the last pick on a terrain, in cells from the south-western sample, with
+  /// their fractions; NaN without one.
   vtkGetVector2Macro(GridPosition, double);
 
   /// Height of the picked point, in the unit of the heights, not exaggerated; NaN without one.
@@ -114,6 +114,7 @@ protected:
   ~vtkTerrainPicker() override;
 
   void ResetPickInfo() override;
+  int Pick3DInternal(vtkRenderer* renderer, double p1World[4], double p2World[4]) override;
   double IntersectActorWithLine(const double p1[3], const double p2[3], double t1, double t2,
     double tol, vtkProp3D* prop, vtkMapper* mapper) override;
 

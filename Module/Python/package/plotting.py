@@ -12,25 +12,26 @@ Where PyVista has components of plotters (0.48 and later), importing this module
 ``plotter.terrain.add(heights, ...)`` and ``plotter.terrain.enable_picking(callback)``.
 """
 import importlib.util
+import numbers
 import os
 import warnings
 
 import numpy as np
 import pyvista
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
+from ._actor import Terrain
 from ._intake import _run, join_as_it_is, lay_out, make_reader, read, tell_of_apart
+from ._looks import Scalars, make_table
+from ._looks import apply as apply_look
 from .heights import heights_from_array
-from .vtkTerrain import vtkTerrainActor, vtkTerrainGeoreference, vtkTerrainHierarchy, vtkTerrainPicker
+from .vtkTerrain import vtkTerrainGeoreference, vtkTerrainHierarchy, vtkTerrainPicker
 
-_NUMBER_OF_COLORS = 256
 # Samples a side that every graphics driver takes; larger rasters are drawn at a level.
 _LARGEST_TEXTURE = 16384
-_OF_ARRAYS = ("spacing", "origin", "first_row", "coordinate_system")
+_OF_ARRAYS = ("spacing", "origin", "first_row", "coordinate_system", "x", "y")
 _OF_FILES = ("band", "part")
+_OF_PLACE = (*_OF_ARRAYS, *_OF_FILES, "crs", "nodata", "height_unit", "flip")
 
 
 def _is_prepared(heights):
@@ -46,6 +47,27 @@ def _is_large(heights):
     reader.SetMaximumSize(_LARGEST_TEXTURE)
     _run(reader, reader.UpdateInformation)
     return reader.GetLevel() > 0
+
+
+def _take_coordinates(place):
+    """Puts x and y, even coordinates of columns and rows, in the words of ``heights_from_array``."""
+    given = [place.pop(axis, None) for axis in "xy"]
+    if all(coordinates is None for coordinates in given):
+        return
+    origin, spacing = [0.0, 0.0], [1.0, 1.0]
+    for k, coordinates in enumerate(given):
+        if coordinates is None:
+            continue
+        values = np.asarray(coordinates, dtype=float)
+        steps = np.diff(values)
+        if values.ndim != 1 or not steps.size or not np.allclose(steps, steps[0], rtol=1e-3) or steps[0] == 0:
+            raise ValueError(f"{'xy'[k]} must be evenly spaced coordinates of the {('columns', 'rows')[k]}")
+        if k == 0 and steps[0] < 0:
+            raise ValueError("x must rise: turn the columns round")
+        origin[k], spacing[k] = values.min(), abs(steps[0])
+        if k == 1 and steps[0] < 0:
+            place["first_row"] = "north"
+    place.update(origin=origin, spacing=spacing)
 
 
 def heights_from(heights, *, scene=None, **place):
@@ -65,6 +87,7 @@ def heights_from(heights, *, scene=None, **place):
     if is_array:
         if "crs" in place:
             place.setdefault("coordinate_system", place.pop("crs"))
+        _take_coordinates(place)
         return lay_out(heights_from_array(heights, **place), scene)
     if isinstance(heights, vtkImageData):
         return lay_out(heights, scene)
@@ -90,21 +113,6 @@ def terrain_scene(plotter):
     return renderer._terrain_scene
 
 
-def _add_colors(actor, cmap, clim):
-    """Sets the colours of the heights and returns them as a table."""
-    relief = actor.GetLookupTable()
-    clim = tuple(clim) if clim is not None else relief.GetRange()
-    if cmap is None:
-        table = pyvista.LookupTable()
-        table.values = [[*(round(255 * part) for part in relief.GetColor(height)), 255]
-                        for height in np.linspace(*clim, _NUMBER_OF_COLORS)]
-    else:
-        table = pyvista.LookupTable(cmap)
-    table.scalar_range = clim
-    actor.SetLookupTable(table)
-    return table
-
-
 def _open(actor, path):
     """Draws a file; without VTK's own messages."""
     actor.GlobalWarningDisplayOff()
@@ -120,18 +128,20 @@ def _to_texture(texture):
     return texture if isinstance(texture, pyvista.Texture) else pyvista.Texture(np.asarray(texture))
 
 
-def _add_scalar_bar(plotter, table, options):
+def _add_scalar_bar(plotter, table, title, options):
     mapper = pyvista.DataSetMapper()
     mapper.lookup_table = table
     mapper.scalar_range = table.scalar_range
-    plotter.add_scalar_bar(**{"title": "Elevation", **(options or {}), "mapper": mapper})
+    plotter.add_scalar_bar(**{"title": title, "fmt": "%.6g", **(options or {}), "mapper": mapper})
 
 
-def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap=None, clim=None,
+def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scalars=None, cmap=None, clim=None,
                 color=None, texture=None, opacity=1.0, show_scalar_bar=None, scalar_bar_args=None, name=None,
-                reset_camera=None, pickable=True, scene=None, shadows=False, sun_angle=0.53, sky_light=0.0,
-                **place):
-    """Adds a heightfield to a plotter; returns the ``vtkTerrainActor``.
+                reset_camera=None, pickable=True, render=True, label=None, scene=None, shadows=False, sun_angle=0.53, sky_light=0.0,
+                component=None, rgb=False, n_colors=256, flip_scalars=False, log_scale=False,
+                nan_color=None, nan_opacity=1.0,
+                above_color=None, below_color=None, **options):
+    """Adds a heightfield to a plotter; returns the ``vtkterrain.plotting.Terrain``, a ``vtkTerrainActor``.
 
     Parameters
     ----------
@@ -147,22 +157,28 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
         as few as the view needs. Of a prepared file, "strips" reads no more than it draws.
     exaggeration : float
         Drawn height over true height, above 0.
+    scalars : str or array_like, optional
+        What the colours show instead of the heights: "slope" or "aspect", the name of an array of the
+        heights' image, or an array of the heights' shape, rows from the south.
     cmap : str, list or matplotlib colormap, optional
-        Colours of the heights; those of a relief map by default, from the lowest to the highest.
-    clim : (float, float), optional
-        Heights of the first and last colour of ``cmap``; the lowest and the highest by default.
+        Colours of the heights; those of a relief map by default, from the lowest to the highest. For
+        other scalars the theme's.
+    clim : (float, float) or float, optional
+        Values of the first and last colour; the lowest and the highest that are seen by default.
+    n_colors, flip_scalars, log_scale, nan_color, nan_opacity, above_color, below_color, component, rgb
+        As those of ``pyvista.Plotter.add_mesh``.
     color : ColorLike, optional
         One colour for all, instead of colours of the heights.
     texture : pyvista.Texture, array_like, str or path, optional
         A picture that spans the terrain, its upper edge in the north, instead of colours of the
-        heights.
-    opacity : float
-        1 is opaque, 0 not seen.
+        heights. One that knows its place is a ``drape``.
+    opacity : float, str or array_like
+        1 is opaque, 0 not seen; a name or an array is the opacity of the colours, as in ``add_mesh``.
     show_scalar_bar : bool, optional
         Whether to show the colours of the heights; the theme's setting by default.
     scalar_bar_args : dict, optional
         Options of ``pyvista.Plotter.add_scalar_bar``.
-    name, reset_camera, pickable
+    name, reset_camera, pickable, render, label
         As those of ``pyvista.Plotter.add_mesh``.
     scene : vtkTerrainGeoreference, optional
         Frame and origin that the heights are brought into; by default those of the plotter
@@ -173,22 +189,28 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
         Angular diameter in degrees, 0 to 90, of lights far away, for the edges of shadows; 0 for hard ones.
     sky_light : float
         Light of the sky over that of a light of intensity 1, as far as it is seen over the surface.
-    **place
-        What the heights do not say, or say wrongly: ``crs``, ``nodata`` (a value, or "none"),
-        ``height_unit`` ("ft", "-m", 0.3048), ``flip``, of files also ``band`` and ``part``. For a plain
-        array: ``spacing``, ``origin``, ``first_row``, ``coordinate_system``, as
-        ``vtkterrain.heights_from_array`` takes them.
+    **options
+        Of the look: ``contours`` (True or their distance), ``hillshade`` (True, or azimuth and altitude
+        of its sun in degrees), ``block`` (True or the height of its floor), ``drape`` (the name of a
+        picture that knows its place, brought there by GDAL), ``extract`` (((first, last) column,
+        (first, last) row)), ``detail`` (an image of ``vtkTerrainDetailSource``), ``user_matrix``, and
+        those of ``pyvista.Property``: ``lighting``, ``ambient``, ``diffuse``, ``specular``,
+        ``specular_power``, ``style``, ``culling``, ``line_width``, ``point_size``.
+        Of the place, what the heights do not say, or say wrongly: ``crs``, ``nodata`` (a value, or
+        "none"), ``height_unit`` ("ft", "-m", 0.3048), ``flip``, of files also ``band`` and ``part``. For
+        a plain array: ``spacing``, ``origin``, ``first_row``, ``coordinate_system``, as
+        ``vtkterrain.heights_from_array`` takes them, or ``x`` and ``y``, even coordinates.
     """
-    actor = vtkTerrainActor()
+    actor = Terrain()
     techniques = {key.lower(): value for key, value in vars(type(actor.GetTechnique())).items()
                   if key[0] != "_"}
     if technique not in techniques:
         raise ValueError(f"technique must be one of {', '.join(techniques)}, not {technique!r}")
-    if not exaggeration > 0:
-        raise ValueError(f"exaggeration must be above 0, not {exaggeration}")
+    actor.exaggeration = exaggeration
     if not 0 <= sun_angle <= 90 or not 0 <= sky_light < np.inf:
         raise ValueError(f"sun_angle must be 0 to 90 and sky_light 0 or more, not {sun_angle} and {sky_light}")
     actor.SetTechnique(techniques[technique])
+    place = {key: options.pop(key) for key in tuple(options) if key in _OF_PLACE}
     scene = scene or terrain_scene(plotter)
     tell_of_apart(scene)
     is_drawn_as_it_is = not place and (_is_prepared(heights) or _is_large(heights))
@@ -200,22 +222,35 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, cmap
         raise ValueError("there is no surface to draw: no four neighbouring samples all have heights")
     if is_drawn_as_it_is:
         join_as_it_is(scene, actor, os.fspath(heights))
-    actor.SetVerticalExaggeration(exaggeration)
     actor.SetSunShadows(bool(shadows))
     actor.SetSunAngle(sun_angle)
     actor.SetSkyLight(sky_light)
-    actor.GetProperty().SetOpacity(opacity)
-    has_height_colors = color is None and texture is None
-    actor.SetColorByHeight(has_height_colors)
+    has_colors = color is None and texture is None
+    actor.SetColorByHeight(has_colors)
+    is_of_colors = not isinstance(opacity, numbers.Real)
+    shown = Scalars(actor, scalars, component=component, rgb=rgb) if has_colors else None
+    apply_look(actor, scene, **options)
+    if has_colors:
+        table = make_table(actor, shown, cmap=cmap, clim=clim, n_colors=n_colors, flip_scalars=flip_scalars,
+                           log_scale=log_scale, nan_color=nan_color, nan_opacity=nan_opacity, above_color=above_color,
+                           below_color=below_color, opacity=opacity if is_of_colors else None)
+        actor.SetLookupTable(table)
+    if not is_of_colors:
+        actor.opacity = opacity
     if color is not None:
-        actor.GetProperty().SetColor(pyvista.Color(color).float_rgb)
+        actor.prop.color = color
     if texture is not None:
         actor.SetTexture(_to_texture(texture))
     plotter.add_actor(actor, name=name, reset_camera=reset_camera, pickable=pickable, render=False)
-    if has_height_colors:
-        table = _add_colors(actor, cmap, clim)
-        if plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar:
-            _add_scalar_bar(plotter, table, scalar_bar_args)
+    if show_scalar_bar is None:
+        show_scalar_bar = plotter.theme.show_scalar_bar
+    if has_colors and show_scalar_bar and not shown.is_color:
+        _add_scalar_bar(plotter, table, shown.title, scalar_bar_args)
+    if label is not None:
+        plotter.renderer._labels[actor.GetAddressAsString("")] = (
+            pyvista.Rectangle(), label, pyvista.Color(color or "tan"))
+    if render:
+        plotter.render()
     return actor
 
 
@@ -252,30 +287,20 @@ class TerrainComponent:
         enable_terrain_picking(self._plotter, callback, **options)
 
 
-def _serialize_stand_in(parent, terrain, terrain_id, context, depth):
-    """What a browser that renders by itself (PyVista's mode "client") gets in place of a terrain."""
+def _serialize_surface(parent, terrain, terrain_id, context, depth):
+    """What a browser that renders by itself (PyVista's mode "client") gets in place of a terrain: a mesh."""
     from trame_vtk.modules.vtk.serializers.registry import SERIALIZERS
 
-    if not getattr(terrain, "stand_in", None):
-        warnings.warn("a browser that renders by itself (mode \"client\") cannot show terrain, only its coarse mesh: "
-                      "use the mode \"server\"", RuntimeWarning, stacklevel=2)
-        mesh = terrain.GetCoarseMesh()
-        mesh.Update()
-        place = vtkActor()
-        terrain.PlaceAsDrawn(place)
-        transform = vtkTransform()
-        transform.SetMatrix(place.GetUserMatrix())
-        drawn = vtkTransformPolyDataFilter()
-        drawn.SetInputData(mesh.GetOutput())
-        drawn.SetTransform(transform)
-        drawn.Update()
-        mapper = vtkPolyDataMapper()
-        mapper.SetInputData(drawn.GetOutput())
-        mapper.ScalarVisibilityOff()
-        terrain.stand_in = vtkActor()
-        terrain.stand_in.SetMapper(mapper)
-        terrain.stand_in.GetProperty().SetColor(0.55, 0.60, 0.45)
-    return SERIALIZERS["vtkOpenGLActor"](parent, terrain.stand_in, terrain_id, context, depth)
+    surface = terrain.GetSurfaceActor()
+    if surface is None:
+        warnings.warn("a browser that renders by itself (mode \"client\") cannot show strips of a prepared file: use "
+                      "the mode \"server\"", RuntimeWarning, stacklevel=2)
+        return None
+    warnings.warn("a browser that renders by itself (mode \"client\") cannot show terrain, only a mesh of it, within "
+                  f"{terrain.GetUsedSurfaceError():.3g} of each height: use the mode \"server\"", RuntimeWarning,
+                  stacklevel=2)
+    terrain.GetSurface()
+    return SERIALIZERS["vtkOpenGLActor"](parent, surface, terrain_id, context, depth)
 
 
 def _prepare_for_browsers():
@@ -283,7 +308,8 @@ def _prepare_for_browsers():
     if importlib.util.find_spec("trame_vtk"):
         from trame_vtk.modules.vtk.serializers import registry
 
-        registry.register_instance_serializer("vtkTerrainActor", _serialize_stand_in)
+        for name in ("vtkTerrainActor", "Terrain"):
+            registry.register_instance_serializer(name, _serialize_surface)
 
 
 _prepare_for_browsers()

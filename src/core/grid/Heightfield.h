@@ -29,12 +29,12 @@ constexpr bool IsHeight(T value)
   return true;
 }
 
-/// View of W x H samples of arithmetic type T, row by row from the south or from the north; never owns
-/// them. Everything counts rows from the south: an index may be below 0.
+/// View of W x H samples of arithmetic type T, row by row from the south or from the north; never
+/// owns them. Everything counts rows from the south: an index may be below 0.
 template <typename T>
 struct HeightfieldView
 {
-  /// The south-western sample; the height of sample (i, j) is Samples[Index(i, j)], in height units.
+  /// The south-western sample; that of (i, j) is Samples[Index(i, j)]. In height units.
   const T* Samples = nullptr;
   /// Number of samples east and north, >= 0.
   std::int64_t Width = 0;

@@ -1,0 +1,225 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How a terrain looks: options of ``add_terrain``, in PyVista's words and a few of its own."""
+import numbers
+import os
+
+import numpy as np
+import pyvista
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+from ._intake import _run
+from .heights import array_from_heights
+from .vtkTerrain import vtkTerrainImageWarp, vtkTerrainLook
+
+_NUMBER_OF_COLORS = 256
+_SOURCES = vtkTerrainLook.ColorSources
+# Colours of what the surface itself tells: source, title of the bar, first and last value.
+_OF_THE_SURFACE = {"slope": (_SOURCES.Slope, "Slope (degrees)", (0.0, 60.0)),
+                   "aspect": (_SOURCES.Aspect, "Aspect (degrees)", (0.0, 360.0))}
+_PROPERTY = ("lighting", "ambient", "diffuse", "specular", "specular_power", "style", "culling", "line_width",
+             "point_size", "show_edges", "edge_color")
+
+
+def check_clim(clim):
+    """Two numbers, the second above the first, of what PyVista takes for clim."""
+    if isinstance(clim, numbers.Real):
+        clim = (-clim, clim)
+    try:
+        low, high = (float(value) for value in clim)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"clim must be a number or two, not {clim!r}") from error
+    if not (np.isfinite(low) and np.isfinite(high) and low < high):
+        raise ValueError(f"clim must be two finite numbers, the second above the first, not {clim!r}")
+    return low, high
+
+
+def _is_visible(heights):
+    samples = array_from_heights(heights)
+    return np.isfinite(samples) & (np.abs(samples) < 1e30)
+
+
+def _range(values, visible=None):
+    values = values[np.isfinite(values) & (np.abs(values) < 1e30) & (True if visible is None else visible)]
+    if not values.size:
+        raise ValueError("scalars have no finite value where there is terrain")
+    low, high = float(values.min()), float(values.max())
+    return (low, high) if low < high else (low, low + 1.0)
+
+
+def _attach(terrain, scalars):
+    """Adds an array of the heights' shape, rows from the south, to them; returns its name."""
+    heights = terrain.GetHeights()
+    rows, columns = (0, 0) if heights is None else heights.GetDimensions()[1::-1]
+    if scalars.shape[:2] != (rows, columns) or scalars.ndim not in (2, 3):
+        raise ValueError(f"scalars must have the shape of the heights as drawn, {rows} x {columns}, "
+                         f"not {' x '.join(map(str, scalars.shape))}")
+    if heights.GetDirectionMatrix().GetElement(1, 1) < 0:
+        scalars = scalars[::-1]
+    array = numpy_to_vtk(np.ascontiguousarray(scalars).reshape(rows * columns, -1))
+    array.SetName("scalars")
+    image = heights.NewInstance()
+    image.ShallowCopy(heights)  # the caller's image stays as it is
+    image.GetPointData().AddArray(array)
+    terrain.SetInputData(image)
+    return "scalars"
+
+
+class Scalars:
+    """What colours a terrain: its heights, its slope or aspect, or an array of the heights' image.
+
+    Attributes: ``title`` of a bar, ``clim`` by default, ``is_color`` for colours as they are.
+    """
+
+    def __init__(self, terrain, scalars=None, *, component=None, rgb=False):
+        self.title = "Elevation"
+        self.is_color = bool(rgb)
+        mapper = terrain.GetTerrainMapper()
+        if scalars is None:
+            self.clim = tuple(terrain.GetLookupTable().GetRange())
+            return
+        if isinstance(scalars, str) and scalars in _OF_THE_SURFACE:
+            source, self.title, self.clim = _OF_THE_SURFACE[scalars]
+            mapper.SetColorSource(source)
+            return
+        name = scalars if isinstance(scalars, str) else _attach(terrain, np.asarray(scalars))
+        array = terrain.GetHeights().GetPointData().GetArray(name) if terrain.GetHeights() else None
+        of_cells = terrain.GetHeights().GetCellData().GetArray(name) if array is None and terrain.GetHeights() else None
+        if array is None and of_cells is None:
+            raise ValueError(f"the heights have no array {name!r}: scalars is the name of one, \"slope\", \"aspect\", "
+                             "or an array of their shape")
+        self.title = name
+        if of_cells is None:
+            mapper.SetScalarModeToUsePointFieldData()
+        else:
+            mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray(name)
+        mapper.SetColorSource(_SOURCES.Array)
+        if self.is_color:
+            mapper.SetColorModeToDirectScalars()
+            self.clim = (0.0, 255.0)
+            return
+        self.component = component
+        self.clim = self._find_range(array if of_cells is None else of_cells, terrain, of_cells is None, component)
+
+    @staticmethod
+    def _find_range(array, terrain, is_of_points, component):
+        values = vtk_to_numpy(array)
+        if values.ndim > 1:
+            values = np.linalg.norm(values.astype(float), axis=1) if component is None else values[:, component]
+        if not is_of_points:
+            return _range(values)
+        heights = terrain.GetHeights()
+        visible = _is_visible(heights)
+        if heights.GetDirectionMatrix().GetElement(1, 1) < 0:
+            visible = visible[::-1]
+        return _range(values, visible.ravel())
+
+
+def make_table(terrain, scalars, *, cmap=None, clim=None, n_colors=_NUMBER_OF_COLORS, flip_scalars=False,
+               log_scale=False, nan_color=None, nan_opacity=1.0, above_color=None, below_color=None, opacity=None):
+    """The ``pyvista.LookupTable`` of a terrain's colours; a relief map's for heights without a cmap."""
+    clim = scalars.clim if clim is None else check_clim(clim)
+    if log_scale and not clim[0] > 0.0:
+        raise ValueError(f"log_scale needs values above 0, these begin at {clim[0]:g}: give clim")
+    if cmap is None and scalars.title == "Elevation":
+        relief = terrain.GetLookupTable()
+        at = np.geomspace(*clim, n_colors) if log_scale else np.linspace(*clim, n_colors)
+        table = pyvista.LookupTable(n_values=n_colors)
+        table.values = [[*(round(255 * part) for part in relief.GetColor(height)), 255] for height in at]
+        if flip_scalars:
+            table.values = table.values[::-1]
+    else:
+        table = pyvista.LookupTable(pyvista.global_theme.cmap if cmap is None else cmap, n_values=n_colors,
+                                    flip=flip_scalars)
+    table.scalar_range = clim
+    table.log_scale = bool(log_scale)
+    if nan_color is not None:
+        table.nan_color = pyvista.Color(nan_color, opacity=nan_opacity)
+    if above_color is not None:
+        table.above_range_color = above_color
+    if below_color is not None:
+        table.below_range_color = below_color
+    if opacity is not None:
+        table.apply_opacity(opacity)
+    component = getattr(scalars, "component", None)
+    if component is not None:
+        table.SetVectorModeToComponent()
+        table.SetVectorComponent(component)
+    return table
+
+
+def _set_contours(mapper, contours, heights):
+    if contours is True:
+        from .viewer import round_interval
+
+        contours = round_interval(np.ptp(heights))
+    if not (isinstance(contours, numbers.Real) and 0.0 < contours < np.inf):
+        raise ValueError(f"contours must be True or a distance of heights above 0, not {contours!r}")
+    mapper.SetContourInterval(contours)
+    mapper.SetContours(True)
+
+
+def _set_hillshade(mapper, hillshade):
+    if hillshade is not True:
+        try:
+            azimuth, altitude = hillshade
+        except TypeError as error:
+            raise ValueError(f"hillshade must be True or (azimuth, altitude) in degrees, not {hillshade!r}") from error
+        mapper.SetHillshadeAzimuth(azimuth)
+        mapper.SetHillshadeAltitude(altitude)
+    mapper.SetHillshade(True)
+
+
+def _set_block(mapper, block, heights):
+    if block is True:
+        block = heights[0] - 0.1 * max(np.ptp(heights), 1e-9)
+    if not (isinstance(block, numbers.Real) and block < heights[0]):
+        raise ValueError(f"block must be True or a height below the lowest, {heights[0]:g}, not {block!r}")
+    mapper.SetBlockBase(block)
+    mapper.SetBlock(True)
+
+
+def _set_drape(terrain, drape, scene):
+    """A picture of a file, brought to its place."""
+    if not isinstance(drape, (str, os.PathLike)):
+        raise TypeError("drape must be the name of a picture that knows its place; texture spans the terrain")
+    warp = vtkTerrainImageWarp()
+    warp.SetInputData(terrain.GetHeights())
+    warp.SetGeoreference(scene)
+    warp.SetFileName(os.fspath(drape))
+    _run(warp, warp.Update)
+    if warp.GetErrorMessage():
+        raise ValueError(f"drape {os.fspath(drape)!r}: {warp.GetErrorMessage()}")
+    terrain.GetTerrainMapper().SetDrape(warp.GetOutput())
+
+
+def apply(terrain, scene, *, contours=None, hillshade=None, block=None, drape=None, extract=None, detail=None,
+          user_matrix=None, lighting=None, **properties):
+    """Sets what is given; raises an error that names the option."""
+    unknown = [name for name in properties if name not in _PROPERTY]
+    if unknown:
+        raise TypeError(f"add_terrain has no option {', '.join(unknown)}")
+    mapper = terrain.GetTerrainMapper()
+    heights = [0.0, 0.0]
+    mapper.GetHeightRange(heights)
+    if lighting is None:
+        lighting = not hillshade
+    terrain.prop.lighting = bool(lighting)
+    for name, value in properties.items():
+        if value is not None:
+            setattr(terrain.prop, name, value)
+    for option, setter in ((contours, _set_contours), (block, _set_block)):
+        if option is not None and option is not False:
+            setter(mapper, option, heights)
+    if hillshade is not None and hillshade is not False:
+        _set_hillshade(mapper, hillshade)
+    if drape is not None:
+        _set_drape(terrain, drape, scene)
+    if extract is not None:
+        (west, east), (south, north) = extract
+        mapper.SetExtract((west, south), (east, north))
+    if detail is not None:
+        mapper.SetDetailData(detail)
+    if user_matrix is not None:
+        terrain.user_matrix = user_matrix

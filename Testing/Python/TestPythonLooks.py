@@ -1,0 +1,224 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Options of add_terrain and attributes of the actor, against PyVista's own add_mesh where it has them."""
+import pathlib
+import unittest
+
+import numpy as np
+import vtkTerrainTesting
+
+try:
+    import pyvista
+
+    from vtkterrain import plotting
+except ImportError as error:
+    pyvista = None
+    WHY_NOT = str(error)
+
+HEIGHTS = pathlib.Path(__file__).parents[2] / "Examples" / "Places" / "heights.tif"
+PICTURE = pathlib.Path(__file__).parents[2] / "Examples" / "Places" / "photo.tif"
+SIZE = (240, 180)
+
+
+def hill(rows=41, columns=51):
+    y, x = np.mgrid[0:1:rows * 1j, 0:1:columns * 1j]
+    return (8.0 * np.exp(-8.0 * ((x - 0.5)**2 + (y - 0.4)**2)) + x + 1.0).astype(np.float32)
+
+
+def look(plotter):
+    plotter.view_vector((0.2, -0.8, 0.6), viewup=(0.0, 0.0, 1.0))
+    return plotter.screenshot(return_img=True).astype(int)
+
+
+@unittest.skipIf(pyvista is None, "PyVista is not installed")
+class LooksTest(unittest.TestCase):
+    def plotter(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
+        self.addCleanup(plotter.close)
+        return plotter
+
+    def draw(self, heights=None, **options):
+        plotter = self.plotter()
+        options.setdefault("show_scalar_bar", False)
+        terrain = plotting.add_terrain(plotter, hill() if heights is None else heights, **options)
+        return look(plotter), terrain
+
+    def draw_mesh(self, scalars, **options):
+        """The same hill as PyVista's own mesh, cells split so that both surfaces are the same to the eye."""
+        plotter = self.plotter()
+        z = hill()
+        y, x = np.mgrid[0:z.shape[0], 0:z.shape[1]].astype(float)
+        mesh = pyvista.StructuredGrid(x, y, z.astype(float))
+        mesh["values"] = np.asarray(scalars, dtype=float).ravel(order="F")
+        plotter.add_mesh(mesh, scalars="values", show_scalar_bar=False, smooth_shading=True, ambient=0.0, diffuse=1.0,
+                         interpolate_before_map=True, **options)
+        return look(plotter)
+
+    def assert_alike(self, first, second, share=0.97, tolerance=24):
+        same = (np.abs(first - second).max(axis=2) <= tolerance).mean()
+        self.assertGreater(same, share)
+
+    def assert_differ(self, first, second, share=0.01):
+        self.assertGreater((np.abs(first - second).max(axis=2) > 8).mean(), share)
+
+
+class TestColors(LooksTest):
+    def test_as_add_mesh(self):
+        heights = hill()
+        for options in ({"cmap": "viridis"}, {"cmap": "viridis", "flip_scalars": True},
+                        {"cmap": "viridis", "n_colors": 5}, {"cmap": "viridis", "log_scale": True, "clim": (1.0, 9.0)},
+                        {"cmap": "viridis", "clim": (3.0, 6.0), "below_color": "red", "above_color": "blue"}):
+            with self.subTest(options):
+                self.assert_alike(self.draw(**options)[0], self.draw_mesh(heights, **options), 0.95)
+
+    def test_an_array_beside_the_heights(self):
+        values = np.cos(np.arange(51) / 6.0) + np.arange(41)[:, None] / 20.0
+        expected = self.draw_mesh(values, cmap="plasma")
+        self.assert_alike(self.draw(scalars=values, cmap="plasma")[0], expected, 0.95)
+        north = self.draw(hill()[::-1].copy(), first_row="north", scalars=values, cmap="plasma")[0]
+        self.assert_alike(north, expected, 0.95)
+        image = plotting.heights_from(hill())
+        wrapped = pyvista.wrap(image)
+        wrapped["values"] = values.ravel()
+        wrapped.set_active_scalars("Elevation")
+        self.assert_alike(self.draw(wrapped, scalars="values", cmap="plasma")[0], expected, 0.95)
+        self.assertEqual(sorted(wrapped.point_data), ["Elevation", "values"])
+
+    def test_nan_and_hidden_values(self):
+        values = hill().astype(float)
+        values[:20] = np.nan
+        self.assert_alike(self.draw(scalars=values, cmap="viridis", nan_color="magenta")[0],
+                          self.draw_mesh(values, cmap="viridis", nan_color="magenta"), 0.93)
+        heights, wild = hill(), hill().astype(float)
+        heights[5, 5] = np.nan
+        wild[5, 5] = -3.4028e38
+        _, terrain = self.draw(heights, scalars=wild, cmap="viridis")
+        np.testing.assert_allclose(terrain.mapper.scalar_range, (np.nanmin(heights), np.nanmax(heights)), atol=0.1)
+
+    def test_colours_as_they_are(self):
+        colors = np.zeros((41, 51, 3), np.uint8)
+        colors[:, 25:] = (255, 0, 0)
+        picture, _ = self.draw(scalars=colors, rgb=True, lighting=False)
+        reds = (np.abs(picture - (255, 0, 0)).max(axis=2) < 8)
+        self.assertGreater(reds.mean(), 0.1)
+        self.assertFalse(reds[:, :SIZE[0] // 4].any())
+
+    def test_opacity_of_colours(self):
+        solid, _ = self.draw(cmap="viridis")
+        faint, _ = self.draw(cmap="viridis", opacity=0.4)
+        linear, _ = self.draw(cmap="viridis", opacity="linear")
+        self.assert_differ(solid, faint)
+        self.assert_differ(solid, linear)
+        self.assert_differ(faint, linear)
+
+    def test_slope_and_aspect(self):
+        slope, terrain = self.draw(scalars="slope")
+        self.assertEqual(terrain.mapper.scalar_range, (0.0, 60.0))
+        self.assert_differ(slope, self.draw(scalars="aspect")[0])
+
+    def test_refusals(self):
+        plotter = self.plotter()
+        for options, pattern in (({"clim": (4, -1)}, "clim"), ({"clim": (np.nan, 2)}, "clim"), ({"clim": "H"}, "clim"),
+                                 ({"scalars": "nothing"}, "nothing"), ({"scalars": np.zeros((3, 3))}, "41 x 51"),
+                                 ({"log_scale": True, "clim": (-1, 3)}, "log_scale"), ({"contours": -1}, "contours"),
+                                 ({"block": 99.0}, "block"), ({"hillshade": 3}, "hillshade"),
+                                 ({"exaggeration": np.inf}, "exaggeration"), ({"x": [0, 1, 3]}, "x must")):
+            with self.assertRaisesRegex(ValueError, pattern):
+                plotting.add_terrain(plotter, hill(), **options)
+        with self.assertRaisesRegex(TypeError, "add_terrain has no option colour"):
+            plotting.add_terrain(plotter, hill(), colour="red")
+        with self.assertRaisesRegex(TypeError, "drape"):
+            plotting.add_terrain(plotter, hill(), drape=np.zeros((2, 2)))
+        self.assertEqual(len(plotter.actors), 0)
+
+
+class TestOwnOptions(LooksTest):
+    def test_each_changes_the_picture(self):
+        plain, _ = self.draw()
+        for options in ({"contours": True}, {"contours": 0.7}, {"hillshade": True}, {"hillshade": (90, 20)},
+                        {"block": True}, {"block": -5.0}, {"extract": ((10, 30), (10, 30))}, {"lighting": False},
+                        {"ambient": 0.9}, {"style": "wireframe"}, {"specular": 1.0, "specular_power": 4.0},
+                        {"user_matrix": np.diag([1.0, 1.0, 3.0, 1.0])}, {"culling": "back", "opacity": 0.5}):
+            with self.subTest(options):
+                self.assert_differ(plain, self.draw(**options)[0])
+
+    def test_coordinates(self):
+        for x, y in ((np.linspace(100, 200, 51), np.linspace(50, 90, 41)),
+                     (np.linspace(100, 200, 51), np.linspace(90, 50, 41))):
+            _, terrain = self.draw(x=x, y=y)
+            np.testing.assert_allclose(terrain.bounds[:4], (100, 200, 50, 90))
+            at = terrain.heights.find_closest_point((100.0, y[0], 0.0))
+            self.assertEqual(terrain.heights["Elevation"][at], hill()[0, 0])
+
+    @unittest.skipUnless(PICTURE.exists(), "there is no orthophoto")
+    def test_a_drape_lies_in_its_place(self):
+        plain, _ = self.draw(str(HEIGHTS))
+        draped, _ = self.draw(str(HEIGHTS), drape=str(PICTURE))
+        self.assert_differ(plain, draped, 0.05)
+        with self.assertRaisesRegex(ValueError, "drape '/nowhere.tif'"):
+            self.draw(str(HEIGHTS), drape="/nowhere.tif")
+
+
+class TestActor(LooksTest):
+    def test_attributes_do_what_they_say(self):
+        plotter = self.plotter()
+        terrain = plotting.add_terrain(plotter, hill(), show_scalar_bar=False)
+        before = look(plotter)
+        for name, value in (("opacity", 0.2), ("visibility", False), ("exaggeration", 3.0), ("scale", (1, 1, 2)),
+                            ("position", (10.0, 0.0, 0.0)), ("orientation", (0.0, 0.0, 45.0)),
+                            ("user_matrix", np.diag([1, 1, 2, 1]))):
+            old = getattr(terrain, name)
+            setattr(terrain, name, value)
+            plotter.render()
+            self.assert_differ(plotter.screenshot(return_img=True).astype(int), before)
+            setattr(terrain, name, old)
+        plotter.render()
+        np.testing.assert_array_equal(plotter.screenshot(return_img=True).astype(int), before)
+
+    def test_unknown_ones_are_refused(self):
+        _, terrain = self.draw()
+        with self.assertRaisesRegex(AttributeError, "no attribute 'opasity'.*opacity"):
+            terrain.opasity = 0.2
+        with self.assertRaisesRegex(ValueError, "exaggeration"):
+            terrain.exaggeration = -1.0
+
+    def test_what_pyvista_asks_of_it(self):
+        plotter = self.plotter()
+        terrain = plotting.add_terrain(plotter, hill(), exaggeration=2.0, name="hill")
+        self.assertIs(plotter.actors["hill"], terrain)
+        self.assertAlmostEqual(terrain.bounds[5], 2.0 * hill().max(), 4)
+        self.assertGreater(plotter.meshes[0].n_points, 100)
+        self.assertLessEqual(plotter.meshes[0].bounds[5], terrain.bounds[5] + 1e-3)
+        plotter.show_bounds(mesh=terrain)
+        plotter.add_silhouette(terrain.surface)
+        plotter.screenshot(return_img=True)
+
+    def test_other_heights(self):
+        plotter = self.plotter()
+        terrain = plotting.add_terrain(plotter, hill(), show_scalar_bar=False)
+        before = look(plotter)
+        terrain.set_heights(hill() + np.linspace(0.0, 5.0, 51, dtype=np.float32))
+        plotter.render()
+        self.assert_differ(plotter.screenshot(return_img=True).astype(int), before)
+        with self.assertRaisesRegex(ValueError, "41 x 51"):
+            terrain.set_heights(np.zeros((3, 3)))
+
+    def test_pickers_of_pyvista(self):
+        plotter = self.plotter()
+        plotting.add_terrain(plotter, hill(), exaggeration=2.0, show_scalar_bar=False)
+        look(plotter)
+        found = []
+        plotter.enable_surface_point_picking(callback=lambda point, *_: found.append(point), left_clicking=True,
+                                             show_message=False, show_point=False)
+        plotter.iren._mouse_left_button_press(120, 90)
+        plotter.iren._mouse_left_button_release(120, 90)
+        self.assertEqual(len(found), 1)
+        x, y, z = found[0]
+        at = hill()
+        i, j = int(x), int(y)
+        self.assertLessEqual(2.0 * at[j:j + 2, i:i + 2].min() - 0.1, z)
+        self.assertGreaterEqual(2.0 * at[j:j + 2, i:i + 2].max() + 0.1, z)
+
+
+if __name__ == "__main__":
+    vtkTerrainTesting.run()
