@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # Installs the wheel that Module/Python/wheel.sh has left in DIR as a new user would, in clean rooms without
 # a compiler, and runs the Python tests, the README's snippets and the notebook there:
-#   - a bare Debian 13, where nothing of VTK, GDAL or Python's packages is but what pip brings;
+#   - a bare Debian 13 (CPython 3.13) and a bare Debian testing (3.14), where nothing of VTK, GDAL or
+#     Python's packages is but what pip brings;
 #   - environments of two CPythons on this machine.
-# Their pictures must be those of the build in BUILD_DIR, bit for bit on this machine.
+# Their pictures must be those of the build in BUILD_DIR: bit for bit, but in Debian testing, whose Mesa
+# is another one.
 #   bash Testing/Wheel/run.sh DIR [BUILD_DIR]
 # Needs root (for the bare machine) and debootstrap. The rooms are left in DIR/rooms.
 set -euo pipefail
@@ -28,25 +30,26 @@ picture_of_the_build()
     /usr/bin/python3 "$source_dir/Examples/Python/render.py" "$source_dir/Examples/Places/heights.tif" "$rooms/build.png"
 }
 
-# A Debian 13 with Python and a driver of OpenGL, no compiler.
+# A Debian with Python and a driver of OpenGL, no compiler, in rooms/RELEASE.
 make_bare()
 {
-  [ ! -e "$rooms/bare/.complete" ] || return 0
+  local release=$1 mirror
+  [ ! -e "$rooms/$release/.complete" ] || return 0
   mirror=$(cat /etc/apt/sources.list.d/*.sources | awk '/^URIs:/ { print $2; exit }')
-  rm -rf "$rooms/bare"
+  rm -rf "$rooms/$release"
   debootstrap --variant=minbase --include=python3,python3-venv,libegl1,libgl1-mesa-dri \
-    trixie "$rooms/bare" "$mirror" /usr/share/debootstrap/scripts/sid >"$rooms/bare.log" 2>&1 ||
-    fail "$(tail -5 "$rooms/bare.log")"
-  cp -L /etc/resolv.conf /etc/hosts "$rooms/bare/etc/"
-  mkdir -p "$rooms/bare/etc/ssl/certs"
-  cp -L /etc/ssl/certs/ca-certificates.crt "$rooms/bare/etc/ssl/certs/"
-  touch "$rooms/bare/.complete"
+    "$release" "$rooms/$release" "$mirror" /usr/share/debootstrap/scripts/sid >"$rooms/$release.log" 2>&1 ||
+    fail "$(tail -5 "$rooms/$release.log")"
+  cp -L /etc/resolv.conf /etc/hosts "$rooms/$release/etc/"
+  mkdir -p "$rooms/$release/etc/ssl/certs"
+  cp -L /etc/ssl/certs/ca-certificates.crt "$rooms/$release/etc/ssl/certs/"
+  touch "$rooms/$release/.complete"
 }
 
-# Runs inside.sh in the bare machine, which sees this source and the wheel, read only.
+# Runs inside.sh in a bare machine, which sees this source and the wheel, read only.
 run_bare()
 {
-  make_bare
+  make_bare "$1"
   unshare --mount bash -c '
     set -e
     root=$1 source=$2 dist=$3
@@ -56,14 +59,14 @@ run_bare()
     mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev"
     exec env -u DISPLAY -u PIP_FIND_LINKS PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root \
       chroot "$root" bash /source/Testing/Wheel/inside.sh /usr/bin/python3 /room "/dist/$4" /source "$5"' \
-    run "$rooms/bare" "$source_dir" "$dist" "$(basename "$wheel")" "$packages"
+    run "$rooms/$1" "$source_dir" "$dist" "$(basename "$wheel")" "$packages"
 }
 
 # Two CPythons of this machine: Debian's, and another.
 pythons()
 {
   echo /usr/bin/python3
-  for candidate in python3.13 python3.12 python3.10 ~/.pyenv/versions/3.1[320].*/bin/python3; do
+  for candidate in python3.12 python3.10 ~/.pyenv/versions/3.12.*/bin/python3 ~/.pyenv/versions/3.10.*/bin/python3; do
     if "$candidate" -c 'import venv' 2>/dev/null; then
       echo "$candidate"
       break
@@ -73,8 +76,11 @@ pythons()
 
 picture_of_the_build
 echo "== bare Debian 13"
-run_bare
-cmp "$rooms/build.png" "$rooms/bare/room/render.png" || fail "Debian 13 draws another picture than the build"
+run_bare trixie
+cmp "$rooms/build.png" "$rooms/trixie/room/render.png" || fail "Debian 13 draws another picture than the build"
+echo "== bare Debian testing"
+run_bare forky
+/usr/bin/python3 "$source_dir/Testing/Wheel/compare.py" "$rooms/build.png" "$rooms/forky/room/render.png"
 for python in $(pythons); do
   version=$("$python" -c 'import platform; print(platform.python_version())')
   echo "== CPython $version on this machine"
