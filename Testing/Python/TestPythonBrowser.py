@@ -310,5 +310,58 @@ class TestChromium(unittest.TestCase):
         self.page.wait_for_function("document.body.innerText.toLowerCase().includes('connection')", timeout=30_000)
 
 
+# A page that renders by itself (vtk.js), as PyVista's mode "client".
+CLIENT = """
+import sys
+import pyvista
+from trame.app import get_server
+from trame.ui.vuetify3 import VAppLayout
+from trame.widgets import vtk
+from vtkterrain.plotting import add_terrain
+server = get_server("client", client_type="vue3")
+plotter = pyvista.Plotter(off_screen=True)
+add_terrain(plotter, sys.argv[1], exaggeration=2.0, show_scalar_bar=False)
+plotter.view_vector((0.0, -0.82, 0.57), viewup=(0.0, 0.0, 1.0))
+with VAppLayout(server) as layout, layout.root:
+    vtk.VtkLocalView(plotter.render_window, style="width: 100vw; height: 100vh; position: absolute")
+server.controller.on_server_ready.add(lambda **_: print(f"http://127.0.0.1:{server.port}/index.html", flush=True))
+server.start(port=0, host="127.0.0.1", open_browser=False, show_connection_info=False, timeout=0)
+"""
+
+
+@unittest.skipUnless(HAS_TRAME and CHROMIUM and all(map(importlib.util.find_spec, (
+    "playwright", "pyvista", "trame_vtk", "vtkmodules.vtkWebCore"))), "what a page that renders by itself takes")
+class TestClient(unittest.TestCase):
+    def test_it_shows_a_mesh_in_the_colours_of_the_terrain_and_says_so(self):
+        from playwright.sync_api import sync_playwright
+
+        said = pathlib.Path(vtkTerrainTesting.output_path("client.log"))
+        with said.open("w", encoding="utf-8") as log:
+            process = subprocess.Popen([sys.executable, "-c", CLIENT, str(HEIGHTS)], stdout=subprocess.PIPE,
+                                       stderr=log, text=True)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        address = process.stdout.readline().strip()
+        with sync_playwright() as play:
+            browser = play.chromium.launch(executable_path=CHROMIUM, args=[
+                "--no-sandbox", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"])
+            page = browser.new_page(viewport={"width": 600, "height": 400})
+            page.goto(address)
+            page.wait_for_selector("canvas", timeout=60_000)
+            path = vtkTerrainTesting.output_path("client.png")
+            for _ in range(30):
+                time.sleep(0.5)
+                page.screenshot(path=path)
+                picture = vtkTerrainTesting.read_picture(path)[..., :3].astype(int)
+                is_ground = np.ptp(picture, axis=2) > 10
+                if is_ground.mean() > 0.1:
+                    break
+            browser.close()
+        self.assertGreater(is_ground.mean(), 0.1)
+        self.assertGreater(len(np.unique(picture[is_ground], axis=0)), 500)
+        self.assertIn("cannot show terrain, only a mesh of it", said.read_text(encoding="utf-8"))
+
+
 if __name__ == "__main__":
     vtkTerrainTesting.run()

@@ -13,7 +13,8 @@ source_dir=$(cd "$(dirname "$0")/../.." && pwd)
 dist=$(cd "$1" && pwd)
 build=$(cd "${2:-$source_dir/build}" && pwd)
 rooms=$dist/rooms
-packages="pyvista[jupyter]==0.49.1 rasterio pyogrio xarray rioxarray geopandas matplotlib nbconvert ipykernel"
+packages="pyvista[jupyter]==0.49.1 rasterio pyogrio xarray rioxarray geopandas odc-geo dask matplotlib nbconvert \
+ipykernel playwright"
 mkdir -p "$rooms"
 wheel=$(ls "$dist"/vtkterrain-*.whl)
 

@@ -11,7 +11,10 @@ from .vtkTerrain import vtkTerrainActor
 
 
 class SurfaceMapper:
-    """What PyVista asks of an actor's mapper: the terrain as a mesh, made when it is asked for."""
+    """What PyVista asks of an actor's mapper: the terrain as a mesh, made when it is asked for.
+
+    All else is the ``vtkOpenGLTerrainMapper``'s, which ``GetTerrainMapper`` gives as it is.
+    """
 
     def __init__(self, terrain):
         self._terrain = weakref.ref(terrain)
@@ -35,9 +38,18 @@ class SurfaceMapper:
     def scalar_range(self, clim):
         self.lookup_table.SetRange(*clim)
 
-    def GetInput(self):  # noqa: N802
-        """As VTK's mappers."""
+    def __getattr__(self, name):
+        return getattr(self._terrain().GetTerrainMapper(), name)
+
+    def _get_dataset(self):
         return self.dataset
+
+    GetInput = GetDataSetInput = GetInputAsDataSet = _get_dataset
+
+    def GetInputAlgorithm(self):  # noqa: N802
+        """What makes the mesh; None without an image of heights."""
+        surface = self._terrain().GetSurfaceActor()
+        return surface and surface.GetMapper().GetInputAlgorithm()
 
 
 class Terrain(vtkTerrainActor):
@@ -82,6 +94,10 @@ class Terrain(vtkTerrainActor):
     @property
     def mapper(self):
         """What PyVista asks of a mapper: ``dataset``, ``lookup_table``, ``scalar_range``."""
+        return self._mapper
+
+    def GetMapper(self):  # noqa: N802
+        """The same, for those who ask in VTK's words."""
         return self._mapper
 
     @property
