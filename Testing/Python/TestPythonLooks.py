@@ -219,6 +219,17 @@ class TestActor(LooksTest):
         self.assertLessEqual(2.0 * at[j:j + 2, i:i + 2].min() - 0.1, z)
         self.assertGreaterEqual(2.0 * at[j:j + 2, i:i + 2].max() + 0.1, z)
 
+    def test_a_picked_mesh_is_one_of_pyvistas(self):
+        plotter = self.plotter()
+        terrain = plotting.add_terrain(plotter, hill(), exaggeration=2.0, show_scalar_bar=False)
+        look(plotter)
+        found = []
+        plotter.enable_mesh_picking(callback=found.append, left_clicking=True, show_message=False, show=False)
+        plotter.iren._mouse_left_button_press(120, 90)
+        plotter.iren._mouse_left_button_release(120, 90)
+        self.assertIs(found[0], terrain.surface)
+        self.assertGreater(found[0].n_points, 100)
+
 
 if __name__ == "__main__":
     vtkTerrainTesting.run()

@@ -62,6 +62,7 @@ class Terrain(vtkTerrainActor):
     def __init__(self):
         self._mapper = SurfaceMapper(self)
         self._name = None
+        self._surface = None
         prop = pyvista.Property(interpolation="Gouraud", ambient=0.0, diffuse=1.0, specular=0.0)
         self.SetProperty(prop)
         self._prop = prop
@@ -103,8 +104,15 @@ class Terrain(vtkTerrainActor):
     @property
     def surface(self):
         """The surface as ``pyvista.PolyData``, within ``surface_error`` of every sample, exaggerated."""
-        surface = self.GetSurface()
-        return None if surface is None else pyvista.wrap(surface)
+        self.own_surface()
+        return None if self.GetSurface() is None else self._surface
+
+    def own_surface(self):
+        """Lets the mesh, which is not made by that, be PyVista's, so that its pickers hand out one of theirs."""
+        actor = self.GetSurfaceActor()
+        if actor is not None and self._surface is None:
+            self._surface = pyvista.PolyData()
+            actor.GetMapper().GetInputAlgorithm().GetExecutive().SetOutputData(0, self._surface)
 
     @property
     def surface_error(self):

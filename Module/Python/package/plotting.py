@@ -225,6 +225,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     actor.SetSunShadows(bool(shadows))
     actor.SetSunAngle(sun_angle)
     actor.SetSkyLight(sky_light)
+    actor.own_surface()
     has_colors = color is None and texture is None
     actor.SetColorByHeight(has_colors)
     is_of_colors = not isinstance(opacity, numbers.Real)
