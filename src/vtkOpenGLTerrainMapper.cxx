@@ -167,12 +167,8 @@ void vtkOpenGLTerrainMapper::HeightsModified(
 {
   if (vtkImageData* image = this->GetHeights())
   {
-    const int* extent = image->GetExtent();
-    const bool turned = terrain::ImageHeights::AreRowsFromNorth(image);
-    const int south = turned ? extent[3] - lastRow : firstRow - extent[2];
-    const int north = turned ? extent[3] - firstRow : lastRow - extent[2];
-    this->Internals->Scene.Surface.SetImagePart(
-      image, { { firstColumn - extent[0], south }, { lastColumn - extent[0] + 1, north + 1 } });
+    this->Internals->Scene.Surface.SetImagePart(image,
+      terrain::ImageHeights::SamplesOf(image, { firstColumn, lastColumn }, { firstRow, lastRow }));
     this->PictureModified();
   }
 }

@@ -15,6 +15,7 @@
 
 #include "core/grid/Coordinates.h"
 #include "core/grid/Heightfield.h"
+#include "core/surface/MinMaxPyramid.h" // For GridRectangle
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -46,6 +47,17 @@ inline vtkIdType ImageRow(vtkImageData* image, vtkIdType j)
 inline vtkIdType PointOfSample(vtkImageData* image, vtkIdType i, vtkIdType j)
 {
   return i + image->GetDimensions()[0] * ImageRow(image, j);
+}
+
+/// Samples, counted from the south-west, of columns and rows of the image's extent, first and last.
+inline GridRectangle SamplesOf(
+  vtkImageData* image, const glm::ivec2& columns, const glm::ivec2& rows)
+{
+  const int* extent = image->GetExtent();
+  const bool turned = AreRowsFromNorth(image);
+  const int south = turned ? extent[3] - rows[1] : rows[0] - extent[2];
+  const int north = turned ? extent[3] - rows[0] : rows[1] - extent[2];
+  return { { columns[0] - extent[0], south }, { columns[1] - extent[0] + 1, north + 1 } };
 }
 
 /// Brings what was computed row by row from the south into the order of the image's rows, or back:
