@@ -137,10 +137,9 @@ def _add_scalar_bar(plotter, table, title, options):
 
 def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scalars=None, cmap=None, clim=None,
                 color=None, texture=None, opacity=1.0, show_scalar_bar=None, scalar_bar_args=None, name=None,
-                reset_camera=None, pickable=True, render=True, label=None, scene=None, shadows=False, sun_angle=0.53, sky_light=0.0,
-                component=None, rgb=False, n_colors=256, flip_scalars=False, log_scale=False,
-                nan_color=None, nan_opacity=1.0,
-                above_color=None, below_color=None, **options):
+                reset_camera=None, pickable=True, render=True, label=None, scene=None, shadows=False,
+                sun_angle=0.53, sky_light=0.0, component=None, rgb=False, n_colors=256, flip_scalars=False,
+                log_scale=False, nan_color=None, nan_opacity=1.0, above_color=None, below_color=None, **options):
     """Adds a heightfield to a plotter; returns the ``vtkterrain.plotting.Terrain``, a ``vtkTerrainActor``.
 
     Parameters
