@@ -211,8 +211,8 @@ class TestIntake(unittest.TestCase):
     def test_texts_by_the_names_of_their_columns(self):
         row, column = np.mgrid[0:ROWS, 0:COLUMNS]
         lines = {"x": 5e5 + 10.0 * column, "y": 5e6 - 10.0 * row, "z": ground(), "id": row * COLUMNS + column}
-        for names in ("x,y,z", "id,x,y,z", "y,x,z", "easting,northing,height", "northing,easting,masl"):
-            keys = [{"e": "x", "n": "y", "h": "z", "m": "z"}.get(name[0], name) for name in names.split(",")]
+        for names in ("x,y,z", "id,x,y,z", "y,x,z", "easting,northing,height", "northing,easting,height"):
+            keys = [{"e": "x", "n": "y", "h": "z"}.get(name[0], name) for name in names.split(",")]
             with open(self.path("points.csv"), "w", encoding="ascii") as file:
                 file.write(names + "\n")
                 np.savetxt(file, np.column_stack([lines[key].ravel() for key in keys]), "%.10g", ",")

@@ -109,6 +109,12 @@ std::string WhyNotOpened(const std::string& name, const std::string& failure)
     return "it is empty";
   }
   const std::string remedy = RemedyOf(name);
+  // GDAL's driver XYZ takes the first three columns where it does not know their names.
+  if (remedy.empty() && failure.find("Ungridded") != std::string::npos)
+  {
+    return "its points do not lie on a grid, row by row (" + failure +
+      "): call the right columns x, y and z in its first line, or make a grid by gdal_grid";
+  }
   return remedy.empty()
     ? "it is not a raster that GDAL can open" + (failure.empty() ? "" : " (" + failure + ")")
     : remedy;
