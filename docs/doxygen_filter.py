@@ -4,7 +4,8 @@
 """Prints a header as Doxygen takes it: what every class of VTK has refers to VTK's own documentation.
 
 Those are New, PrintSelf, overridden methods, constructors, destructors and what is deleted, where no comment
-precedes them. Lines keep their numbers.
+precedes them. A member that follows another without an empty line, such as a getter behind its setter, refers to
+that one. Lines keep their numbers.
 """
 
 import re
@@ -28,8 +29,10 @@ def annotate(text):
                 if re.search(r"[;{}:]$", statement):
                     break
                 statement += " " + following.strip()
-            if STANDARD.search(statement) and not commented:
-                lines[k] = line.replace(code, "/** As VTK documents it. */ " + code)
+            follows = re.match(r"  \S", line) and re.search(r"[;}]$", lines[k - 1])
+            if not commented and (STANDARD.search(statement) or follows):
+                words = "As VTK documents it." if STANDARD.search(statement) else "See the member before."
+                lines[k] = line.replace(code, f"/** {words} */ {code}")
         statement_open = bool(code) and not re.search(r"[;{}:/]$", code) and not code.startswith(("/", "*", "#"))
         commented = code.startswith("///") and code != "///@}"
     return "\n".join(lines)

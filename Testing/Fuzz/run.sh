@@ -11,7 +11,7 @@ seconds=${1:-20}
 sh Module/packages.sh clang-16 libclang-rt-16-dev
 folder=${VTKTERRAIN_FUZZ_DIR:-${VTKTERRAIN_BUILD_DIR:-build}/fuzz}
 cmake -G Ninja -S Testing/Fuzz -B "$folder" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER=clang++-16 \
-  -DCMAKE_UNITY_BUILD=ON "-DCMAKE_CXX_COMPILER_LAUNCHER=${VTKTERRAIN_FUZZ_LAUNCHER:-}" >/dev/null
+  "-DCMAKE_CXX_COMPILER_LAUNCHER=${VTKTERRAIN_FUZZ_LAUNCHER:-}" >/dev/null
 cmake --build "$folder" --target "$@" >/dev/null
 
 for target in "$@"; do
