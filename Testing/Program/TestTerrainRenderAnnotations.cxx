@@ -217,6 +217,44 @@ TEST_F(TerrainRenderAnnotations, SunRisesInTheEast)
   EXPECT_NE(night.Errors.find("night"), std::string::npos) << night.Errors;
 }
 
+TEST_F(TerrainRenderAnnotations, ShadowsFollowTheSun)
+{
+  // a low sun in the east: the west of the ridge is dark, with a light at the eye or the sky alone
+  const std::vector<std::string> low = Above({ "--sun", "90,12" });
+  std::vector<std::string> arguments = low;
+  const Picture lit = this->DrawPicture(arguments);
+  arguments.emplace_back("--shadows");
+  const Picture shadows = this->DrawPicture(arguments);
+  EXPECT_GT(CountDifferent(lit, shadows), 100);
+  arguments.emplace_back("--sky-light");
+  EXPECT_GT(CountDifferent(shadows, this->DrawPicture(arguments)), 1000);
+}
+
+TEST_F(TerrainRenderAnnotations, ADayIsAPictureForEachStep)
+{
+  const RunResult result = this->Draw(
+    this->Heights, Above({ "--shadows", "--sun", "2024-06-21T01:30Z/2024-06-21T11:30Z/300" }));
+  EXPECT_EQ(result.Status, 0) << result.Errors;
+  const std::vector<std::string> files = this->ListFiles();
+  const auto count = [&files](const char* end)
+  {
+    return std::count_if(files.begin(), files.end(),
+      [end](const std::string& file) { return file.find(end) != std::string::npos; });
+  };
+  EXPECT_EQ(count("-001.png") + count("-002.png") + count("-003.png"), 3);
+  EXPECT_EQ(count("-004.png"), 0);
+}
+
+TEST_F(TerrainRenderAnnotations, LinesShadeAndBlock)
+{
+  const Picture plain = this->DrawPicture(Above({}));
+  for (const std::vector<std::string>& arguments :
+    { std::vector<std::string>{ "--contours", "50" }, { "--hillshade" }, { "--block", "500" } })
+  {
+    EXPECT_GT(CountDifferent(plain, this->DrawPicture(Above(arguments))), 30) << arguments.front();
+  }
+}
+
 TEST_F(TerrainRenderAnnotations, PictureOfAnotherSystem)
 {
   // in UTM, over the western part of the ridge only: red, green in its northern half, and a corner

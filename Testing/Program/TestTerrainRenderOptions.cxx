@@ -91,7 +91,15 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--detail", "a.png", "--output", "a.png" }, "a.png" },
   { { "--colors", "virids" }, "viridis" }, { { "--colors", "none.cpt" }, "none.cpt" },
   { { "--range", "5" }, "LOWEST,HIGHEST" }, { { "--range", "5,1" }, "LOWEST,HIGHEST" },
-  { { "--range", "nan,1" }, "LOWEST,HIGHEST" }, { { "--below-sea", "often" }, "--below-sea" } };
+  { { "--range", "nan,1" }, "LOWEST,HIGHEST" }, { { "--below-sea", "often" }, "--below-sea" },
+  { { "--sun", "400,10" }, "AZIMUTH,ALTITUDE" }, { { "--sun", "90,nan" }, "AZIMUTH,ALTITUDE" },
+  { { "--sun", "2024-06-21T06:30Z/2024-06-21T04:30Z/30" }, "before" },
+  { { "--sun", "2024-06-21T06:30Z/2024-06-22T04:30Z/0" }, "minutes" },
+  { { "--sun", "2024-06-21T06:30Z/2034-06-22T04:30Z/1" }, "pictures" },
+  { { "--sun-angle", "91" }, "--sun-angle" }, { { "--sky-light=-1" }, "--sky-light" },
+  { { "--contours", "0" }, "--contours" }, { { "--block", "-5" }, "--block" },
+  { { "--block", "100", "--technique", "mesh" }, "pyramid" },
+  { { "--hillshade", "--shadows" }, "--hillshade" } };
 }
 
 TEST_F(TerrainRenderOptions, WrongOnesAreRefused)
@@ -115,7 +123,8 @@ TEST_F(TerrainRenderOptions, HelpAndVersionAreNoErrors)
       "--curvature", "--origin", "--utm-zone", "--cell", "--cubic", "--vertical", "--geoid",
       "--drape", "--track", "--track-mode", "--look-from", "--look-at", "--sun", "--graticule",
       "--scale-bar", "--north-arrow", "--pixel-tolerance", "--crossings", "--steps", "--long-steps",
-      "--step-length", "--secant-steps", "--colors", "--range", "--reverse", "--below-sea" })
+      "--step-length", "--secant-steps", "--colors", "--range", "--reverse", "--below-sea",
+      "--shadows", "--sun-angle", "--sky-light", "--contours", "--hillshade", "--block" })
   {
     EXPECT_NE(help.Output.find(option), std::string::npos) << option;
   }

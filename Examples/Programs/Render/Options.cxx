@@ -176,6 +176,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   options.Input.Declare(app);
   options.Colors.Declare(app);
   options.Light.Declare(app, true);
+  options.Surface.Declare(app);
   texts.Place.Declare(app, options.Place);
   texts.Detail.Declare(app, options.Detail);
   app.set_version_flag("--version", TERRAIN_RENDER_VERSION);
@@ -293,6 +294,15 @@ void CheckTechnique(const Options& options)
   if (strips && options.PixelTolerance && *options.PixelTolerance == 0.0)
   {
     Refuse("--pixel-tolerance", "must not be 0 for the technique strips");
+  }
+  if (options.Surface.Block > 0.0 && options.Search != Technique::Pyramid)
+  {
+    Refuse("--block", "is for the technique pyramid only");
+  }
+  const LightOptions& light = options.Light;
+  if (options.Surface.Hillshade && (light.Shadows || light.SkyLight > 0.0 || !light.Sun.empty()))
+  {
+    Refuse("--hillshade", "has no sun and no lights: leave out --sun, --shadows and --sky-light");
   }
   if (options.Wireframe && !strips)
   {

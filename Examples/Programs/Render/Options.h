@@ -12,6 +12,7 @@
 #include "HeightOptions.h"
 #include "LightOptions.h"
 #include "PlaceOptions.h"
+#include "SurfaceOptions.h"
 
 #include "vtkOpenGLTerrainMapper.h"
 
@@ -96,6 +97,7 @@ struct Options
   HeightOptions Input;
   ColorOptions Colors;
   LightOptions Light;
+  SurfaceOptions Surface;
   /// True to tell what the heights are, and to draw nothing.
   bool Describe = false;
   PlaceOptions Place;

@@ -340,6 +340,7 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const
   }
   Terrain terrain;
   terrain.Actor = actor;
+  options.Surface.Apply(actor, HeightRange(actor, heights)[0]);
   terrain.Bounds.SetBounds(actor->GetBounds());
   ThrowOnError(name);
   UseColors(terrain, heights, options);
@@ -348,7 +349,7 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const
   property->SetAmbient(0.0);
   property->SetDiffuse(1.0);
   property->SetSpecular(0.0);
-  property->SetLighting(!options.Crossings);
+  property->SetLighting(!options.Crossings && !options.Surface.Hillshade);
   statistics.AddTime("prepare", watch.GetMilliseconds());
   statistics.SetText("technique", NameOf(options.Search));
   return terrain;

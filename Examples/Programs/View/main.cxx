@@ -5,15 +5,19 @@
  * terrain-view: a window on a file of heights. What keys do is told by --help, and by the key h.
  * Exit status: 0, 2 for a wrong command line, 1 otherwise, with one line on stderr.
  */
+#include "ColorOptions.h"
 #include "Ending.h"
 #include "Failure.h"
 #include "HeightOptions.h"
 #include "LightOptions.h"
 #include "Messages.h"
+#include "SurfaceOptions.h"
 #include "Viewer.h"
 
 #include "vtkImageAlgorithm.h"
 #include "vtkOpenGLTerrainMapper.h"
+#include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
 #include "vtkSmartPointer.h"
 #include "vtkTerrainActor.h"
 #include "vtkTerrainHierarchy.h"
@@ -36,7 +40,9 @@ struct Options
 {
   std::string Heights;
   HeightOptions Input;
+  ColorOptions Colors;
   LightOptions Light;
+  SurfaceOptions Surface;
   double Exaggeration = 1.0;
   int Width = 1280;
   int Height = 720;
@@ -106,6 +112,14 @@ void Show(const Options& options)
   }
   viewer.GetTerrain()->SetVerticalExaggeration(options.Exaggeration);
   viewer.SetLight(options.Light);
+  double range[2];
+  viewer.GetTerrain()->GetTerrainMapper()->GetHeightRange(range);
+  options.Surface.Apply(viewer.GetTerrain(), range[0]);
+  viewer.GetTerrain()->GetProperty()->SetLighting(!options.Surface.Hillshade);
+  if (options.Colors.IsGiven())
+  {
+    viewer.GetTerrain()->SetLookupTable(options.Colors.MakeTable(range[0], range[1]));
+  }
   if (vtkTerrainHierarchy::IsPreparedFile(options.Heights))
   {
     const vtkNew<vtkTerrainHierarchy> hierarchy;
@@ -128,7 +142,9 @@ std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
     .add_option("--exaggeration", options.Exaggeration, "drawn height over true height, default 1")
     ->check(CLI::Range(1e-3, 1e3));
   options.Input.Declare(app);
+  options.Colors.Declare(app);
   options.Light.Declare(app, false);
+  options.Surface.Declare(app);
   app.add_option("--width", options.Width, "of the window in pixels, default 1280")
     ->check(CLI::Range(64, 16384));
   app.add_option("--height", options.Height, "of the window in pixels, default 720")
