@@ -248,8 +248,8 @@ TEST_F(TerrainRenderAnnotations, ADayIsAPictureForEachStep)
 TEST_F(TerrainRenderAnnotations, LinesShadeAndBlock)
 {
   const Picture plain = this->DrawPicture(Above({}));
-  for (const std::vector<std::string>& arguments :
-    { std::vector<std::string>{ "--contours", "50" }, { "--hillshade" }, { "--block", "500" } })
+  for (const std::vector<std::string>& arguments : { std::vector<std::string>{ "--contours", "50" },
+         { "--hillshade" }, { "--block", "500" }, { "--legend" } })
   {
     EXPECT_GT(CountDifferent(plain, this->DrawPicture(Above(arguments))), 30) << arguments.front();
   }

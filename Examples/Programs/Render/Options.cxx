@@ -177,6 +177,8 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   options.Colors.Declare(app);
   options.Light.Declare(app, true);
   options.Surface.Declare(app);
+  app.add_flag("--legend{Height in metres}", options.Legend,
+    "the colours of heights with numbers; --legend='Depth in metres' for another title");
   texts.Place.Declare(app, options.Place);
   texts.Detail.Declare(app, options.Detail);
   app.set_version_flag("--version", TERRAIN_RENDER_VERSION);

@@ -98,6 +98,8 @@ struct Options
   ColorOptions Colors;
   LightOptions Light;
   SurfaceOptions Surface;
+  /// Title of the legend of colours; empty for none.
+  std::string Legend;
   /// True to tell what the heights are, and to draw nothing.
   bool Describe = false;
   PlaceOptions Place;

@@ -62,6 +62,7 @@ void Render(const Options& options)
   window->AddRenderer(renderer);
   AddLines(renderer, heights, options, statistics);
   AddOverlay(renderer, heights, options);
+  AddLegend(renderer, terrain, options);
   RefineTerrain(terrain, renderer, options, statistics);
   DrawFrames(window, renderer, options.Frames, statistics);
   DescribeTerrain(terrain, heights.Image, statistics);
