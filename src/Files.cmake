@@ -40,6 +40,7 @@ set(private_sources
   data/HierarchyHeights
   data/ImageSurface
   data/MeshOutput
+  data/ObserverPlaces
   data/StripsOutput
   place/GeoreferencePrepare
   place/GroundPlaces
@@ -163,6 +164,7 @@ set(core
   rays/LaneKernelsPlain
   rays/PixelRays
   rays/QueryWalk
+  rays/RayPackets
   rays/RayQuery
   rays/ReferenceRayCaster
   rays/Viewshed

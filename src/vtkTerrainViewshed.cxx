@@ -5,22 +5,24 @@
 #include "core/grid/HeightSampling.h"
 #include "core/rays/Viewshed.h"
 #include "data/ImageHeights.h"
+#include "data/ObserverPlaces.h"
 #include "data/SMPParallelFor.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
+#include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,64 +30,42 @@ vtkStandardNewMacro(vtkTerrainViewshed);
 
 namespace
 {
-/// Places of observers in grid coordinates: points, and between them along lines.
-std::vector<glm::dvec2> FindPlaces(vtkPointSet* observers, const terrain::GridGeometry& frame)
+/// Observers that are looked after between two reports of progress.
+constexpr std::size_t kBatch = 32;
+
+/// Puts an observer on the ground; where there is none Ground is NaN. False if it is outside.
+template <typename View>
+bool Stand(const View& view, const glm::dvec2& place, double eyeHeight, terrain::Observer& observer)
 {
-  const auto toGrid = [&](vtkIdType point)
+  const glm::dvec2 last(static_cast<double>(view.Width - 1), static_cast<double>(view.Height - 1));
+  const bool inside =
+    place.x >= -1e-6 && place.y >= -1e-6 && place.x <= last.x + 1e-6 && place.y <= last.y + 1e-6;
+  if (!inside)
   {
-    double p[3];
-    observers->GetPoint(point, p);
-    return glm::dvec2(frame.ToGrid({ p[0], p[1], p[2] }));
-  };
-  std::vector<glm::dvec2> places;
-  for (vtkIdType i = 0; i < observers->GetNumberOfPoints(); ++i)
-  {
-    places.push_back(toGrid(i));
+    return false;
   }
-  auto* poly = vtkPolyData::SafeDownCast(observers);
-  if (!poly || !poly->GetLines())
-  {
-    return places;
-  }
-  auto line = vtk::TakeSmartPointer(poly->GetLines()->NewIterator());
-  for (line->GoToFirstCell(); !line->IsDoneWithTraversal(); line->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    line->GetCurrentCell(count, ids);
-    for (vtkIdType k = 1; k < count; ++k)
-    {
-      const glm::dvec2 from = toGrid(ids[k - 1]);
-      const glm::dvec2 way = toGrid(ids[k]) - from;
-      const int parts =
-        static_cast<int>(std::min(std::ceil(std::max(std::abs(way.x), std::abs(way.y))), 1e8));
-      for (int part = 1; part < parts; ++part)
-      {
-        places.push_back(from + way * (static_cast<double>(part) / parts));
-      }
-    }
-  }
-  return places;
+  observer.Position = glm::clamp(place, glm::dvec2(0.0), last);
+  // What rounding has moved off a sample.
+  const glm::dvec2 sample = glm::round(observer.Position);
+  observer.Position = glm::length(sample - observer.Position) < 1e-6 ? sample : observer.Position;
+  observer.Ground = terrain::SampleBilinear(view, observer.Position.x, observer.Position.y);
+  observer.Eye = observer.Ground + eyeHeight;
+  return true;
 }
 
 /// Puts observers on the ground; the first one that cannot be is named.
 template <typename View>
-std::string StandObservers(const View& view, const std::vector<glm::dvec2>& places,
+std::string StandObservers(const View& view, const terrain::ObserverPlaces& places,
   double eyeHeight, std::vector<terrain::Observer>& observers)
 {
-  const glm::dvec2 last(static_cast<double>(view.Width - 1), static_cast<double>(view.Height - 1));
-  for (const glm::dvec2& place : places)
+  if (places.TooMany)
   {
-    terrain::Observer observer;
-    const bool inside =
-      place.x >= -1e-6 && place.y >= -1e-6 && place.x <= last.x + 1e-6 && place.y <= last.y + 1e-6;
-    observer.Position = glm::clamp(place, glm::dvec2(0.0), last);
-    // What rounding has moved off a sample.
-    const glm::dvec2 sample = glm::round(observer.Position);
-    observer.Position = glm::length(sample - observer.Position) < 1e-6 ? sample : observer.Position;
-    observer.Ground =
-      inside ? terrain::SampleBilinear(view, observer.Position.x, observer.Position.y) : 0.0;
-    observer.Eye = observer.Ground + eyeHeight;
+    return "there are more than 10 million observers: a greater ObserverSpacing makes fewer";
+  }
+  terrain::Observer observer;
+  for (const glm::dvec2& place : places.Fixed)
+  {
+    const bool inside = Stand(view, place, eyeHeight, observer);
     if (!inside || std::isnan(observer.Ground))
     {
       return "observer " + std::to_string(observers.size() + 1) +
@@ -93,7 +73,34 @@ std::string StandObservers(const View& view, const std::vector<glm::dvec2>& plac
     }
     observers.push_back(observer);
   }
+  for (const glm::dvec2& place : places.Optional)
+  {
+    if (Stand(view, place, eyeHeight, observer) && !std::isnan(observer.Ground))
+    {
+      observers.push_back(observer);
+    }
+  }
   return observers.empty() ? "there are no observers" : std::string();
+}
+
+/// NaN where there is no height.
+template <typename View>
+void MarkNoData(const View& view, float* values)
+{
+  terrain::SMPParallelFor(view.Height,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t j = begin; j < end; ++j)
+      {
+        for (std::int64_t i = 0; i < view.Width; ++i)
+        {
+          float& value = values[i + view.Width * j];
+          value = std::isnan(static_cast<double>(view.At(i, j)))
+            ? std::numeric_limits<float>::quiet_NaN()
+            : value;
+        }
+      }
+    });
 }
 }
 
@@ -143,43 +150,89 @@ int vtkTerrainViewshed::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkTerrainViewshed::WhyNot() const
+{
+  const auto isRange = [](const double range[2]) { return range[0] <= range[1]; };
+  if (!isRange(this->DistanceRange) || !isRange(this->AzimuthRange) ||
+    !isRange(this->ElevationRange))
+  {
+    return std::string("the range of ") +
+      (!isRange(this->DistanceRange)     ? "distances"
+          : !isRange(this->AzimuthRange) ? "azimuths (north is 0 and 360, as in 315 to 405)"
+                                         : "elevations") +
+      " must go from a number to one that is not less";
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainViewshed::LookAround(
+  vtkImageData* heights, vtkPointSet* places, vtkUnsignedIntArray* counts, vtkFloatArray* rises)
+{
+  const terrain::GridGeometry frame = terrain::ImageHeights::Geometry(heights);
+  terrain::ViewshedOptions options;
+  options.Spacing = frame.Spacing;
+  options.TargetHeight = this->TargetHeight;
+  options.Drop = this->Curvature ? (1.0 - this->Refraction) / (2.0 * this->PlanetRadius) : 0.0;
+  options.NearestDistance = this->DistanceRange[0];
+  options.FarthestDistance =
+    this->DistanceRange[1] < VTK_DOUBLE_MAX ? this->DistanceRange[1] : terrain::kInfinity;
+  options.FirstAzimuth = this->AzimuthRange[0];
+  options.LastAzimuth = this->AzimuthRange[1];
+  options.LowestElevation = this->ElevationRange[0];
+  options.HighestElevation = this->ElevationRange[1];
+  float* const lowest = this->OutputRise ? rises->GetPointer(0) : nullptr;
+  std::string whyNot;
+  terrain::ImageHeights::Dispatch(heights,
+    [&](const auto& view)
+    {
+      std::vector<terrain::Observer> observers;
+      whyNot =
+        StandObservers(view, terrain::FindObserverPlaces(places, frame, this->ObserverSpacing),
+          this->EyeHeight, observers);
+      if (!whyNot.empty())
+      {
+        return;
+      }
+      const terrain::ViewshedGrid grid(view, terrain::SMPParallelFor, this->NoDataBlocks);
+      for (std::size_t k = 0; k < observers.size() && !this->AbortExecute; k += kBatch)
+      {
+        this->UpdateProgress(static_cast<double>(k) / static_cast<double>(observers.size()));
+        const auto first = observers.begin() + static_cast<std::ptrdiff_t>(k);
+        const auto count = static_cast<std::ptrdiff_t>(std::min(kBatch, observers.size() - k));
+        grid.Measure({ first, first + count }, options, counts->GetPointer(0), lowest,
+          terrain::SMPParallelFor);
+      }
+      if (lowest)
+      {
+        MarkNoData(view, lowest);
+      }
+    });
+  return whyNot;
+}
+
+//------------------------------------------------------------------------------
 int vtkTerrainViewshed::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkImageData* heights = vtkImageData::GetData(inputs[0]);
-  vtkPointSet* places = vtkPointSet::GetData(inputs[1]);
   vtkImageData* output = vtkImageData::GetData(outputs);
-  this->ErrorMessage = terrain::ImageHeights::WhyNotHeights(heights);
-  vtkNew<vtkUnsignedIntArray> counts;
+  this->ErrorMessage = this->WhyNot();
   if (this->ErrorMessage.empty())
   {
-    const terrain::GridGeometry frame = terrain::ImageHeights::Geometry(heights);
-    terrain::ViewshedOptions options;
-    options.Spacing = frame.Spacing;
-    options.TargetHeight = this->TargetHeight;
-    options.Drop = this->Curvature ? (1.0 - this->Refraction) / (2.0 * this->PlanetRadius) : 0.0;
-    options.NearestDistance = this->DistanceRange[0];
-    options.FarthestDistance =
-      this->DistanceRange[1] < VTK_DOUBLE_MAX ? this->DistanceRange[1] : terrain::kInfinity;
-    options.FirstAzimuth = this->AzimuthRange[0];
-    options.LastAzimuth = this->AzimuthRange[1];
-    options.LowestElevation = this->ElevationRange[0];
-    options.HighestElevation = this->ElevationRange[1];
+    this->ErrorMessage = terrain::ImageHeights::WhyNotHeights(heights);
+  }
+  vtkNew<vtkUnsignedIntArray> counts;
+  vtkNew<vtkFloatArray> rises;
+  if (this->ErrorMessage.empty())
+  {
     counts->SetName("Observers");
     counts->SetNumberOfTuples(heights->GetNumberOfPoints());
     counts->FillValue(0);
-    terrain::ImageHeights::Dispatch(heights,
-      [&](const auto& view)
-      {
-        std::vector<terrain::Observer> observers;
-        this->ErrorMessage =
-          StandObservers(view, FindPlaces(places, frame), this->EyeHeight, observers);
-        if (this->ErrorMessage.empty())
-        {
-          const terrain::ViewshedGrid grid(view, terrain::SMPParallelFor);
-          grid.Count(observers, options, counts->GetPointer(0), terrain::SMPParallelFor);
-        }
-      });
+    rises->SetName("RiseToBeSeen");
+    rises->SetNumberOfTuples(this->OutputRise ? heights->GetNumberOfPoints() : 0);
+    rises->FillValue(std::numeric_limits<float>::infinity());
+    this->ErrorMessage = this->LookAround(heights, vtkPointSet::GetData(inputs[1]), counts, rises);
   }
   if (!this->ErrorMessage.empty())
   {
@@ -191,6 +244,10 @@ int vtkTerrainViewshed::RequestData(
   terrain::ImageHeights::ArrangeRows(heights, counts->GetPointer(0), size[0], size[1]);
   output->ShallowCopy(heights);
   output->GetPointData()->AddArray(counts);
+  if (this->OutputRise)
+  {
+    output->GetPointData()->AddArray(rises);
+  }
   return 1;
 }
 
@@ -201,6 +258,9 @@ void vtkTerrainViewshed::PrintSelf(ostream& os, vtkIndent indent)
   const auto range = [&](const char* name, const double values[2])
   { os << indent << name << ": " << values[0] << " to " << values[1] << "\n"; };
   os << indent << "EyeHeight: " << this->EyeHeight << "\n";
+  os << indent << "ObserverSpacing: " << this->ObserverSpacing << "\n";
+  os << indent << "NoDataBlocks: " << (this->NoDataBlocks ? "on" : "off") << "\n";
+  os << indent << "OutputRise: " << (this->OutputRise ? "on" : "off") << "\n";
   os << indent << "TargetHeight: " << this->TargetHeight << "\n";
   os << indent << "Curvature: " << (this->Curvature ? "on" : "off") << "\n";
   os << indent << "Refraction: " << this->Refraction << "\n";

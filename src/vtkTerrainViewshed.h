@@ -5,21 +5,34 @@
  * @brief   how many of some observers see each sample of a heightfield
  *
  * Input: port 0, vtkImageData of W x H x 1 points whose scalars are heights. Port 1, vtkPointSet in
- * the same coordinates: an observer stands at every point, on the ground whatever its z is, and
- * along the lines of vtkPolyData not farther apart than a cell.
+ * the same coordinates: an observer stands at every point, on the ground whatever its z is, along
+ * the lines of vtkPolyData (a road), and inside of its polygons (an area), see ObserverSpacing.
  *
- * Output: the image with the point array "Observers" (vtkUnsignedIntArray): how many observers see
- * the point TargetHeight above the sample. 0 where there is no height.
+ * Output: the image with the point arrays
+ * | array | what |
+ * | --- | --- |
+ * | Observers | unsigned int: how many see the point TargetHeight above the sample |
+ * | RiseToBeSeen | float, if OutputRise is on: metres that point must rise to be seen by one |
  *
- * Exact for the bilinear surface, but for float arithmetic (core/rays/Viewshed.h). No data hide
- * nothing. An observer outside the heights, or where there is none, is an error.
+ * Observers is 0 where there is no height. RiseToBeSeen is 0 where somebody sees the point,
+ * infinity where no rise would do within the limits, and NaN where there is no height.
+ *
+ * Exact for the bilinear surface, but for float arithmetic (core/rays/Viewshed.h). What there are
+ * no data for hides nothing, or everything behind it: NoDataBlocks. An observer outside the
+ * heights, or where there is none, is an error; of an area those places are left out.
  *
  * Heights are in metres, as the spacing. Heights laid out from degrees are seen as if their cells
  * were as wide everywhere as in their middle: bring them to a metric CRS (vtkTerrainReproject)
  * where that matters.
  *
- * Cost: about 45 ns a sample and observer on one core with AVX-512, on rough terrain. Runs on the
- * threads of vtkSMPTools; results do not depend on them.
+ * Cost: docs/analysis.md has numbers. Runs on the threads of vtkSMPTools; results do not depend on
+ * them. Between some observers progress is reported, and AbortExecute ends it.
+ *
+ * @code{.py}
+ * viewshed = vtkTerrainViewshed(EyeHeight=1.75, DistanceRange=(0.0, 5000.0))
+ * viewshed.SetInputConnection(0, reader.GetOutputPort())
+ * viewshed.SetInputData(1, road)
+ * @endcode
  *
  * @sa vtkTerrainHorizon vtkTerrainViewpoint
  */
@@ -32,6 +45,10 @@
 #include <string>
 
 class vtkAlgorithmOutput;
+class vtkFloatArray;
+class vtkImageData;
+class vtkPointSet;
+class vtkUnsignedIntArray;
 
 class VTKTERRAIN_EXPORT vtkTerrainViewshed : public vtkImageAlgorithm
 {
@@ -49,6 +66,27 @@ public:
   vtkGetMacro(EyeHeight, double);
   vtkSetClampMacro(TargetHeight, double, 0.0, 1e9);
   vtkGetMacro(TargetHeight, double);
+  ///@}
+
+  ///@{
+  /// Greatest distance between observers along lines, and the distance of those in areas, in
+  /// metres. 0, the default, is one cell: every sample of an area. At most 10 million observers.
+  vtkSetClampMacro(ObserverSpacing, double, 0.0, 1e9);
+  vtkGetMacro(ObserverSpacing, double);
+  ///@}
+
+  ///@{
+  /// Whether nobody sees across cells without data; default off: they hide nothing.
+  vtkSetMacro(NoDataBlocks, bool);
+  vtkGetMacro(NoDataBlocks, bool);
+  vtkBooleanMacro(NoDataBlocks, bool);
+  ///@}
+
+  ///@{
+  /// Whether the array RiseToBeSeen is made; default off. Takes a few times as long.
+  vtkSetMacro(OutputRise, bool);
+  vtkGetMacro(OutputRise, bool);
+  vtkBooleanMacro(OutputRise, bool);
   ///@}
 
   ///@{
@@ -103,11 +141,18 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
+  std::string WhyNot() const;
+  std::string LookAround(
+    vtkImageData* heights, vtkPointSet* places, vtkUnsignedIntArray* counts, vtkFloatArray* rises);
+
   double EyeHeight = 1.75;
   double TargetHeight = 0.0;
   bool Curvature = false;
   double Refraction = 0.13;
   double PlanetRadius = 6371008.8;
+  double ObserverSpacing = 0.0;
+  bool NoDataBlocks = false;
+  bool OutputRise = false;
   double DistanceRange[2] = { 0.0, VTK_DOUBLE_MAX };
   double AzimuthRange[2] = { 0.0, 360.0 };
   double ElevationRange[2] = { -90.0, 90.0 };

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 using namespace terrain;
@@ -31,12 +32,12 @@ double CellHeight(const HeightfieldView<double>& view, glm::i64vec2 cell, const 
     v * ((1.0 - u) * view.At(cell.x, cell.y + 1) + u * view.At(cell.x + 1, cell.y + 1));
 }
 
-/// The judge: how high the surface stands over the sight to a target, by many points in each cell
-/// that the line runs through. Above 0: the target is hidden.
-double JudgeAbove(const HeightfieldView<double>& view, const ViewshedOptions& options,
-  const Observer& observer, const glm::i64vec2& target)
+/// Calls visit(t, h) for many points of the surface under the sight to a target, at parts 0 to 1 of
+/// the way, in each cell that the line runs through.
+template <typename Visit>
+void VisitSight(const HeightfieldView<double>& view, const Observer& observer,
+  const glm::i64vec2& target, int points, const Visit& visit)
 {
-  constexpr int points = 25;
   const glm::dvec2 way = glm::dvec2(target) - observer.Position;
   std::vector<double> crossings{ 0.0, 1.0 };
   for (int axis = 0; axis < 2; ++axis)
@@ -49,9 +50,6 @@ double JudgeAbove(const HeightfieldView<double>& view, const ViewshedOptions& op
     }
   }
   std::sort(crossings.begin(), crossings.end());
-  const double far = glm::length(way * options.Spacing);
-  const double top = view.At(target.x, target.y) + options.TargetHeight;
-  double most = -kInfinity;
   for (std::size_t k = 1; k < crossings.size(); ++k)
   {
     const double length = crossings[k] - crossings[k - 1];
@@ -67,14 +65,47 @@ double JudgeAbove(const HeightfieldView<double>& view, const ViewshedOptions& op
       for (int point = 0; point <= points; ++point)
       {
         const double t = crossings[k - 1] + length * point / points;
-        const double lift = options.Drop * far * far * t * (1.0 - t);
-        const double h = CellHeight(view, cell, observer.Position + way * t);
-        const double above = h - (observer.Eye + (top - observer.Eye) * t - lift);
-        most = above > most && t < 1.0 - 1e-9 ? above : most;
+        if (t < 1.0 - 1e-9)
+        {
+          visit(t, CellHeight(view, cell, observer.Position + way * t));
+        }
       }
     }
   }
+}
+
+/// The judge: how high the surface stands over the sight to a target. Above 0: it is hidden.
+double JudgeAbove(const HeightfieldView<double>& view, const ViewshedOptions& options,
+  const Observer& observer, const glm::i64vec2& target)
+{
+  const double far = glm::length((glm::dvec2(target) - observer.Position) * options.Spacing);
+  const double top = view.At(target.x, target.y) + options.TargetHeight;
+  double most = -kInfinity;
+  VisitSight(view, observer, target, 25,
+    [&](double t, double h)
+    {
+      const double lift = options.Drop * far * far * t * (1.0 - t);
+      const double above = h - (observer.Eye + (top - observer.Eye) * t - lift);
+      most = above > most ? above : most;
+    });
   return most;
+}
+
+/// The judge of rises: how high the target must be for its sight to pass over every point.
+double JudgeRise(const HeightfieldView<double>& view, const ViewshedOptions& options,
+  const Observer& observer, const glm::i64vec2& target)
+{
+  const double far = glm::length((glm::dvec2(target) - observer.Position) * options.Spacing);
+  const double top = view.At(target.x, target.y) + options.TargetHeight;
+  double least = top;
+  VisitSight(view, observer, target, 300,
+    [&](double t, double h)
+    {
+      const double lift = options.Drop * far * far * t * (1.0 - t);
+      const double needed = observer.Eye + (h - observer.Eye + lift) / t;
+      least = t > 0.0 && needed > least ? needed : least;
+    });
+  return least - top;
 }
 
 Observer ObserverAt(const HeightfieldView<double>& view, const glm::dvec2& position, double height)
@@ -250,4 +281,110 @@ TEST(Viewshed, DegenerateGrids)
   }
   const ViewshedGrid empty(TestField("empty", 0, 0, {}).View(), SerialFor);
   empty.Count({}, {}, nullptr, SerialFor);
+}
+
+namespace
+{
+struct Measured
+{
+  std::vector<std::uint32_t> Counts;
+  std::vector<float> Rises;
+
+  Measured(const TestField& field, const std::vector<Observer>& observers,
+    const ViewshedOptions& options, const LaneKernels& kernels, bool holesBlock = false)
+    : Counts(field.Samples.size(), 0)
+    , Rises(field.Samples.size(), std::numeric_limits<float>::infinity())
+  {
+    const ViewshedGrid grid(field.View(), SerialFor, holesBlock);
+    grid.Measure(observers, options, this->Counts.data(), this->Rises.data(), BackwardFor, kernels);
+  }
+};
+}
+
+TEST(Viewshed, RisesAgainstTheJudge)
+{
+  ViewshedOptions options;
+  options.Spacing = { 20.0, 30.0 };
+  options.TargetHeight = 1.5;
+  options.Drop = 1e-5;
+  for (const TestField& field : { AdversarialFields()[0], AdversarialFields()[5],
+         AdversarialFields()[6], AdversarialFields()[7] })
+  {
+    const HeightfieldView<double> view = field.View();
+    for (const glm::dvec2& place : { glm::dvec2(3.0, 4.0), glm::dvec2(12.25, 9.5) })
+    {
+      const Observer observer = ObserverAt(view, place, 2.0);
+      for (const LaneKernels& kernels : RunnableLaneKernels())
+      {
+        const Measured measured(field, { observer }, options, kernels);
+        for (std::int64_t j = 0; j < view.Height; j += 4)
+        {
+          for (std::int64_t i = j % 5; i < view.Width; i += 5)
+          {
+            const auto index = static_cast<std::size_t>(i + view.Width * j);
+            const double rise = static_cast<double>(measured.Rises[index]);
+            EXPECT_EQ(measured.Counts[index] == 1u, rise == 0.0);
+            EXPECT_NEAR(rise, JudgeRise(view, options, observer, { i, j }), 0.01 + 1e-3 * rise)
+              << field.Name << " " << kernels.Name << " " << i << " " << j;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Viewshed, RisesWithinLimitsAndTheLeastOfObservers)
+{
+  const TestField field("wall", 61, 21, [](int i, int) { return i == 30 ? 40.0 : 0.0; });
+  const HeightfieldView<double> view = field.View();
+  const Observer near = ObserverAt(view, { 20.0, 10.0 }, 10.0);
+  const Observer far = ObserverAt(view, { 5.0, 10.0 }, 10.0);
+  const auto at = [&](const Measured& measured, int i)
+  { return static_cast<double>(measured.Rises[static_cast<std::size_t>(i + 61 * 10)]); };
+  const LaneKernels& kernels = RunnableLaneKernels().back();
+  const Measured both(field, { near, far }, {}, kernels);
+  EXPECT_NEAR(at(both, 40), 10.0 + 30.0 * 35.0 / 25.0, 0.01); // over the wall from afar
+  EXPECT_EQ(at(both, 25), 0.0);
+  ViewshedOptions options;
+  options.FarthestDistance = 25.0;
+  const Measured within(field, { near, far }, options, kernels);
+  EXPECT_NEAR(at(within, 40), 10.0 + 30.0 * 20.0 / 10.0, 0.01); // only the near one may
+  EXPECT_EQ(at(within, 50), kInfinity);
+  options = {};
+  options.HighestElevation = 60.0;
+  EXPECT_EQ(at(Measured(field, { near }, options, kernels), 40), kInfinity);
+  options.HighestElevation = 90.0;
+  options.LowestElevation = 80.0;
+  EXPECT_NEAR(at(Measured(field, { near }, options, kernels), 40),
+    10.0 + 20.0 * std::tan(80.0 * kDegree), 0.01);
+  EXPECT_EQ(at(Measured(field, { ObserverAt(view, { 20.0, 10.0 }, -1.0) }, {}, kernels), 22),
+    kInfinity); // below the ground
+}
+
+TEST(Viewshed, HolesBlockIfAsked)
+{
+  const TestField field(
+    "lake", 61, 21, [](int i, int) { return i == 30 || i == 31 ? kNaN
+                                       : i == 50               ? 9.0
+                                                               : 0.0; });
+  const HeightfieldView<double> view = field.View();
+  const Observer observer = ObserverAt(view, { 10.0, 10.5 }, 5.0);
+  for (const LaneKernels& kernels : RunnableLaneKernels())
+  {
+    for (const bool blocks : { false, true })
+    {
+      const Measured found(field, { observer }, {}, kernels, blocks);
+      std::vector<std::uint32_t> counts(field.Samples.size(), 0);
+      ViewshedGrid(view, SerialFor, blocks)
+        .Count({ observer }, {}, counts.data(), SerialFor, kernels);
+      EXPECT_EQ(counts, found.Counts);
+      EXPECT_EQ(counts[20 + 61 * 10], 1u);
+      EXPECT_EQ(counts[30 + 61 * 10], 0u);
+      EXPECT_EQ(counts[40 + 61 * 10], blocks ? 0u : 1u);
+      EXPECT_EQ(found.Rises[40 + 61 * 10], blocks ? std::numeric_limits<float>::infinity() : 0.0f);
+      // whoever stands far above the sea does not see through walls without end, either
+      const Measured high(field, { ObserverAt(view, { 10.0, 10.5 }, 5000.0) }, {}, kernels, blocks);
+      EXPECT_EQ(high.Counts[40 + 61 * 10], blocks ? 0u : 1u);
+    }
+  }
 }

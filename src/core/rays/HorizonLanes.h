@@ -8,7 +8,7 @@
 #define terrain_HorizonLanes_h
 
 #include "core/grid/Lanes.h"
-#include "core/rays/LaneKernels.h"
+#include "core/rays/LaneBounds.h"
 
 namespace terrain
 {
@@ -50,9 +50,9 @@ struct HorizonLanes
   const LaneGrid<Real>& Grid;
   const LaneWay<Real>& Way;
   Real EyeHeight;
-  int I; ///< in cells of the pyramid
+  int I; ///< the first sample
   int J;
-  const Real* Start; ///< the first sample
+  const Real* Start; ///< in memory
   int End;           ///< of the steps: all rays have left the grid
   Value Eye;         ///< heights
   Value Best;        ///< tangents of the horizons so far
@@ -168,38 +168,14 @@ struct HorizonLanes
     return this->RiseAtExit(step) * step.Inverse + this->CurvatureOf(step) * step.Exit;
   }
 
-  /// Highest sample of the surface over the cells of a stretch, of all rays.
-  TERRAIN_LANES_INLINE Real MaximumOver(const WayStretch<Real>& stretch) const
-  {
-    const int k = stretch.Level < this->Grid.LevelCount ? stretch.Level : this->Grid.LevelCount;
-    const auto& level = this->Grid.Levels[k - 1];
-    const int west = Node(this->I + stretch.West, this->Grid.PyramidWidth, k, level.Width);
-    const int east = Node(this->I + stretch.East, this->Grid.PyramidWidth, k, level.Width);
-    const int south = Node(this->J + stretch.South, this->Grid.PyramidHeight, k, level.Height);
-    const int north = Node(this->J + stretch.North, this->Grid.PyramidHeight, k, level.Height);
-    const PyramidNode<Real>* row = level.Nodes + static_cast<std::int64_t>(level.Width) * south;
-    Real maximum = row[west].Maximum;
-    for (int y = south; y <= north; ++y, row += level.Width)
-    {
-      for (int x = west; x <= east; ++x)
-      {
-        maximum = row[x].Maximum > maximum ? row[x].Maximum : maximum;
-      }
-    }
-    return maximum;
-  }
-  TERRAIN_LANES_INLINE static int Node(int cell, int cells, int level, int size)
-  {
-    cell = cell < 0 ? 0 : cell;
-    cell = cell < cells ? cell : cells - 1;
-    const int node = cell >> level;
-    return node < size ? node : size - 1;
-  }
-
   /// True if the surface in a stretch may be above the horizon in a lane.
   TERRAIN_LANES_INLINE bool MayRise(const WayStretch<Real>& stretch) const
   {
-    const Value rise = this->MaximumOver(stretch) - stretch.Drop - this->Eye;
+    const Real maximum = MaximumOver(this->Grid,
+      { this->I + stretch.West, this->I + stretch.East, this->J + stretch.South,
+        this->J + stretch.North },
+      stretch.Level);
+    const Value rise = maximum - stretch.Drop - this->Eye;
     const Value bound = L::Maximum(rise * stretch.InverseEnter, rise * stretch.InverseExit);
     return L::Any(bound > this->Best);
   }
@@ -262,8 +238,8 @@ void CastHorizonRow(const LaneGrid<Real>& grid, const LaneWay<Real>& way, Real e
   {
     const std::int64_t last = i + count < grid.Width ? i + count : grid.Width;
     const int columnSteps = way.StepsOfColumns[way.East ? grid.Width - 1 - i : last - 1];
-    HorizonLanes<Real, Along> lanes{ grid, way, eyeHeight, static_cast<int>(i) + grid.Margin,
-      static_cast<int>(row) + 1, grid.Samples + i + grid.Stride * row,
+    HorizonLanes<Real, Along> lanes{ grid, way, eyeHeight, static_cast<int>(i),
+      static_cast<int>(row), grid.Samples + i + grid.Stride * row,
       rowSteps < columnSteps ? rowSteps : columnSteps, {}, {} };
     Real angles[count];
     Lanes<Real>::Store(lanes.Cast(guess), angles);

@@ -118,11 +118,83 @@ struct LaneObserver
   bool Strict = false;
 };
 
-/// Adds 1 to the counts of the samples of a row, not that of the observer, that
-/// are seen, as far as they lie rather north or south of the observer than east
-/// or west.
-using ViewshedKernel = void (*)(
-  const LaneGrid<float>& grid, const LaneObserver& eye, std::int64_t row, std::uint32_t* counts);
+/// A fan of sights from an observer, north or south: those that cross First to Last columns a row.
+struct LaneFan
+{
+  /// Columns between First and Last at the farthest row, at most.
+  static constexpr int Columns = 256;
+
+  int Step = 1; ///< 1 if the targets lie north of the observer, else -1
+  double First = -1.0;
+  double Last = 1.0;
+  int Rows = 0; ///< at most so many rows of samples are looked at
+};
+
+/// Takes what the sights of a fan found: by how much the targets of a row, from a column eastward,
+/// would have to rise to be seen; 0 for those that are.
+struct HiddenSink
+{
+  using Function = void (*)(
+    void* context, std::int64_t row, std::int64_t first, std::int64_t count, const float* hidden);
+  Function Take = nullptr;
+  void* Context = nullptr;
+};
+
+/// Looks at the samples in a fan, not those in the row of the observer, as far as they lie rather
+/// north or south of it than east or west. measures: the numbers given are right, not only those
+/// that are 0.
+using ViewshedKernel = void (*)(const LaneGrid<float>& grid, const LaneObserver& eye,
+  const LaneFan& fan, bool measures, const HiddenSink& sink);
+
+/// A heightfield for packets of rays, and the pyramid over it. Its heights are
+/// those over Base, from 0 to Highest.
+struct PacketGrid
+{
+  static constexpr int MostLevels = 15;
+
+  int CellsX = 0;
+  int CellsY = 0;
+  int Stride = 0; ///< samples from one row to the next
+  bool FloatSamples = false;
+  const void* Samples = nullptr; ///< floats, -1 for no data; or 16-bit codes
+  /// Nodes by levels: the highest code in the lower 16 bits, the lowest in the upper ones.
+  const std::uint32_t* Nodes = nullptr;
+  float NodeStep = 1.0f; ///< heights per code of the nodes
+  float Highest = 0.0f;
+  double Base = 0.0;
+  int Levels = 0;
+  /// Of level 1 to MostLevels, at their index.
+  std::int32_t LevelBegins[MostLevels + 1] = {};
+  std::int32_t LevelWidths[MostLevels + 1] = {};
+  std::int32_t LevelHeights[MostLevels + 1] = {};
+};
+
+/// Rays in grid coordinates and height units, from distance 0 on.
+struct PacketRays
+{
+  static constexpr int Most = 16;
+
+  int Count = 0; ///< the rest up to the next multiple of 16 is cast, too
+  double Origin[3][Most];
+  double Direction[3][Most];
+  double End[Most];
+};
+
+/// What the rays of a packet meet.
+struct PacketHits
+{
+  float Distance[PacketRays::Most]; ///< infinity for nothing
+  std::int32_t CellX[PacketRays::Most];
+  std::int32_t CellY[PacketRays::Most];
+  float FractionX[PacketRays::Most];
+  float FractionY[PacketRays::Most];
+  /// Of the surface, in heights of the PacketGrid per cell.
+  float SlopeX[PacketRays::Most];
+  float SlopeY[PacketRays::Most];
+};
+
+/// Finds the first hits of a packet (PacketLanes.h).
+using PacketKernel = void (*)(const PacketGrid& grid, const PacketRays& rays, PacketHits& hits);
 
 /// The loops for one kind of processor. Results of the kinds differ by rounding
 /// at most.
@@ -133,6 +205,7 @@ struct LaneKernels
   HorizonKernel<float> Horizon = nullptr;
   HorizonKernel<double> HorizonInDouble = nullptr;
   ViewshedKernel Viewshed = nullptr;
+  PacketKernel Packet = nullptr;
 };
 
 /// The kinds that this processor runs, the fastest last; at least one.

@@ -57,9 +57,10 @@ struct ViewshedOptions
   double HighestElevation = 90.0;
 
   bool HasLimits() const;
-  /// True if a target, by its place from the eye in height units, is within the
-  /// limits.
-  bool IsWithin(const glm::dvec3& target) const;
+  /// By how much a target would have to rise to be seen, 0 if it is; infinity if it cannot be seen
+  /// from here. target: its place from the eye in height units. hidden: by how much it would have
+  /// to rise over what stands before it.
+  double RiseToBeSeen(const glm::dvec3& target, double hidden) const;
 };
 
 /**
@@ -72,52 +73,60 @@ struct ViewshedOptions
  * heights. Cells that touch a sample without data have no surface and hide
  * nothing; such samples are not seen. An eye below the ground sees nothing.
  *
- * Method: lines of sight to 4 to 16 neighbours go together, one a SIMD lane
- * (Lanes.h), from row to row, since those lines are never more than a cell
- * apart. Targets that lie rather east or west of the observer are looked for on
- * the transposed grid. Over each cell the height of the surface above the line
- * is a parabola whose maximum decides. Stretches that the min-max pyramid's
- * maximum shows to be below all lines are left out. What has hidden the
- * neighbours is looked at first. Heights are floats relative to the middle of
- * their range; positions keep their digits at any distance.
+ * What there is no data for may block, too: then such cells are walls without end.
+ *
+ * Method: the samples around an observer are looked at in fans, row by row outward. In each fan two
+ * bounds of the horizon so far decide most samples (ViewshedFan.h). For the others lines of sight
+ * to 4 to 16 neighbours go together, one a SIMD lane (Lanes.h), from row to row, since those lines
+ * are never more than a cell apart (ViewshedLanes.h). Over each cell the height of the surface
+ * above the line is a parabola whose maximum decides. Stretches that the min-max pyramid's maximum
+ * shows to be below all lines are left out. Targets that lie rather east or west of the observer
+ * are looked for on the transposed grid. Heights are floats relative to the middle of their range;
+ * positions keep their digits at any distance.
  *
  * Error: that of float, about 1e-7 of the relief. A sample whose line of sight
  * clears the surface by less may come out either way.
  *
- * Cost: on one core with AVX-512 about 30 ns a sample and observer on rough
- * terrain. Memory: two copies of the heights and their pyramids, 15 bytes a
- * sample, and 4 bytes a sample while it counts.
+ * Memory: two copies of the heights and their pyramids, 15 bytes a sample, and a byte a sample
+ * while it counts, 5 while it measures.
  */
 class ViewshedGrid
 {
 public:
-  /// Copies the heights; the view need not live on.
+  /// Copies the heights; the view need not live on. holesBlock: cells without data are walls.
   template <typename T>
-  ViewshedGrid(const HeightfieldView<T>& view, const ParallelFor& parallelFor)
+  ViewshedGrid(
+    const HeightfieldView<T>& view, const ParallelFor& parallelFor, bool holesBlock = false)
     : ViewshedGrid(
         view.Width, view.Height, [&view](std::int64_t i, std::int64_t j) { return view.At(i, j); },
-        parallelFor)
+        parallelFor, holesBlock)
   {
   }
   ~ViewshedGrid();
   ViewshedGrid(const ViewshedGrid&) = delete;
   void operator=(const ViewshedGrid&) = delete;
 
-  /// Adds, to counts[i + Width * j], how many of the observers see sample (i,
-  /// j). Runs in parallel over rows. kernels: one of RunnableLaneKernels(), the
-  /// fastest if not given.
+  /// Adds, to counts[i + Width * j], how many of the observers see sample (i, j). Runs in parallel
+  /// over fans. kernels: one of RunnableLaneKernels(), the fastest if not given.
   void Count(const std::vector<Observer>& observers, const ViewshedOptions& options,
     std::uint32_t* counts, const ParallelFor& parallelFor,
+    const LaneKernels& kernels = RunnableLaneKernels().back()) const;
+
+  /// As Count(), and lowers rises[i + Width * j] to what the target above sample (i, j) would have
+  /// to rise, in height units, to be seen by one of the observers: 0 where it is. Begin with
+  /// infinity, which stays where no rise would do. A rise is right to the tolerance of sights.
+  void Measure(const std::vector<Observer>& observers, const ViewshedOptions& options,
+    std::uint32_t* counts, float* rises, const ParallelFor& parallelFor,
     const LaneKernels& kernels = RunnableLaneKernels().back()) const;
 
 private:
   using HeightAt = std::function<double(std::int64_t i, std::int64_t j)>;
   struct Side;
-  ViewshedGrid(
-    std::int64_t width, std::int64_t height, const HeightAt& heights, const ParallelFor&);
-  void CountSide(const Side& side, const std::vector<Observer>& observers,
-    const ViewshedOptions& options, std::uint32_t* counts, const ParallelFor& parallelFor,
-    const LaneKernels& kernels) const;
+  struct Looking;
+  class Taker;
+  ViewshedGrid(std::int64_t width, std::int64_t height, const HeightAt& heights,
+    const ParallelFor& parallelFor, bool holesBlock);
+  void LookAround(const Looking& looking, const Observer& observer) const;
 
   std::int64_t Width;
   std::int64_t Height;

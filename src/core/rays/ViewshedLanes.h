@@ -15,12 +15,48 @@
 #define terrain_ViewshedLanes_h
 
 #include "core/grid/Lanes.h"
-#include "core/rays/LaneKernels.h"
+#include "core/rays/LaneBounds.h"
 
 namespace terrain
 {
 inline namespace TERRAIN_LANES_KIND
 {
+/// Numbers of a row at 0 <= column < 2 Count.
+TERRAIN_LANES_INLINE Lanes<float>::Value PickNear(const float* row, Lanes<float>::Mask column)
+{
+  using L = Lanes<float>;
+#if defined(__AVX512F__)
+  return (L::Value)_mm512_permutex2var_ps(
+    (__m512)L::Load(row), (__m512i)column, (__m512)L::Load(row + L::Count));
+#else
+  L::Value value;
+  for (int k = 0; k < L::Count; ++k)
+  {
+    value[k] = row[column[k]];
+  }
+  return value;
+#endif
+}
+
+/// Numbers from anywhere in a table.
+TERRAIN_LANES_INLINE Lanes<float>::Value PickAny(const float* table, Lanes<float>::Mask index)
+{
+  using L = Lanes<float>;
+#if defined(__AVX512F__)
+  return (L::Value)_mm512_mask_i32gather_ps(
+    _mm512_setzero_ps(), (__mmask16)-1, (__m512i)index, table, 4);
+#else
+  L::Value value;
+  for (int k = 0; k < L::Count; ++k)
+  {
+    value[k] = table[index[k]];
+  }
+  return value;
+#endif
+}
+
+/// Measures: instead of letting go of hidden lanes, raise their sights until nothing stands above.
+template <bool Measures>
 struct ViewshedLanes
 {
   using L = Lanes<float>;
@@ -40,27 +76,10 @@ struct ViewshedLanes
   float Spread; ///< columns between lanes, per row of distance
   Value Lane;   ///< 0, 1, 2 ...
   Value Slope;
-  Value Raise; ///< of the targets, over what is looked at
-  Value Rise;
+  Value Rise; ///< of the sights, per row of distance
   Value Fall;
   Mask Along;   ///< lanes whose sight runs along the line between two columns
   Mask Seeking; ///< lanes that nothing has hidden yet
-
-  /// Numbers of a row at 0 <= column < 2 Count.
-  TERRAIN_LANES_INLINE static Value Pick(const float* row, Mask column)
-  {
-#if defined(__AVX512F__)
-    return (Value)_mm512_permutex2var_ps(
-      (__m512)L::Load(row), (__m512i)column, (__m512)L::Load(row + L::Count));
-#else
-    Value value;
-    for (int k = 0; k < L::Count; ++k)
-    {
-      value[k] = row[column[k]];
-    }
-    return value;
-#endif
-  }
 
   /// Height at a part of the way from one sample to the next, which does not matter for 0.
   TERRAIN_LANES_INLINE static Value Between(Value west, Value east, Value part)
@@ -108,14 +127,14 @@ struct ViewshedLanes
     const float* farRow =
       this->Grid.Samples + this->Grid.Stride * (this->FirstLine + k * this->Step) + base;
     const float* nearRow = farRow - this->Grid.Stride * this->Step;
-    const Value enterNearWest = Pick(nearRow, enterCell);
-    const Value enterNearEast = Pick(nearRow, enterCell + 1);
-    const Value enterFarWest = Pick(farRow, enterCell);
-    const Value enterFarEast = Pick(farRow, enterCell + 1);
-    const Value exitNearWest = Pick(nearRow, exitCell);
-    const Value exitNearEast = Pick(nearRow, exitCell + 1);
-    const Value exitFarWest = Pick(farRow, exitCell);
-    const Value exitFarEast = Pick(farRow, exitCell + 1);
+    const Value enterNearWest = PickNear(nearRow, enterCell);
+    const Value enterNearEast = PickNear(nearRow, enterCell + 1);
+    const Value enterFarWest = PickNear(farRow, enterCell);
+    const Value enterFarEast = PickNear(farRow, enterCell + 1);
+    const Value exitNearWest = PickNear(nearRow, exitCell);
+    const Value exitNearEast = PickNear(nearRow, exitCell + 1);
+    const Value exitFarWest = PickNear(farRow, exitCell);
+    const Value exitFarEast = PickNear(farRow, exitCell + 1);
 
     const Value enterPart = enter - __builtin_convertvector(enterCell, Value);
     const Value exitPart = exit - __builtin_convertvector(exitCell, Value);
@@ -148,17 +167,52 @@ struct ViewshedLanes
     const Value exitTwist = (exitNearWest - exitNearEast) - (exitFarWest - exitFarEast);
     if (L::Any(this->Along))
     {
-      const Value west = (Pick(nearRow, enterCell - 1) - enterNearWest) -
-        (Pick(farRow, enterCell - 1) - enterFarWest);
+      const Value west = (PickNear(nearRow, enterCell - 1) - enterNearWest) -
+        (PickNear(farRow, enterCell - 1) - enterFarWest);
       enterTwist = (this->Along & (enterTwist != enterTwist)) ? west : enterTwist;
     }
     const Value enterLength = crossing - start;
     const Value exitLength = far - (behind ? start : crossing);
     const Value enterBulge = (this->Fall - enterTwist * this->Slope) * enterLength * enterLength;
     const Value exitBulge = (this->Fall - exitTwist * this->Slope) * exitLength * exitLength;
-    const Mask hidden = (~behind & Hides(begin, middle, enterBulge)) |
-      (crosses & Hides(behind ? begin : middle, end, exitBulge));
-    this->Seeking &= ~hidden;
+    const Mask enterHides = ~behind & Hides(begin, middle, enterBulge);
+    const Value exitBegin = behind ? begin : middle;
+    const Mask exitHides = crosses & Hides(exitBegin, end, exitBulge);
+    if constexpr (Measures)
+    {
+      if (L::Any(enterHides | exitHides))
+      {
+        const Value exitStart = behind ? start : crossing;
+        const Value enterRise = SteepestOver(begin, middle, enterBulge, start, crossing);
+        const Value exitRise = SteepestOver(exitBegin, end, exitBulge, exitStart, L::All(far));
+        Value more = enterHides ? enterRise : Value{};
+        more = (exitHides & (exitRise > more)) ? exitRise : more;
+        this->Rise += this->Seeking ? more : Value{};
+      }
+    }
+    else
+    {
+      this->Seeking &= ~(enterHides | exitHides);
+    }
+  }
+
+  /// The highest slope, from the observer, of what stands above the sight over one cell: of
+  /// (begin + b t - bulge t^2) / distance, at an end, or between, where it exceeds the slope at the
+  /// end (core/rays/Horizon.h).
+  TERRAIN_LANES_INLINE static Value SteepestOver(
+    Value begin, Value end, Value bulge, Value near, Value far)
+  {
+    const Value length = far - near;
+    const Value atNear = near > 0.0f ? begin / near : L::All(-__builtin_huge_valf());
+    const Value atFar = end / far;
+    const Value curvature = bulge / (length * length);
+    const Value deficit = (end * near - begin * far) / length + curvature * (near * far);
+    const Mask within = (deficit > curvature * (near * near)) & (deficit < curvature * (far * far));
+    const Value root =
+      L::Root(within ? deficit / far : Value{}) - L::Root(within ? curvature * far : Value{});
+    const Value most = L::Maximum(atNear, atFar);
+    const Value summit = within ? atFar + root * root : most;
+    return summit > most ? summit : most;
   }
 
   TERRAIN_LANES_INLINE void VisitLeaf(int leaf)
@@ -184,49 +238,24 @@ struct ViewshedLanes
     const double eastX = nearEast > farEast ? nearEast : farEast;
     const int nearLine = this->FirstLine + (first - 1) * this->Step;
     const int farLine = this->FirstLine + (last - 1) * this->Step;
-    const float maximum =
-      this->MaximumOver(static_cast<int>(westX) - 1, static_cast<int>(eastX) + 1,
-        nearLine < farLine ? nearLine : farLine, (nearLine < farLine ? farLine : nearLine) - 1);
+    const LaneCells cells{ static_cast<int>(westX) - 1, static_cast<int>(eastX) + 1,
+      nearLine < farLine ? nearLine : farLine, (nearLine < farLine ? farLine : nearLine) - 1 };
+    const int wide = cells.East - cells.West;
+    const int deep = cells.North - cells.South;
+    const int across = (wide > deep ? wide : deep) + 1;
+    int level = 1;
+    while (level < this->Grid.LevelCount && (2 << level) < across)
+    {
+      ++level;
+    }
+    const float maximum = MaximumOver(this->Grid, cells, level);
     const Value a = this->Rise * near;
     const Value b = this->Rise * far;
     const Value lowest = (a < b ? a : b) + this->Fall * (near * near);
     return L::Any(this->Seeking & (maximum - this->Eye.Z - lowest > 0.0f));
   }
 
-  /// Highest sample of the surface over cells of the grid.
-  TERRAIN_LANES_INLINE float MaximumOver(int west, int east, int south, int north) const
-  {
-    const int across = (east - west > north - south ? east - west : north - south) + 1;
-    int level = 1;
-    while (level < this->Grid.LevelCount && (2 << level) < across)
-    {
-      ++level;
-    }
-    const auto& table = this->Grid.Levels[level - 1];
-    west = Node(west + this->Grid.Margin, this->Grid.PyramidWidth, level, table.Width);
-    east = Node(east + this->Grid.Margin, this->Grid.PyramidWidth, level, table.Width);
-    south = Node(south + 1, this->Grid.PyramidHeight, level, table.Height);
-    north = Node(north + 1, this->Grid.PyramidHeight, level, table.Height);
-    const PyramidNode<float>* row = table.Nodes + static_cast<std::int64_t>(table.Width) * south;
-    float maximum = row[west].Maximum;
-    for (int y = south; y <= north; ++y, row += table.Width)
-    {
-      for (int x = west; x <= east; ++x)
-      {
-        maximum = row[x].Maximum > maximum ? row[x].Maximum : maximum;
-      }
-    }
-    return maximum;
-  }
-  TERRAIN_LANES_INLINE static int Node(int cell, int cells, int level, int size)
-  {
-    cell = cell < 0 ? 0 : cell;
-    cell = cell < cells ? cell : cells - 1;
-    const int node = cell >> level;
-    return node < size ? node : size - 1;
-  }
-
-  /// guess: the leaf that hid the last of the neighbours, or -1; becomes that
+  /// guess: the leaf that hid, or raised, the last of the neighbours, or -1; becomes that
   /// of these.
   TERRAIN_LANES_INLINE void Look(int& guess)
   {
@@ -250,75 +279,15 @@ struct ViewshedLanes
         this->MayHide(leaf * LeafRows, last * LeafRows < this->Rows ? last * LeafRows : this->Rows))
       {
         const Mask before = this->Seeking;
+        const Value lower = this->Rise;
         this->VisitLeaf(leaf);
-        guess = L::Any(before & ~this->Seeking) ? leaf : guess;
+        const bool mattered = L::Any(before & ~this->Seeking) || L::Any(this->Rise > lower);
+        guess = mattered ? leaf : guess;
       }
       leaf = last;
     }
   }
 };
-
-/// Adds 1 to the counts of the samples of a row that an observer sees, as far
-/// as they lie rather north or south of it than east or west. The row must not
-/// be that of the observer.
-inline void CountVisible(
-  const LaneGrid<float>& grid, const LaneObserver& eye, std::int64_t row, std::uint32_t* counts)
-{
-  using L = Lanes<float>;
-  const double distance = static_cast<double>(row) - eye.Y;
-  const int step = distance > 0.0 ? 1 : -1;
-  const double far = distance * step;
-  const auto rows = static_cast<float>(far);
-  const int below = static_cast<int>(eye.Y); // eye.Y >= 0
-  const bool onColumn = static_cast<double>(static_cast<int>(eye.X)) == eye.X;
-  const bool onLine = static_cast<double>(below) == eye.Y;
-  const int firstLine = step > 0 ? below + 1 : (onLine ? below - 1 : below);
-  const auto firstRow = static_cast<float>((firstLine - eye.Y) * step);
-  const int count = (static_cast<int>(row) - firstLine) * step + 1;
-  const double low = eye.X - far;
-  const double high = eye.X + far + 2.0;
-  const std::int64_t first = low > 0.0 ? static_cast<std::int64_t>(low) : 0;
-  const std::int64_t end =
-    high < static_cast<double>(grid.Width) ? static_cast<std::int64_t>(high) : grid.Width;
-  L::Value lane;
-  for (int k = 0; k < L::Count; ++k)
-  {
-    lane[k] = static_cast<float>(k);
-  }
-  int guess = -1;
-  for (std::int64_t i = first; i < end; i += L::Count)
-  {
-    const double firstAcross = static_cast<double>(i) - eye.X;
-    const L::Value across = lane + static_cast<float>(firstAcross);
-    const L::Value ground = L::Load(grid.Samples + grid.Stride * row + i);
-    const L::Value slope = across / rows;
-    const L::Value fall = eye.FallNorth + eye.FallEast * (slope * slope);
-    const L::Value difference = ground + (eye.TargetHeight - eye.Z);
-    const L::Value raise = eye.Tolerance + 4e-6f * (difference < 0.0f ? -difference : difference);
-    const L::Value rise = (difference + raise) / rows - fall * rows;
-    L::Mask inside = (lane < static_cast<float>(end - i)) & (ground == ground);
-    for (int k = 0; k < L::Count; ++k)
-    {
-      // In double, so that each sample is on one side of the diagonal, here and transposed.
-      const double sideways = static_cast<double>(i + k) < eye.X
-        ? eye.X - static_cast<double>(i + k)
-        : static_cast<double>(i + k) - eye.X;
-      inside[k] &= (eye.Strict ? sideways < far : sideways <= far) ? -1 : 0;
-    }
-    const L::Mask along = (across == 0.0f) & (onColumn ? inside : L::Mask{});
-    ViewshedLanes lanes{ grid, eye, step, firstLine, firstRow, count, eye.X, firstAcross / far,
-      1.0f / rows, lane, slope, raise, rise, fall, along, inside };
-    if (L::Any(inside))
-    {
-      lanes.Look(guess);
-    }
-    const L::Mask seen = lanes.Seeking;
-    for (int k = 0; k < L::Count && i + k < end; ++k)
-    {
-      counts[i + k] += seen[k] != 0 ? 1u : 0u;
-    }
-  }
-}
 } // namespace TERRAIN_LANES_KIND
 } // namespace terrain
 
