@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <vector>
 
 namespace
@@ -323,6 +324,53 @@ TEST_F(TerrainAnalyze, ViewshedBehindARidge)
                   "--output", "none.tif" }),
     1, "no height");
   EXPECT_EQ(this->ListFiles(), before);
+}
+
+TEST_F(TerrainAnalyze, ViewshedOfARoadAnAreaAndAFile)
+{
+  RasterDescription plain;
+  plain.Width = 61;
+  plain.Height = 41;
+  plain.CoordinateSystem = "EPSG:32632";
+  plain.GeoTransform = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
+  plain.Sample = [](int column, int) { return column == 30 ? 50.0 : 0.0; };
+  const std::string path = this->WriteRaster("plain.tif", plain);
+  const Bands road = this->Map({ "viewshed", path, "--line", "500105,4999795 500165,4999795" });
+  EXPECT_EQ(road.At(1, 5, 5), 7.0f);
+  const Bands area = this->Map({ "viewshed", path, "--area",
+    "500101,4999791 500119,4999791 500119,4999809 500101,4999809", "--rise" });
+  ASSERT_EQ(area.Count, 2);
+  EXPECT_EQ(area.At(1, 5, 5), 4.0f + 4.0f); // its corners and the samples inside
+  EXPECT_EQ(area.At(2, 5, 5), 0.0f);
+  EXPECT_GT(area.At(2, 45, 20), 50.0f);
+  std::ofstream(this->Path("road.geojson"))
+    << R"({"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
+    << R"([[9.00133,45.15275],[9.00209,45.15275]]}})";
+  const Bands file = this->Map({ "viewshed", path, "--observers", this->Path("road.geojson"),
+    "--azimuth", "180,360", "--nearest", "30" });
+  EXPECT_GE(file.At(1, 2, 20), 6.0f);
+  EXPECT_EQ(file.At(1, 28, 20), 0.0f); // east
+  const std::vector<std::string> before = this->ListFiles();
+  const auto refuse = [&](std::vector<std::string> arguments, const std::string& mention)
+  {
+    arguments.insert(arguments.begin(), { "viewshed", path, "--quiet", "--output", "none.tif" });
+    ExpectRefused(this->Analyze(arguments), 1, mention);
+    EXPECT_EQ(this->ListFiles(), before);
+  };
+  refuse({}, "--observer");
+  refuse({ "--line", "500105,4999795" }, "fewer than 2");
+  refuse({ "--line", "500105,4999795 here" }, "here");
+  refuse({ "--observers", "nowhere.geojson" }, "nowhere.geojson");
+  refuse({ "--observer", "500105,4999795", "--azimuth", "90,10" }, "azimuths");
+}
+
+TEST_F(TerrainAnalyze, SaysHowToGoOnWithoutMemory)
+{
+  const std::string path = this->Path("large.vrt");
+  std::ofstream(path) << R"(<VRTDataset rasterXSize="2000000" rasterYSize="2000000">)"
+                      << "<SRS>EPSG:32632</SRS><GeoTransform>0,1,0,0,0,-1</GeoTransform>"
+                      << R"(<VRTRasterBand dataType="Float32" band="1"/></VRTDataset>)";
+  ExpectRefused(this->Analyze({ "slope", path, "--output", "none.tif" }), 1, "gdal_translate");
 }
 
 TEST_F(TerrainAnalyze, NeverReplacesItsRaster)

@@ -171,7 +171,7 @@ void WriteDerivative(const RasterOptions& raster, const std::string& command)
   {
     bands = { { "ruggedness", Ruggedness } };
   }
-  const vtkSmartPointer<vtkImageData> heights = ReadHeights(raster);
+  const vtkSmartPointer<vtkImageData> heights = ReadHeights(raster, 24.0);
   ProgressBar bar(raster.Quiet);
   ResultWriter writer(raster, heights, static_cast<int>(bands.size()));
   int number = 0;

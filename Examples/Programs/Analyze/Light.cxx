@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Light.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkTerrainHorizon.h>
@@ -34,35 +32,9 @@ void WriteArrays(const RasterOptions& raster, vtkImageData* heights, vtkTerrainH
   const std::vector<const char*>& names)
 {
   ProgressBar bar(raster.Quiet);
-  vtkNew<vtkCallbackCommand> progress;
-  struct Watched
-  {
-    ProgressBar* Bar;
-    bool Stopped;
-  } watched{ &bar, false };
-  progress->SetClientData(&watched);
-  progress->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void*)
-    {
-      auto* watch = static_cast<Watched*>(data);
-      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-      try
-      {
-        watch->Bar->Show(0.95 * algorithm->GetProgress());
-      }
-      catch (const Failure&)
-      {
-        watch->Stopped = true;
-        algorithm->AbortExecuteOn();
-      }
-    });
-  horizon->AddObserver(vtkCommand::ProgressEvent, progress);
+  bar.Watch(horizon, 0.95);
   horizon->SetInputData(heights);
   horizon->Update();
-  if (watched.Stopped)
-  {
-    throw Failure("interrupted");
-  }
   if (!horizon->GetErrorMessage().empty())
   {
     throw Failure(raster.Heights + ": " + horizon->GetErrorMessage());
@@ -83,7 +55,7 @@ void WriteHorizon(const RasterOptions& raster, const LightOptions& light)
 {
   vtkNew<vtkTerrainHorizon> horizon;
   Configure(light, horizon);
-  const vtkSmartPointer<vtkImageData> heights = ReadHeights(raster);
+  const vtkSmartPointer<vtkImageData> heights = ReadHeights(raster, 20.0 + 4.0 * light.Directions);
   ProgressBar bar(raster.Quiet);
   ResultWriter writer(raster, heights, light.Directions);
   vtkNew<vtkFloatArray> degrees;
@@ -109,7 +81,7 @@ void WriteSkyView(const RasterOptions& raster, const LightOptions& light)
   vtkNew<vtkTerrainHorizon> horizon;
   Configure(light, horizon);
   horizon->OutputHorizonOff();
-  WriteArrays(raster, ReadHeights(raster), horizon, { "SkyView" });
+  WriteArrays(raster, ReadHeights(raster, 32.0), horizon, { "SkyView" });
 }
 
 //------------------------------------------------------------------------------
@@ -120,6 +92,6 @@ void WriteSunlight(const RasterOptions& raster, const LightOptions& light)
   horizon->OutputHorizonOff();
   horizon->OutputSkyViewOff();
   horizon->SetDate(light.Date);
-  WriteArrays(raster, ReadHeights(raster), horizon,
+  WriteArrays(raster, ReadHeights(raster, 56.0), horizon,
     { "SunHours", "FirstSun", "LastSun", "DirectIrradiation" });
 }

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Raster.h"
 
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 #include <vtkTerrainGeoreference.h>
 #include <vtkTerrainRasterReader.h>
@@ -15,10 +19,9 @@
 #include <ogr_srs_api.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -27,11 +30,19 @@
 
 namespace
 {
-std::atomic<bool> Interrupted{ false };
-
-void OnInterrupt(int)
+/// Bytes that processes may still take; infinity where the system does not say.
+double AvailableMemory()
 {
-  Interrupted = true;
+  std::ifstream lines("/proc/meminfo");
+  for (std::string line; std::getline(lines, line);)
+  {
+    double kilobytes = 0.0;
+    if (std::sscanf(line.c_str(), "MemAvailable: %lf", &kilobytes) == 1)
+    {
+      return 1024.0 * kilobytes;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 std::string GetText(vtkImageData* image, const char* name)
@@ -69,10 +80,6 @@ ProgressBar::~ProgressBar()
 
 void ProgressBar::Show(double part)
 {
-  if (Interrupted)
-  {
-    throw Failure("interrupted");
-  }
   const int percent = static_cast<int>(100.0 * part);
   if (this->Shown && percent != this->Percent)
   {
@@ -82,21 +89,45 @@ void ProgressBar::Show(double part)
   }
 }
 
-//------------------------------------------------------------------------------
-void CatchInterrupts()
+void ProgressBar::Watch(vtkAlgorithm* filter, double until)
 {
-  std::signal(SIGINT, OnInterrupt);
-  std::signal(SIGTERM, OnInterrupt);
-  // A limit on file sizes is an error like a full disk, not the end of the process.
-  std::signal(SIGXFSZ, SIG_IGN);
+  struct Watched
+  {
+    ProgressBar* Bar;
+    double Until;
+  };
+  vtkNew<vtkCallbackCommand> progress;
+  progress->SetClientData(new Watched{ this, until });
+  progress->SetClientDataDeleteCallback([](void* data) { delete static_cast<Watched*>(data); });
+  progress->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      const auto* watched = static_cast<Watched*>(data);
+      watched->Bar->Show(watched->Until * static_cast<vtkAlgorithm*>(caller)->GetProgress());
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, progress);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadHeights(const RasterOptions& options)
+vtkSmartPointer<vtkImageData> ReadHeights(const RasterOptions& options, double bytes)
 {
   vtkNew<vtkTerrainRasterReader> reader;
   reader->SetFileName(options.Heights);
   options.Input.Apply(reader);
+  reader->UpdateInformation();
+  int extent[6] = { 0, -1, 0, -1, 0, 0 };
+  reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  const double samples = (extent[1] + 1.0) * (extent[3] + 1.0);
+  if (std::string(reader->GetErrorMessage()).empty() && samples * bytes > AvailableMemory())
+  {
+    std::ostringstream sentence;
+    sentence.precision(3);
+    sentence << options.Heights << ": " << extent[1] + 1 << " x " << extent[3] + 1
+             << " samples need " << samples * bytes / 1e9 << " GB of memory here, and "
+             << AvailableMemory() / 1e9 << " GB are left; make a raster of a part (gdal_translate "
+             << "-srcwin), or a coarser one (gdal_translate -outsize 50% 50% -r average)";
+    throw Failure(sentence.str());
+  }
   reader->Update();
   const std::string error = reader->GetErrorMessage();
   if (!error.empty())

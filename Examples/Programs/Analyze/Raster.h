@@ -8,23 +8,17 @@
 #ifndef terrain_analyze_Raster_h
 #define terrain_analyze_Raster_h
 
+#include "Failure.h"
 #include "HeightOptions.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkTerrainOutputFile.h>
 
-#include <stdexcept>
 #include <string>
 #include <vector>
-
-/// What ends the program with status 1: one sentence that names a file, or what else failed.
-class Failure : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
 
 /// A bar on stderr, drawn only if that is a terminal, erased when it is destroyed.
 class ProgressBar
@@ -35,16 +29,15 @@ public:
   ProgressBar(const ProgressBar&) = delete;
   void operator=(const ProgressBar&) = delete;
 
-  /// Fills the bar up to a part in [0, 1]. Throws if the user has asked to stop.
+  /// Fills the bar up to a part in [0, 1].
   void Show(double part);
+  /// Shows the progress of a filter, up to a part.
+  void Watch(vtkAlgorithm* filter, double until);
 
 private:
   bool Shown;
   int Percent = -1;
 };
-
-/// Stops the program at the next step of its progress when it is interrupted.
-void CatchInterrupts();
 
 /// How the command line has rasters read and written.
 struct RasterOptions
@@ -56,8 +49,9 @@ struct RasterOptions
   bool Quiet = false;
 };
 
-/// Heights in metres, row 0 in the south (vtkTerrainRasterReader). Throws Failure.
-vtkSmartPointer<vtkImageData> ReadHeights(const RasterOptions& options);
+/// Heights in metres, row 0 in the south (vtkTerrainRasterReader). bytes: what the command needs
+/// for each sample, all in all. Throws Failure, also where the machine has less memory left.
+vtkSmartPointer<vtkImageData> ReadHeights(const RasterOptions& options, double bytes);
 
 /// Results on the grid of heights, written as a cloud-optimized GeoTIFF of floats with NaN for no
 /// data. Nothing is left behind if that fails.

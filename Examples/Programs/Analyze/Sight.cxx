@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sight.h"
 
+#include <vtkArrayDispatch.h>
 #include <vtkDataArray.h>
+#include <vtkDataArrayRange.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkFloatArray.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTerrainGeoreference.h>
 #include <vtkTerrainOutputFile.h>
@@ -13,6 +15,7 @@
 #include <vtkTerrainViewpoint.h>
 #include <vtkTerrainViewshed.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedIntArray.h>
 
 #include <cmath>
 #include <cstdio>
@@ -32,7 +35,7 @@ struct Scene
 
   Scene(const RasterOptions& raster, const SightOptions& sight)
   {
-    vtkSmartPointer<vtkImageData> heights = ReadHeights(raster);
+    vtkSmartPointer<vtkImageData> heights = ReadHeights(raster, 24.0);
     this->Georeference->SetFromHeights(heights);
     if (this->Georeference->IsGeographic())
     {
@@ -63,6 +66,31 @@ struct Scene
     }
   }
 };
+
+/// Counts as floats, NaN where there is no height.
+std::vector<float> CountsOf(vtkImageData* heights, vtkUnsignedIntArray* counts)
+{
+  vtkUnsignedCharArray* ghosts = heights->GetPointGhostArray();
+  std::vector<float> values(static_cast<std::size_t>(counts->GetNumberOfValues()));
+  using Dispatcher = vtkArrayDispatch::Dispatch;
+  const auto convert = [&](auto* scalars)
+  {
+    const auto samples = vtk::DataArrayValueRange<1>(scalars);
+    for (vtkIdType i = 0; i < counts->GetNumberOfValues(); ++i)
+    {
+      const bool hidden = ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+      values[static_cast<std::size_t>(i)] = hidden || std::isnan(static_cast<double>(samples[i]))
+        ? std::numeric_limits<float>::quiet_NaN()
+        : static_cast<float>(counts->GetValue(i));
+    }
+  };
+  vtkDataArray* scalars = heights->GetPointData()->GetScalars();
+  if (!Dispatcher::Execute(scalars, convert))
+  {
+    convert(scalars);
+  }
+  return values;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +143,7 @@ void PrintLineOfSight(const RasterOptions& raster, const SightOptions& sight)
 //------------------------------------------------------------------------------
 void WriteViewshed(const RasterOptions& raster, const ViewshedOptions& viewshed)
 {
-  const vtkSmartPointer<vtkImageData> heights = ReadHeights(raster);
+  const vtkSmartPointer<vtkImageData> heights = ReadHeights(raster, 48.0);
   vtkNew<vtkTerrainGeoreference> georeference;
   georeference->SetFromHeights(heights);
   if (georeference->IsGeographic())
@@ -124,49 +152,33 @@ void WriteViewshed(const RasterOptions& raster, const ViewshedOptions& viewshed)
       ": it is in degrees; warp it to a metric CRS first (gdalwarp -t_srs EPSG:...)");
   }
   ProgressBar bar(raster.Quiet);
-  std::vector<double> origin = GetNumbers(heights, "LayoutOrigin");
-  std::vector<double> scale = GetNumbers(heights, "LayoutScale");
-  if (origin.size() < 2 || scale.size() < 2)
-  {
-    origin = { 0.0, 0.0 };
-    scale = { 1.0, 1.0 };
-  }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (std::size_t i = 0; i + 1 < viewshed.Observers.size(); i += 2)
-  {
-    points->InsertNextPoint((viewshed.Observers[i] - origin[0]) * scale[0],
-      (viewshed.Observers[i + 1] - origin[1]) * scale[1], 0.0);
-  }
-  vtkNew<vtkPolyData> observers;
-  observers->SetPoints(points);
   vtkNew<vtkTerrainViewshed> filter;
   filter->SetInputData(0, heights);
-  filter->SetInputData(1, observers);
+  filter->SetInputData(1, MakeObservers(viewshed.Observers, heights));
   filter->SetEyeHeight(viewshed.EyeHeight);
   filter->SetTargetHeight(viewshed.TargetHeight);
+  filter->SetObserverSpacing(viewshed.Spacing);
+  filter->SetNoDataBlocks(viewshed.NoDataBlocks);
+  filter->SetOutputRise(viewshed.Rise);
   filter->SetCurvature(viewshed.Curvature);
   filter->SetRefraction(viewshed.Refraction);
   filter->SetPlanetRadius(viewshed.Radius);
-  if (viewshed.Distance > 0.0)
-  {
-    filter->SetDistanceRange(0.0, viewshed.Distance);
-  }
+  filter->SetDistanceRange(
+    viewshed.Distance[0], viewshed.Distance[1] > 1e9 ? VTK_DOUBLE_MAX : viewshed.Distance[1]);
+  filter->SetAzimuthRange(viewshed.Azimuth[0], viewshed.Azimuth[1]);
+  filter->SetElevationRange(viewshed.Elevation[0], viewshed.Elevation[1]);
+  bar.Watch(filter, 0.9);
   filter->Update();
   Scene::Check(raster.Heights, filter->GetErrorMessage());
-  bar.Show(0.8);
-  vtkDataArray* counts = filter->GetOutput()->GetPointData()->GetArray("Observers");
-  vtkDataArray* scalars = heights->GetPointData()->GetScalars();
-  vtkUnsignedCharArray* ghosts = heights->GetPointGhostArray();
-  std::vector<float> values(static_cast<std::size_t>(counts->GetNumberOfTuples()));
-  for (vtkIdType i = 0; i < counts->GetNumberOfTuples(); ++i)
+  vtkPointData* found = filter->GetOutput()->GetPointData();
+  ResultWriter writer(raster, heights, viewshed.Rise ? 2 : 1);
+  const std::vector<float> counts =
+    CountsOf(heights, vtkUnsignedIntArray::SafeDownCast(found->GetArray("Observers")));
+  writer.SetBand(1, "observers", counts.data());
+  if (viewshed.Rise)
   {
-    const bool hidden = ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-    values[static_cast<std::size_t>(i)] = hidden || std::isnan(scalars->GetComponent(i, 0))
-      ? std::numeric_limits<float>::quiet_NaN()
-      : static_cast<float>(counts->GetComponent(i, 0));
+    auto* rises = vtkFloatArray::SafeDownCast(found->GetArray("RiseToBeSeen"));
+    writer.SetBand(2, "rise to be seen, metres", rises->GetPointer(0));
   }
-  ResultWriter writer(raster, heights, 1);
-  writer.SetBand(1, "observers", values.data());
   writer.Write();
 }

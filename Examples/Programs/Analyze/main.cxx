@@ -5,6 +5,7 @@
 // Exit status 0; 2 for a wrong command line; 1 otherwise, with one line on stderr that names the
 // file and the reason, and no output left behind.
 #include "Derivatives.h"
+#include "Ending.h"
 #include "Light.h"
 #include "Raster.h"
 #include "Sight.h"
@@ -141,22 +142,47 @@ private:
   {
     CLI::App* command = this->AddCommand("viewshed", "How many observers see each sample",
       [this] { WriteViewshed(this->Raster, this->Viewshed); });
+    ViewshedOptions& viewshed = this->Viewshed;
     command
-      ->add_option("--observer", this->Viewshed.Observers,
+      ->add_option("--observer", viewshed.Observers.Points,
         "X,Y in the CRS of HEIGHTS; may be given again for more observers")
-      ->required()
       ->delimiter(',')
       ->expected(2, CLI::detail::expected_max_vector_size);
-    command->add_option("--eye-height", this->Viewshed.EyeHeight, "Metres, default 1.75")
-      ->check(CLI::NonNegativeNumber);
-    command->add_option("--target-height", this->Viewshed.TargetHeight, "Metres, default 0")
-      ->check(CLI::NonNegativeNumber);
-    command->add_option("--distance", this->Viewshed.Distance, "Farthest, metres; default any")
+    command->add_option("--line", viewshed.Observers.Lines,
+      "\"X,Y X,Y ...\": observers along it, a cell apart; may be given again");
+    command->add_option("--area", viewshed.Observers.Areas,
+      "\"X,Y X,Y X,Y ...\": observers at the samples inside; may be given again");
+    command->add_option("--observers", viewshed.Observers.Files,
+      "File of points, lines and areas that GDAL opens, in any CRS");
+    command
+      ->add_option("--observer-spacing", viewshed.Spacing,
+        "Metres between observers along lines and in areas, default one cell")
       ->check(CLI::PositiveNumber);
-    command->add_flag("--curvature", this->Viewshed.Curvature, "The planet is round");
-    command->add_option("--refraction", this->Viewshed.Refraction, "Share of the curvature, 0 to 1")
+    command->add_option("--eye-height", viewshed.EyeHeight, "Metres, default 1.75")
+      ->check(CLI::NonNegativeNumber);
+    command->add_option("--target-height", viewshed.TargetHeight, "Metres, default 0")
+      ->check(CLI::NonNegativeNumber);
+    command->add_option("--distance", viewshed.Distance[1], "Farthest, metres; default any")
+      ->check(CLI::PositiveNumber);
+    command->add_option("--nearest", viewshed.Distance[0], "Least distance, metres; default 0")
+      ->check(CLI::NonNegativeNumber);
+    command
+      ->add_option("--azimuth", viewshed.Azimuth,
+        "FROM,TO: degrees clockwise from grid north, as 315,405; default all")
+      ->delimiter(',')
+      ->expected(2);
+    command
+      ->add_option("--elevation", viewshed.Elevation, "FROM,TO: degrees of the sight; default all")
+      ->delimiter(',')
+      ->expected(2);
+    command->add_flag(
+      "--nodata-blocks", viewshed.NoDataBlocks, "Nobody sees across what there are no data for");
+    command->add_flag(
+      "--rise", viewshed.Rise, "Band 2: metres by which a target would have to rise to be seen");
+    command->add_flag("--curvature", viewshed.Curvature, "The planet is round");
+    command->add_option("--refraction", viewshed.Refraction, "Share of the curvature, 0 to 1")
       ->check(CLI::Range(0.0, 1.0));
-    command->add_option("--radius", this->Viewshed.Radius, "Of the planet, metres")
+    command->add_option("--radius", viewshed.Radius, "Of the planet, metres")
       ->check(CLI::PositiveNumber);
   }
 
@@ -176,7 +202,7 @@ int Run(int argc, char** argv)
   {
     return status;
   }
-  CatchInterrupts();
+  EndOnSignals("terrain-analyze: stopped on request\n");
   vtkObject::GlobalWarningDisplayOff();
   line.Run();
   return 0;

@@ -30,6 +30,8 @@ struct Vectors
   std::vector<double> Coordinates;
   vtkNew<vtkCellArray> Vertices;
   vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkCellArray> Areas;
+  Polygons Kind = Polygons::Outlines;
 
   void Add(OGRGeometryH geometry);
 
@@ -59,6 +61,12 @@ void Vectors::AddPoints(OGRGeometryH geometry, vtkCellArray* cells)
 void Vectors::Add(OGRGeometryH geometry)
 {
   const int parts = OGR_G_GetGeometryCount(geometry);
+  const bool isPolygon = wkbFlatten(OGR_G_GetGeometryType(geometry)) == wkbPolygon;
+  if (isPolygon && parts > 0 && this->Kind == Polygons::Areas)
+  {
+    this->AddPoints(OGR_G_GetGeometryRef(geometry, 0), this->Areas);
+    return;
+  }
   for (int i = 0; i < parts; ++i)
   {
     this->Add(OGR_G_GetGeometryRef(geometry, i));
@@ -140,7 +148,8 @@ bool IsRepeated(GDALDatasetH file, OGRLayerH layer)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ReadVectors(const std::string& path, vtkTerrainGeoreference* scene)
+vtkSmartPointer<vtkPolyData> ReadVectors(
+  const std::string& path, vtkTerrainGeoreference* scene, Polygons polygons)
 {
   const std::string whyNot = vtkTerrainOutputFile::WhyNotInput(path);
   if (!whyNot.empty())
@@ -161,6 +170,7 @@ vtkSmartPointer<vtkPolyData> ReadVectors(const std::string& path, vtkTerrainGeor
       }
     });
   Vectors vectors;
+  vectors.Kind = polygons;
   std::string why = file ? "" : "it cannot be read as points and lines";
   const int layers = file ? GDALDatasetGetLayerCount(file.get()) : 0;
   for (int i = 0; i < layers && why.empty(); ++i)
@@ -191,5 +201,6 @@ vtkSmartPointer<vtkPolyData> ReadVectors(const std::string& path, vtkTerrainGeor
   result->SetPoints(points);
   result->SetVerts(vectors.Vertices);
   result->SetLines(vectors.Lines);
+  result->SetPolys(vectors.Areas);
   return result;
 }

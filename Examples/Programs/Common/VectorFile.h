@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Points and lines from vector files.
+ */
+#ifndef terrain_common_VectorFile_h
+#define terrain_common_VectorFile_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkPolyData;
+class vtkTerrainGeoreference;
+
+/// What becomes of polygons.
+enum class Polygons
+{
+  Outlines, ///< lines, holes as well
+  Areas     ///< polygons, without their holes
+};
+
+/**
+ * Points, lines and polygons of every layer of a file that GDAL opens as vectors, as vertices,
+ * lines and polygons in the coordinates of a scene. Of GPX files waypoints, routes and tracks are
+ * taken, not once more the points these consist of. Heights that a file does not have are 0.
+ * Throws a Failure: no file, no geometry, no coordinate system.
+ */
+vtkSmartPointer<vtkPolyData> ReadVectors(
+  const std::string& path, vtkTerrainGeoreference* scene, Polygons polygons = Polygons::Outlines);
+
+#endif
