@@ -143,6 +143,10 @@ set(core
   colors/ColorFile
   colors/ColorScheme
   files/OutputFile
+  globe/Ellipsoid
+  globe/GlobeAnchor
+  globe/GlobeGrid
+  globe/GlobeReference
   grid/HeightUnits
   grid/RoundNumbers
   landscape/DetailNoise

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "UnitTestGlobe.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using terrain::GlobeRays;
+using terrain::kDegree;
+
+// How casts of Real agree with the reference: hits, and depths within a part of them and of a length.
+template <typename Real>
+void CompareWithReference(int count, double part, double length)
+{
+  for (const terrain::TestGlobe& globe : terrain::TestGlobes())
+  {
+    SCOPED_TRACE(globe.Name);
+    ASSERT_EQ(globe.Grid.WhyNot(), "");
+    const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
+    const terrain::GlobeReference reference = world.Reference();
+    for (int kind = 0; kind < GlobeRays::Count; ++kind)
+    {
+      SCOPED_TRACE(kind);
+      GlobeRays rays(globe, static_cast<unsigned>(kind) + 1);
+      for (int i = 0; i < count; ++i)
+      {
+        const terrain::GlobeReferenceRay ray = rays.Make(kind);
+        const terrain::WorldTracer<Real, std::uint16_t> tracer(world, ray.Origin);
+        const auto hit = tracer.Trace(ray);
+        const auto expected = reference.Cast(ray);
+        // a ray that touches a summit may be told either way
+        ASSERT_TRUE(hit.Found == expected.Found || expected.Nearest < length)
+          << "ray " << i << " misses by " << expected.Nearest << " m";
+        if (hit.Found && expected.Found)
+        {
+          ASSERT_NEAR(hit.T, expected.T, part * expected.T + length) << "ray " << i;
+        }
+      }
+    }
+  }
+}
+
+// Along a ray 2 mm in cells of 1 degree, by the end of the meridian's series; the fourth power of the
+// cell's size.
+TEST(Globe, IsExactInDouble)
+{
+  CompareWithReference<double>(12, 1e-9, 2e-3);
+}
+
+// The rest is what float rounds of a cell of 1 degree, and of slopes of 100.
+TEST(Globe, IsExactInFloat)
+{
+  CompareWithReference<float>(12, 1e-5, 0.01);
+}
+
+// 2 m above the ground of a raster of 8192 columns depths are as exact as from space.
+TEST(Globe, ResolvesTheGroundBesideTheEye)
+{
+  const terrain::TestGlobe globe{ "fine",
+    terrain::MakeGrid({}, 6.0, 360.0 / 8192.0, 400, terrain::Parallels(44.0, 360.0 / 8192.0, 300)),
+    [](int i, int j)
+    { return std::floor(2000.0 + 300.0 * std::sin(0.9 * i) * std::cos(0.7 * j)); } };
+  const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
+  const terrain::GlobeReference reference = world.Reference();
+  GlobeRays rays(globe, 7);
+  int off = 0;
+  constexpr int count = 400;
+  for (int i = 0; i < count; ++i)
+  {
+    const terrain::GlobeReferenceRay ray = rays.Make(GlobeRays::Ground);
+    const terrain::WorldTracer<float, std::uint16_t> tracer(world, ray.Origin);
+    const auto hit = tracer.Trace(ray);
+    const auto expected = reference.Cast(ray);
+    const bool agree = hit.Found == expected.Found &&
+      (!hit.Found || std::abs(hit.T - expected.T) < 1e-4 * expected.T);
+    off += agree ? 0 : 1;
+  }
+  EXPECT_LE(off, count / 1000);
+}
+
+// Heights may be met from below, and the far side is seen through a hole.
+TEST(Globe, HasTwoSides)
+{
+  const terrain::TestGlobe globe = terrain::TestGlobes().front();
+  const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
+  terrain::GlobeReferenceRay ray;
+  ray.Origin = { 0.0, 0.0, 0.0 };
+  ray.Direction = { 0.6, 0.0, 0.8 };
+  ray.End = 1e8;
+  const terrain::WorldTracer<double, std::uint16_t> tracer(world, ray.Origin);
+  const auto inside = tracer.Trace(ray);
+  ASSERT_TRUE(inside.Found);
+  EXPECT_FALSE(inside.Front);
+  ray.Origin = 3e7 * ray.Direction;
+  ray.Direction = -ray.Direction;
+  const terrain::WorldTracer<double, std::uint16_t> above(world, ray.Origin);
+  const auto outside = above.Trace(ray);
+  ASSERT_TRUE(outside.Found);
+  EXPECT_TRUE(outside.Front);
+  EXPECT_NEAR(outside.T, 3e7 - inside.T, 1e-3);
+}
+
+// Height bounds let most rays cross few nodes.
+TEST(Globe, CrossesFewNodes)
+{
+  const terrain::TestGlobe globe = terrain::TestGlobes().front();
+  const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
+  GlobeRays rays(globe, 3);
+  int crossings = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const terrain::GlobeReferenceRay ray = rays.Make(GlobeRays::Grazing);
+    const terrain::WorldTracer<double, std::uint16_t> tracer(world, ray.Origin);
+    crossings += tracer.Trace(ray).Crossings;
+  }
+  EXPECT_LT(crossings, 200 * 20);
+}
+
+TEST(Globe, AnswersRaysThatAreNone)
+{
+  const terrain::TestGlobe globe = terrain::TestGlobes().front();
+  const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
+  for (const glm::dvec3& direction : { glm::dvec3(0.0), glm::dvec3(terrain::kNaN),
+         glm::dvec3(1e300, 0.0, 0.0), glm::dvec3(0.0, 1e-300, 0.0) })
+  {
+    terrain::GlobeReferenceRay ray;
+    ray.Origin = { 1e7, 0.0, 0.0 };
+    ray.Direction = direction;
+    ray.End = 1e8;
+    const terrain::WorldTracer<float, std::uint16_t> tracer(world, ray.Origin);
+    EXPECT_FALSE(tracer.Trace(ray).Found);
+  }
+}
+
+TEST(Globe, RefusesWhatIsNoGlobe)
+{
+  const terrain::Ellipsoid earth;
+  const auto latitudes = terrain::Parallels(-10.0, 1.0, 21);
+  EXPECT_EQ(terrain::MakeGrid(earth, -180.0, 1.0, 361, latitudes).WhyNot(), "");
+  EXPECT_EQ(terrain::MakeGrid({ 6378137.0, 0.9 * 6378137.0 }, 0.0, 1.0, 3, latitudes).WhyNot(), "");
+  for (const terrain::GlobeGrid& grid : {
+         terrain::MakeGrid(earth, -180.0, 1.0, 1, latitudes),
+         terrain::MakeGrid(earth, -180.0, 1.0, 720, latitudes),
+         terrain::MakeGrid(earth, -180.0, 0.0, 361, latitudes),
+         terrain::MakeGrid(earth, -180.0, 1.0, 361, terrain::Parallels(-95.0, 1.0, 20)),
+         terrain::MakeGrid(earth, -180.0, 1.0, 361, { 0.1 }),
+         terrain::MakeGrid(earth, -180.0, 1.0, 361, { 0.1, 0.1 }),
+         terrain::MakeGrid({ 6378137.0, 0.8 * 6378137.0 }, -180.0, 1.0, 361, latitudes),
+         terrain::MakeGrid({ 6356752.0, 6378137.0 }, -180.0, 1.0, 361, latitudes),
+         terrain::MakeGrid({ terrain::kNaN, 1.0 }, -180.0, 1.0, 361, latitudes),
+       })
+  {
+    EXPECT_NE(grid.WhyNot(), "");
+  }
+}
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where the samples of heights lie on a body: sample (i, j) at longitude West + i * Step and at
+ * latitude Latitudes[j], from the south. The surface over a cell is the height bilinear in longitude
+ * and latitude above the ellipsoid, drawn at Base + Exaggeration * height.
+ */
+#ifndef terrain_GlobeGrid_h
+#define terrain_GlobeGrid_h
+
+#include "core/globe/Ellipsoid.h"
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+namespace terrain
+{
+/// Heights between which a surface lies, in metres, as drawn.
+struct GlobeRange
+{
+  double Lowest = 0.0;
+  double Highest = 0.0;
+};
+
+struct GlobeGrid
+{
+  Ellipsoid Body;
+  double West = 0.0; ///< longitude of the first column, radians
+  double Step = 0.0; ///< from a column to the next, > 0
+  int Columns = 0;   ///< of samples; where the grid goes round, the last repeats the first
+  std::vector<double> Latitudes; ///< of the rows of samples, rising
+
+  glm::ivec2 Cells() const
+  {
+    return { this->Columns - 1, static_cast<int>(this->Latitudes.size()) - 1 };
+  }
+  /// True if the last column lies on the first.
+  bool IsJoined() const;
+  /// Empty, or one sentence that says why there is no such grid.
+  std::string WhyNot() const;
+};
+}
+
+#endif
