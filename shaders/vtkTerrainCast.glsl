@@ -76,6 +76,9 @@ bool terrainSeesFront(TerrainRay ray, TerrainHit hit, vec4 codes)
 // range.x. The loop is there so that the trace stands in the program once.
 TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front, out vec4 codes)
 {
+#ifdef TERRAIN_GLOBE
+  return terrainGlobeTraceRange(pixel, range, front, codes);
+#else
   TerrainHit hit = terrainNoHit();
   float pace = length(terrainAtPixelGC(pixel).xy);
   float begin = 0.0;
@@ -106,6 +109,7 @@ TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front, out vec4 co
     first = false;
   } while (again);
   return hit;
+#endif
 }
 
 #ifdef TERRAIN_BLOCK
@@ -170,7 +174,11 @@ TerrainSighting terrainCast(vec2 pixel, float entryDistance)
     }
     layer -= culled ? 0 : 1;
     // on from behind the hit: by a hundredth of a cell, and by what float can tell
+#ifdef TERRAIN_GLOBE
+    float pace = 10.0; // metres
+#else
     float pace = 0.01 / max(length(terrainAtPixelGC(pixel).xy), 1e-30);
+#endif
     range.x += hit.s + max(pace, 1e-6 * sighting.distanceVC);
     sighting.found = false;
   }

@@ -31,9 +31,10 @@ mat2 terrainFootprint(vec2 pixel, TerrainSurface surface)
 {
   float s = -surface.positionVC.z;
   vec2 pace = terrainPlanePace(pixel, s, surface.gradient);
-  vec2 direction = terrainAtPixelGC(pixel).xy;
-  return mat2(terrainOriginGC[1].xy + s * terrainDirectionGC[1].xy + pace.x * direction,
-    terrainOriginGC[2].xy + s * terrainDirectionGC[2].xy + pace.y * direction);
+  vec3 direction = terrainAtPixelGC(pixel);
+  return mat2(
+    terrainToCells(terrainOriginGC[1] + s * terrainDirectionGC[1] + pace.x * direction).xy,
+    terrainToCells(terrainOriginGC[2] + s * terrainDirectionGC[2] + pace.y * direction).xy);
 }
 
 #ifdef TERRAIN_TEXTURED
@@ -95,16 +96,26 @@ float terrainArrayValue(TerrainSurface surface, out vec4 color)
   return value;
 }
 
+// Heights per unit of length along the gradient.
+vec2 terrainSteepness(TerrainSurface surface)
+{
+#ifdef TERRAIN_GLOBE
+  return terrainGradientScale * terrainCellsPerMetre() * surface.gradient;
+#else
+  return terrainGradientScale * surface.gradient;
+#endif
+}
+
 // Degrees from the horizontal, 0 to 90.
 float terrainSlope(TerrainSurface surface)
 {
-  return degrees(atan(length(terrainGradientScale * surface.gradient)));
+  return degrees(atan(length(terrainSteepness(surface))));
 }
 
 // Direction downhill, degrees clockwise from the grid's north, 0 to 360; not a number where it is level.
 float terrainAspect(TerrainSurface surface)
 {
-  vec2 down = -terrainGradientScale * surface.gradient;
+  vec2 down = -terrainSteepness(surface);
   float aspect = degrees(atan(down.x, down.y));
   return length(down) < 1e-6 ? terrainNotANumber : aspect < 0.0 ? aspect + 360.0 : aspect;
 }
@@ -199,7 +210,7 @@ uniform float terrainShadeStrength; // 1, or 0 for none
 // Cosine of the angle between the surface's normal and the sun, 0..1; 1 without hillshade.
 float terrainHillshade(TerrainSurface surface)
 {
-  vec2 slope = terrainShadeRelief * terrainGradientScale * surface.gradient;
+  vec2 slope = terrainShadeRelief * terrainSteepness(surface);
   float shade = max(dot(normalize(vec3(-slope, 1.0)), terrainSunDirection), 0.0);
   return mix(1.0, shade, terrainShadeStrength);
 }

@@ -112,9 +112,16 @@ vec2 terrainDetailGradient(ivec2 cell, vec2 fraction, float level)
 // Cells that a pixel is wide at a distance along the viewing direction.
 float terrainPixelCells(float distanceVC)
 {
+#ifdef TERRAIN_GLOBE
+  // from south to north: near a pole, cells are narrow
+  vec3 right = terrainOriginGC[1] + distanceVC * terrainDirectionGC[1];
+  vec3 up = terrainOriginGC[2] + distanceVC * terrainDirectionGC[2];
+  return sqrt(max(dot(right, right), dot(up, up))) * terrainCellsPerMetre().y;
+#else
   vec2 right = terrainOriginGC[1].xy + distanceVC * terrainDirectionGC[1].xy;
   vec2 up = terrainOriginGC[2].xy + distanceVC * terrainDirectionGC[2].xy;
   return sqrt(max(dot(right, right), dot(up, up)));
+#endif
 }
 
 // Gradient of what a pixel shows of the surface at a distance along the viewing direction. With

@@ -9,6 +9,7 @@
 // TERRAIN_BLOCK if the surface covers a block that clipping planes cut; TERRAIN_CLIP_PLANES if there are
 // such; TERRAIN_READ_SIGHTINGS if a compute shader has cast the rays (vtkTerrainSighting.glsl).
 
+uniform mat4 terrainViewToGrid; // view to grid coordinates
 uniform int terrainFlat; // 1 for the normals of single patches, not of differences across them
 
 struct TerrainSurface
@@ -30,6 +31,9 @@ TerrainSurface terrainSurfaceAt(
   ivec2 cell, vec2 fraction, vec4 codes, vec4 positionVC, bool front)
 {
   vec2 gradient = terrainPatchGradient(codes, fraction);
+#ifdef TERRAIN_GLOBE
+  terrainGlobeSetLocal(cell, fraction, codes, (terrainViewToGrid * positionVC).xyz);
+#endif
   vec3 normalVC = terrainNormalVC(
     terrainFlat == 1 ? gradient : terrainGradient(cell, fraction, codes, -positionVC.z));
   return TerrainSurface(true, positionVC, front ? normalVC : -normalVC, front, false, cell, fraction,

@@ -109,18 +109,41 @@ vec2 terrainEnterBox(vec2 pixel, vec2 range)
   return vec2(max(range.x, enter - slack), min(range.y, leave + slack));
 }
 
+#ifdef TERRAIN_GLOBE
+// About the point that a pixel shows: from the axes of the anchor to cells, cells and height codes
+// (terrainGlobeSetLocal()).
+mat3 terrainGlobeLocal;
+
+vec3 terrainToCells(vec3 directionGC)
+{
+  return terrainGlobeLocal * directionGC;
+}
+
+// Cells to the east and north along a metre.
+vec2 terrainCellsPerMetre()
+{
+  mat3 rows = transpose(terrainGlobeLocal);
+  return vec2(length(rows[0]), length(rows[1]));
+}
+#else
+vec3 terrainToCells(vec3 directionGC)
+{
+  return directionGC;
+}
+#endif
+
 // How the distance along the viewing direction changes from a pixel to the next on the plane through
 // a point of the pixel's ray at distance s: in x, in y. The plane's gradient is in codes per cell. At
 // grazing angles the change is limited.
 vec2 terrainPlanePace(vec2 pixel, float s, vec2 gradient)
 {
-  vec3 direction = terrainAtPixelGC(pixel);
+  vec3 direction = terrainToCells(terrainAtPixelGC(pixel));
   float slope = dot(gradient, direction.xy);
   float least = 1e-3 * (abs(direction.z) + abs(slope)) + 1e-30;
   float closing = direction.z - slope;
   closing = (closing < 0.0 ? -1.0 : 1.0) * max(abs(closing), least);
-  vec3 moveX = terrainOriginGC[1] + s * terrainDirectionGC[1];
-  vec3 moveY = terrainOriginGC[2] + s * terrainDirectionGC[2];
+  vec3 moveX = terrainToCells(terrainOriginGC[1] + s * terrainDirectionGC[1]);
+  vec3 moveY = terrainToCells(terrainOriginGC[2] + s * terrainDirectionGC[2]);
   return vec2(dot(gradient, moveX.xy) - moveX.z, dot(gradient, moveY.xy) - moveY.z) / closing;
 }
 
@@ -147,5 +170,9 @@ float terrainDepth(vec4 positionVC)
 // Unit normal in view coordinates from the gradient in codes per cell; points up in the grid.
 vec3 terrainNormalVC(vec2 gradient)
 {
+#ifdef TERRAIN_GLOBE
+  return normalize(terrainNormalMatrix * (vec3(-gradient, 1.0) * terrainGlobeLocal));
+#else
   return normalize(terrainNormalMatrix * vec3(-gradient, 1.0));
+#endif
 }

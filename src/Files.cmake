@@ -13,6 +13,7 @@ set(classes
   vtkTerrainGeoTransform
   vtkTerrainGeoid
   vtkTerrainGeoreference
+  vtkTerrainGlobe
   vtkTerrainGraticule
   vtkTerrainHierarchy
   vtkTerrainHorizon
@@ -37,12 +38,14 @@ set(private_sources
   vtkTerrainActorSurface
   vtkTerrainRasterReaderLevels
   data/ColorDocument
+  data/GlobeSurface
   data/HierarchyHeights
   data/ImageSurface
   data/MeshOutput
   data/ObserverPlaces
   data/StripsOutput
   place/GeoreferencePrepare
+  place/GlobeHeights
   place/GroundPlaces
   place/ReprojectPlan
   raster/CoordinateSystem
@@ -75,6 +78,7 @@ set(private_sources
   render/DetailTexture
   render/Driver
   render/Features
+  render/Globe
   render/ModelCamera
   render/Paint
   render/Lights
@@ -120,6 +124,8 @@ set(shaders
   vtkTerrainColor
   vtkTerrainColumns
   vtkTerrainDistance
+  vtkTerrainGlobeLines
+  vtkTerrainGlobeTrace
   vtkTerrainGradient
   vtkTerrainHeights
   vtkTerrainLight

@@ -320,12 +320,18 @@ bool vtkTerrainGeoreference::PlacesToScene(const double* places, double* scene, 
     [this](double* points, vtkIdType size)
     {
       const vtkInternals& internals = *this->Internals;
-      if (internals.HasFrame)
+      if (internals.HasFrame && this->Frame != FrameType::Globe)
       {
         internals.Frame.ToScene(points, points, size);
         return;
       }
       internals.System.FromPlaces(points, size, internals.MiddleX);
+      if (internals.HasFrame)
+      {
+        internals.ScaleDegrees(points, size, internals.System.GetDegrees());
+        internals.Frame.ToScene(points, points, size);
+        return;
+      }
       for (vtkIdType i = 0; i < size; ++i)
       {
         internals.GridToScene(points + 3 * i);
@@ -342,6 +348,11 @@ bool vtkTerrainGeoreference::SceneToPlaces(const double* scene, double* places, 
       if (internals.HasFrame)
       {
         internals.Frame.ToPlaces(points, points, size);
+        if (this->Frame == FrameType::Globe)
+        {
+          internals.ScaleDegrees(points, size, 1.0 / internals.System.GetDegrees());
+          internals.System.ToPlaces(points, size);
+        }
         return;
       }
       for (vtkIdType i = 0; i < size; ++i)
@@ -453,7 +464,8 @@ void vtkTerrainGeoreference::GetFlatError(double& horizontal, double& vertical)
     return;
   }
   horizontal = vertical = 0.0;
-  if (this->Frame == FrameType::Local || this->Frame == FrameType::Geocentric)
+  if (this->Frame == FrameType::Local || this->Frame == FrameType::Geocentric ||
+    this->Frame == FrameType::Globe)
   {
     return;
   }

@@ -21,13 +21,17 @@
  * | Geocentric | X, Y, Z from the earth's centre                                         | round |
  * | Zone       | UTM, or UPS near the poles (GeographicLib::UTMUPS), z = height          | flat  |
  * | Grid       | the file's own grid, in metres                                          | flat  |
+ * | Globe      | as Geocentric, on the ellipsoid of the file's CRS, of any world         | round |
  *
  * Places of CRSs other than WGS84 come from PROJ through GDAL/OGR's C API. Without grids of datum
  * shifts installed, old datums (NAD27) are as good as PROJ's parameters: some metres.
  *
+ * In the frame Globe the file may be of another world than the earth; places are then its own
+ * longitudes, eastward, and latitudes. vtkTerrainGlobe lays its heights onto that globe.
+ *
  * Heights: those of the file times HeightUnit are metres. SceneHeights other than AsIs converts
- * between sea level and ellipsoid, see vtkTerrainGeoid. Local and Geocentric take every height as
- * ellipsoidal.
+ * between sea level and ellipsoid, see vtkTerrainGeoid. Local, Geocentric and Globe take every
+ * height as ellipsoidal.
  *
  * Every transforming function takes whole arrays, runs on the threads of vtkSMPTools, may be called
  * from several threads, allows input and output to be the same array, and returns false if
@@ -73,7 +77,8 @@ public:
     Local,
     Geocentric,
     Zone,
-    Grid
+    Grid,
+    Globe
   };
 
   /// What a height counts from.
@@ -225,10 +230,11 @@ public:
 
   /// By how much a flat scene is wrong over the extent, in metres: horizontally, the largest
   /// difference of distances from the middle to those along the ellipsoid; vertically, the drop of
-  /// the earth below the horizon of the middle. Both are 0 in Local and Geocentric, NaN if unknown.
+  /// the earth below the horizon of the middle. Both are 0 in Local, Geocentric and Globe, NaN if
+  /// unknown.
   void GetFlatError(double& horizontal, double& vertical);
 
-  /// Longitude, latitude, height, UTM and MGRS of a scene point as one line of text.
+  /// Longitude, latitude, height and, on earth, UTM and MGRS of a scene point as one line of text.
   std::string GetReadout(const double scene[3]);
   /// MGRS reference of a place; precision 5 = metres. "-" if it is not on earth.
   static std::string GetMGRS(double longitude, double latitude, int precision = 5);

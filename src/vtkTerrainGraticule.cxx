@@ -5,6 +5,7 @@
 #include "core/grid/RoundNumbers.h"
 #include "core/place/GridReference.h"
 #include "core/place/SceneFrame.h"
+#include "data/GlobeData.h"
 #include "data/ImageHeights.h"
 #include "data/Setting.h"
 #include "vtkTerrainDrape.h"
@@ -60,6 +61,8 @@ struct vtkTerrainGraticule::Frame
   double High[2] = { -HUGE_VAL, -HUGE_VAL };
   /// Longitude about which longitudes are continuous.
   double MiddleLongitude = 0.0;
+  /// The scene of lines is longitude and latitude, until they are drawn.
+  bool IsGlobe = false;
 
   void FromPlace(const double place[3], double grid[2]) const
   {
@@ -126,6 +129,21 @@ bool vtkTerrainGraticule::FindExtent(vtkImageData* heights, Frame& frame)
   heights->GetBounds(bounds);
   double range[2];
   heights->GetPointData()->GetScalars()->GetFiniteRange(range);
+  if (terrain::GlobeData::Has(heights))
+  {
+    // at longitudes and latitudes themselves
+    frame.MiddleLongitude = 0.5 * (bounds[0] + bounds[1]);
+    frame.IsGeographic = true;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      frame.Low[axis] = bounds[2 * axis];
+      frame.High[axis] = bounds[2 * axis + 1];
+    }
+    frame.Low[1] = std::max(frame.Low[1], -90.0);
+    frame.High[1] = std::min(frame.High[1], 90.0);
+    frame.IsGlobe = true;
+    return this->Grid == GridType::Geographic;
+  }
   const double z =
     this->Georeference->GetFrame() == vtkTerrainGeoreference::FrameType::Local ? range[0] : 0.0;
   double middle[3] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), z };
@@ -189,7 +207,10 @@ vtkSmartPointer<vtkPolyData> vtkTerrainGraticule::MakeLines(const Frame& frame)
         grid[along] = (1.0 - t) * frame.Low[along] + t * frame.High[along];
         double point[3];
         frame.ToPlace(grid, point);
-        this->Georeference->PlacesToScene(point, point, 1);
+        if (!frame.IsGlobe)
+        {
+          this->Georeference->PlacesToScene(point, point, 1);
+        }
         cells->InsertCellPoint(points->InsertNextPoint(point));
       }
     }
@@ -254,7 +275,8 @@ int vtkTerrainGraticule::RequestData(
   Frame frame;
   if (why.empty() && !this->FindExtent(heights, frame))
   {
-    why = "the heights lie nowhere on earth";
+    why = frame.IsGlobe ? "a globe has a graticule of degrees only: SetGrid() to Geographic"
+                        : "the heights lie nowhere on earth";
   }
   if (!why.empty())
   {
@@ -270,6 +292,21 @@ int vtkTerrainGraticule::RequestData(
   drape->Update();
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   output->ShallowCopy(drape->GetOutput());
+  if (frame.IsGlobe)
+  {
+    const std::unique_ptr<terrain::GlobeGrid> grid = terrain::GlobeData::Get(heights);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(output->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const double* place = output->GetPoint(i);
+      const glm::dvec3 point = grid->Body.ToPosition(
+        { place[0] * terrain::kDegree, place[1] * terrain::kDegree, place[2] });
+      points->SetPoint(i, point.x, point.y, point.z);
+    }
+    output->SetPoints(points);
+  }
   this->Label(output, vtkPolyData::GetData(outputs, 1));
   return 1;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainPicker.h"
 
+#include "data/GlobeSurface.h"
 #include "data/ImageHeights.h"
 #include "data/ImageSurface.h"
 #include "render/SurfaceScope.h"
@@ -243,6 +244,17 @@ class vtkTerrainPicker::vtkInternals
 {
 public:
   KnownSurfaces Surfaces;
+  /// Of the last image on a globe that was asked for.
+  terrain::GlobeSurface Globe;
+
+  /// The surface of a mapper's heights on a globe, null if they lie on none; counts scans.
+  const terrain::GlobeSurface* GlobeOf(vtkMapper* anyMapper, int& scans)
+  {
+    auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(anyMapper);
+    vtkImageData* heights = mapper ? mapper->GetHeights() : nullptr;
+    scans += this->Globe.GetImage() != heights ? 1 : 0;
+    return this->Globe.SetImage(heights) ? &this->Globe : nullptr;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -288,6 +300,10 @@ int vtkTerrainPicker::Pick3DInternal(vtkRenderer* renderer, double p1World[4], d
 double vtkTerrainPicker::IntersectActorWithLine(const double p1[3], const double p2[3], double t1,
   double t2, double tol, vtkProp3D* prop, vtkMapper* mapper)
 {
+  if (const auto* globe = this->Internals->GlobeOf(mapper, this->NumberOfScans))
+  {
+    return this->PickGlobe(*globe, p1, p2, prop, mapper);
+  }
   ShownTerrain shown;
   readMapper(mapper, prop->GetMatrix(), this->Internals->Surfaces, this->NumberOfScans, shown);
   if (!shown.Heights)
@@ -306,31 +322,58 @@ double vtkTerrainPicker::IntersectActorWithLine(const double p1[3], const double
   }
   if (hit.Distance < this->GlobalTMin)
   {
-    this->ResetPickInfo();
-    this->TerrainPicked = true;
-    this->Mapper = mapper;
-    this->DataSet = shown.Heights;
-    this->Texture =
-      vtkActor::SafeDownCast(prop) ? vtkActor::SafeDownCast(prop)->GetTexture() : nullptr;
     const glm::dvec2 positionGC = glm::dvec2(hit.Cell) + hit.Fraction;
     const glm::dvec2 position = positionGC / static_cast<double>(shown.CellsPerCell);
-    this->Height = hit.Height;
-    this->GridPosition[0] = position.x;
-    this->GridPosition[1] = position.y;
-    const int* extent = shown.Heights->GetExtent();
-    const double structured[3] = { extent[0] + position.x,
-      terrain::ImageHeights::AreRowsFromNorth(shown.Heights) ? extent[3] - position.y
-                                                             : extent[2] + position.y,
-      static_cast<double>(extent[4]) };
-    this->SetImageDataPickInfo(structured, extent);
     const glm::dvec3 point = shown.Surface.Frame.ToModel(positionGC, hit.Height);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->MapperPosition[axis] = point[axis];
-      this->MapperNormal[axis] = hit.Normal[axis];
-    }
+    this->SetPick(prop, mapper, shown.Heights, &position.x, hit.Height, &point.x, &hit.Normal[0]);
   }
   return hit.Distance;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainPicker::SetPick(vtkProp3D* prop, vtkMapper* mapper, vtkImageData* heights,
+  const double position[2], double height, const double point[3], const double normal[3])
+{
+  this->ResetPickInfo();
+  this->TerrainPicked = true;
+  this->Mapper = mapper;
+  this->DataSet = heights;
+  this->Texture =
+    vtkActor::SafeDownCast(prop) ? vtkActor::SafeDownCast(prop)->GetTexture() : nullptr;
+  this->Height = height;
+  std::copy(position, position + 2, this->GridPosition);
+  const int* extent = heights->GetExtent();
+  const double structured[3] = { extent[0] + position[0],
+    terrain::ImageHeights::AreRowsFromNorth(heights) ? extent[3] - position[1]
+                                                     : extent[2] + position[1],
+    static_cast<double>(extent[4]) };
+  this->SetImageDataPickInfo(structured, extent);
+  std::copy(point, point + 3, this->MapperPosition);
+  std::copy(normal, normal + 3, this->MapperNormal);
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainPicker::PickGlobe(const terrain::GlobeSurface& globe, const double p1[3],
+  const double p2[3], vtkProp3D* prop, vtkMapper* mapper)
+{
+  const double exaggeration =
+    static_cast<vtkOpenGLTerrainMapper*>(mapper)->GetVerticalExaggeration();
+  const glm::dvec3 origin(p1[0], p1[1], p1[2]);
+  const auto hit =
+    globe.Trace(origin, glm::dvec3(p2[0], p2[1], p2[2]) - origin, 0.0, 1.0, exaggeration);
+  if (!hit.Found)
+  {
+    return VTK_DOUBLE_MAX;
+  }
+  if (hit.T < this->GlobalTMin)
+  {
+    glm::dvec3 normal;
+    const glm::dvec3 point = globe.PositionAt(hit.Cell, hit.Fraction, exaggeration, normal);
+    const glm::dvec2 position = glm::dvec2(hit.Cell) + hit.Fraction;
+    this->SetPick(prop, mapper, globe.GetImage(), &position.x,
+      globe.GetGrid().Body.ToPlace(point).z / exaggeration, &point.x, &normal.x);
+  }
+  return hit.T;
 }
 
 //------------------------------------------------------------------------------
@@ -381,6 +424,12 @@ bool vtkTerrainPicker::HasLineOfSight(vtkActor* terrain, const double from[3], c
 bool vtkTerrainPicker::HasLineOfSight(
   vtkActor* terrain, const double from[3], const double to[3], double obstacle[3])
 {
+  const auto* globe =
+    terrain ? this->Internals->GlobeOf(terrain->GetMapper(), this->NumberOfScans) : nullptr;
+  if (globe)
+  {
+    return this->SeesOnGlobe(*globe, terrain, from, to, obstacle);
+  }
   ShownTerrain shown;
   readActor(terrain, this->Internals->Surfaces, this->NumberOfScans, shown);
   terrain::QueryRay ray;
@@ -409,10 +458,42 @@ bool vtkTerrainPicker::HasLineOfSight(
 }
 
 //------------------------------------------------------------------------------
+// As on a plane: the margins are in cells at the equator.
+bool vtkTerrainPicker::SeesOnGlobe(const terrain::GlobeSurface& globe, vtkActor* terrain,
+  const double from[3], const double to[3], double obstacle[3])
+{
+  vtkNew<vtkMatrix4x4> toModel;
+  vtkMatrix4x4::Invert(terrain->GetMatrix(), toModel);
+  const glm::dvec3 origin = transform(toModel, { from[0], from[1], from[2] });
+  const glm::dvec3 direction = transform(toModel, { to[0], to[1], to[2] }) - origin;
+  const double length = glm::length(direction);
+  const double margin =
+    SightMargin * globe.GetGrid().Step * globe.GetGrid().Body.Equatorial / length;
+  if (!isFinite(origin) || !isFinite(direction) || !(2.0 * margin < 1.0))
+  {
+    return isFinite(origin) && isFinite(direction);
+  }
+  const auto hit = globe.Trace(origin, direction, margin, 1.0 - margin,
+    static_cast<vtkOpenGLTerrainMapper*>(terrain->GetMapper())->GetVerticalExaggeration());
+  if (hit.Found)
+  {
+    const glm::dvec3 point = transform(terrain->GetMatrix(), origin + hit.T * direction);
+    std::copy(&point.x, &point.x + 3, obstacle);
+  }
+  return !hit.Found;
+}
+
+//------------------------------------------------------------------------------
 bool vtkTerrainPicker::GetProfile(
   vtkActor* terrain, const double from[3], const double to[3], vtkPolyData* profile)
 {
   profile->Initialize();
+  if (terrain && this->Internals->GlobeOf(terrain->GetMapper(), this->NumberOfScans))
+  {
+    vtkErrorMacro("A line between two points runs below a globe: take the profile of "
+                  "vtkTerrainViewpoint, along a geodesic");
+    return false;
+  }
   ShownTerrain shown;
   readActor(terrain, this->Internals->Surfaces, this->NumberOfScans, shown);
   const glm::dvec3 start = transform(shown.WorldToModel, { from[0], from[1], from[2] });

@@ -34,6 +34,10 @@
  * and vtkWorldPointPicker read the depth buffer and give a point of the surface to its precision,
  * 1e-7 of the depth range. vtkHardwareSelector gives cells and points of the heights' grid.
  *
+ * On a globe (vtkTerrainGlobe) the same holds but for clipping planes, which picks do not see, and
+ * profiles, which vtkTerrainViewpoint has; the grid is that of the heights as they lie on the globe.
+ * Longitude and latitude of a pick are vtkTerrainGeoreference::SceneToPlaces() in its frame Globe.
+ *
  * On earth: the position of a pick is a scene point of vtkTerrainGeoreference::GetReadout
  * (longitude, latitude, UTM, MGRS) and vtkTerrainViewpoint (geodesic distances, areas, profiles,
  * lines of sight over the round earth).
@@ -48,6 +52,12 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+
+namespace terrain
+{
+class GlobeSurface;
+}
+class vtkImageData;
 
 class vtkActor;
 class vtkDataArray;
@@ -122,6 +132,12 @@ private:
   class vtkInternals;
 
   double Interpolate(vtkDataArray* array, int component) const;
+  void SetPick(vtkProp3D* prop, vtkMapper* mapper, vtkImageData* heights, const double position[2],
+    double height, const double point[3], const double normal[3]);
+  double PickGlobe(const terrain::GlobeSurface& globe, const double p1[3], const double p2[3],
+    vtkProp3D* prop, vtkMapper* mapper);
+  bool SeesOnGlobe(const terrain::GlobeSurface& globe, vtkActor* terrain, const double from[3],
+    const double to[3], double obstacle[3]);
 
   bool TerrainPicked = false;
   double GridPosition[2];

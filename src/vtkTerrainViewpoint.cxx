@@ -6,6 +6,7 @@
 #include "core/place/Geodesics.h"
 #include "core/place/SunPosition.h"
 #include "core/rays/RayQuery.h"
+#include "data/GlobeSurface.h"
 #include "data/ImageHeights.h"
 #include "data/ImageSurface.h"
 #include "data/Setting.h"
@@ -134,8 +135,15 @@ public:
     return terrain::RayQuery(this->Surface.GetSurface(exaggeration));
   }
 
+  /// The heights of an image on a globe; null if they lie on none.
+  const terrain::GlobeSurface* GlobeOf(vtkImageData* heights)
+  {
+    return this->Globe.SetImage(heights) ? &this->Globe : nullptr;
+  }
+
 private:
   terrain::ImageSurface Surface;
+  terrain::GlobeSurface Globe;
 };
 
 vtkTerrainViewpoint::vtkTerrainViewpoint()
@@ -176,6 +184,12 @@ std::string vtkTerrainViewpoint::WhyNot() const
   {
     return why;
   }
+  if (this->Georeference->GetFrame() == FrameType::Globe)
+  {
+    return this->Internals->GlobeOf(this->Heights)
+      ? std::string()
+      : "the heights of a scene in the frame Globe come from vtkTerrainGlobe";
+  }
   return this->Georeference->IsOnEarth() ? terrain::ImageHeights::WhyNotHeights(this->Heights)
                                          : "the heights have no coordinate system: there are no "
                                            "places in the scene";
@@ -194,10 +208,22 @@ bool vtkTerrainViewpoint::ToPlace(const double scene[3], double place[3])
   {
     return false;
   }
+  if (this->Internals->GlobeOf(this->Heights))
+  {
+    const bool found = this->Georeference->SceneToPlaces(scene, place, 1);
+    place[2] /= this->Exaggeration;
+    return found && std::isfinite(place[0]);
+  }
   const terrain::GridGeometry frame =
     terrain::ImageHeights::Geometry(this->Heights, this->Exaggeration);
   const double plain[3] = { scene[0], scene[1], frame.ToTrueZ(scene[2]) };
   return this->Georeference->SceneToPlaces(plain, place, 1) && std::isfinite(place[0]);
+}
+
+/// Distances and areas are those of the earth's ellipsoid.
+bool vtkTerrainViewpoint::ToEarth(const double scene[3], double place[3])
+{
+  return this->ToPlace(scene, place) && this->Georeference->IsOnEarth();
 }
 
 std::string vtkTerrainViewpoint::GetWhyNoPlace(const std::string& text)
@@ -225,6 +251,13 @@ std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene
   }
   double place[3] = { written.Longitude, written.Latitude,
     written.IsAboveGround ? 0.0 : written.Height };
+  if (const auto* globe = this->Internals->GlobeOf(this->Heights))
+  {
+    place[2] = written.Height + (written.IsAboveGround ? this->GetGlobeGround(*globe, place) : 0.0);
+    place[2] *= this->Exaggeration;
+    this->Georeference->PlacesToScene(place, scene, 1);
+    return std::isfinite(scene[0]) ? "" : "'" + text + "' does not lie on the terrain";
+  }
   if (written.IsAboveGround)
   {
     std::vector<double> ground(place, place + 3);
@@ -238,6 +271,14 @@ std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene
   this->Georeference->PlacesToScene(place, scene, 1);
   scene[2] = terrain::ImageHeights::Geometry(this->Heights, this->Exaggeration).ToDrawnZ(scene[2]);
   return std::isfinite(scene[0]) ? "" : "'" + text + "' has no image in the scene";
+}
+
+double vtkTerrainViewpoint::GetGlobeGround(
+  const terrain::GlobeSurface& globe, const double place[3]) const
+{
+  double file[3];
+  this->Georeference->PlacesToFile(place, file, 1);
+  return globe.HeightAt(file[0], file[1]);
 }
 
 std::string vtkTerrainViewpoint::Look(
@@ -282,6 +323,10 @@ std::string vtkTerrainViewpoint::GetSun(
   {
     return why;
   }
+  if (!this->Georeference->IsOnEarth())
+  {
+    return "the place of the sun is known for the earth only: set a light";
+  }
   double place[3];
   double east[3];
   double north[3];
@@ -308,16 +353,19 @@ std::string vtkTerrainViewpoint::SetSun(const std::string& time, vtkLight* light
   }
   double bounds[6];
   this->Heights->GetBounds(bounds);
+  const bool globe = this->Internals->GlobeOf(this->Heights) != nullptr;
   const double middle[3] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.0 };
   double sun[3];
-  std::string whyNoSun = this->GetSun(middle, time, sun);
+  // from so far off it stands alike over a globe
+  const double equator[3] = { terrain::kEarthRadius, 0.0, 0.0 };
+  std::string whyNoSun = this->GetSun(globe ? equator : middle, time, sun);
   if (whyNoSun.empty())
   {
     light->SetLightTypeToSceneLight();
     light->PositionalOff();
     light->SetFocalPoint(0.0, 0.0, 0.0);
     light->SetPosition(sun);
-    light->SetSwitch(sun[2] > 0.0 ? 1 : 0);
+    light->SetSwitch(globe || sun[2] > 0.0 ? 1 : 0);
   }
   return whyNoSun;
 }
@@ -326,7 +374,7 @@ double vtkTerrainViewpoint::GetDistance(const double from[3], const double to[3]
 {
   double a[3];
   double b[3];
-  if (!this->ToPlace(from, a) || !this->ToPlace(to, b))
+  if (!this->ToEarth(from, a) || !this->ToEarth(to, b))
   {
     return kNaN;
   }
@@ -345,7 +393,7 @@ double vtkTerrainViewpoint::GetArea(vtkPoints* corners, double* perimeter)
   for (vtkIdType i = 0; corners && i < corners->GetNumberOfPoints(); ++i)
   {
     double place[3];
-    if (!this->ToPlace(corners->GetPoint(i), place))
+    if (!this->ToEarth(corners->GetPoint(i), place))
     {
       return kNaN;
     }
@@ -365,7 +413,7 @@ std::string vtkTerrainViewpoint::GetProfile(
   double a[3];
   double b[3];
   std::string why = this->WhyNot();
-  if (!why.empty() || !this->ToPlace(from, a) || !this->ToPlace(to, b))
+  if (!why.empty() || !this->ToEarth(from, a) || !this->ToEarth(to, b))
   {
     return why.empty() ? "a profile needs two points on earth" : why;
   }
@@ -388,13 +436,18 @@ std::string vtkTerrainViewpoint::GetProfile(
   {
     ground.insert(ground.end(), { place.x, place.y, place.z });
   }
-  terrain::LowerToGround(this->Georeference, this->Heights, ground);
+  const terrain::GlobeSurface* globe = this->Internals->GlobeOf(this->Heights);
+  if (!globe)
+  {
+    terrain::LowerToGround(this->Georeference, this->Heights, ground);
+  }
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const double height = ground[3 * i + 2];
+    const double height = globe ? this->GetGlobeGround(*globe, &places[i].x) : ground[3 * i + 2];
     double point[3] = { places[i].x, places[i].y, std::isnan(height) ? places[i].z : height };
+    point[2] *= globe ? this->Exaggeration : 1.0;
     this->Georeference->PlacesToScene(point, point, 1);
-    point[2] = frame.ToDrawnZ(point[2]);
+    point[2] = globe ? point[2] : frame.ToDrawnZ(point[2]);
     line->InsertCellPoint(points->InsertNextPoint(point));
     distances->InsertNextValue(terrain::GeodesicBetween(start, places[i]).Distance);
     heights->InsertNextValue(height);
@@ -409,6 +462,19 @@ std::string vtkTerrainViewpoint::GetProfile(
 
 bool vtkTerrainViewpoint::IsVisible(const double from[3], const double to[3], double obstruction[3])
 {
+  if (const auto* globe = this->Internals->GlobeOf(this->Heights))
+  {
+    const glm::dvec3 origin(from[0], from[1], from[2]);
+    const glm::dvec3 way = glm::dvec3(to[0], to[1], to[2]) - origin;
+    const double margin = std::min(kTouch / glm::length(way), 0.5);
+    const auto hit = globe->Trace(origin, way, margin, 1.0 - margin, this->Exaggeration);
+    const glm::dvec3 point = origin + hit.T * way;
+    if (obstruction)
+    {
+      std::copy(&point.x, &point.x + 3, obstruction);
+    }
+    return !hit.Found;
+  }
   const bool round = this->Georeference && this->Georeference->GetFrame() == FrameType::Local;
   terrain::QueryRay line;
   line.Origin = { from[0], from[1], from[2] };

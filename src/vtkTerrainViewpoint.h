@@ -26,6 +26,10 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+namespace terrain
+{
+class GlobeSurface;
+}
 class vtkCamera;
 class vtkImageData;
 class vtkLight;
@@ -96,7 +100,8 @@ public:
 
   /// Whether the straight line of sight between two scene points meets the terrain. In flat frames
   /// the earth's curvature is added, in all refraction is taken off. Exact for the bilinear
-  /// surface; obstruction, if given, is the scene point that stands highest above the line.
+  /// surface; obstruction, if given, is the scene point that stands highest above the line. On a
+  /// globe the line is straight, without refraction, and obstruction where it first meets the ground.
   bool IsVisible(const double from[3], const double to[3], double obstruction[3] = nullptr);
 
   vtkTerrainViewpoint(const vtkTerrainViewpoint&) = delete;
@@ -111,6 +116,8 @@ private:
 
   std::string WhyNot() const;
   bool ToPlace(const double scene[3], double place[3]);
+  bool ToEarth(const double scene[3], double place[3]);
+  double GetGlobeGround(const terrain::GlobeSurface& globe, const double place[3]) const;
 
   vtkSmartPointer<vtkTerrainGeoreference> Georeference;
   vtkSmartPointer<vtkImageData> Heights;

@@ -45,8 +45,8 @@ std::vector<Features> singleFeatures()
     add(&Features::Way, way);
   }
   for (const auto member :
-    { &Features::IntegerHeights, &Features::BuffersPyramid, &Features::Gathers, &Features::Tiles,
-      &Features::Detail, &Features::Columns, &Features::Within, &Features::Block,
+    { &Features::IntegerHeights, &Features::BuffersPyramid, &Features::Gathers, &Features::Globe,
+      &Features::Tiles, &Features::Detail, &Features::Columns, &Features::Within, &Features::Block,
       &Features::BelowBox, &Features::ReadsSightings, &Features::ShiftsDepth, &Features::Textured,
       &Features::Paints, &Features::ReadsLights, &Features::Sky, &Features::BoundsShadows })
   {

@@ -61,6 +61,16 @@ public:
     point[0] = this->GridOrigin[0] + point[0] / this->GridScale[0];
     point[1] = this->GridOrigin[1] + point[1] / this->GridScale[1];
   }
+
+  /// Brings x and y of count points from one unit of angles to another.
+  static void ScaleDegrees(double* points, vtkIdType count, double factor)
+  {
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      points[3 * i] *= factor;
+      points[3 * i + 1] *= factor;
+    }
+  }
 };
 
 #endif

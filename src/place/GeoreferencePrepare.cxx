@@ -6,6 +6,7 @@
 #include "core/grid/Constants.h"
 #include "core/place/GridReference.h"
 #include "data/FieldData.h"
+#include "data/GlobeData.h"
 #include "data/ImageHeights.h"
 
 #include <algorithm>
@@ -69,6 +70,13 @@ void vtkTerrainGeoreference::SetFromHeights(vtkImageData* heights)
   if (!system.empty())
   {
     this->SetCoordinateSystem(system);
+  }
+  if (const auto globe = terrain::GlobeData::Get(heights))
+  {
+    const double west = globe->West / terrain::kDegree;
+    this->SetExtent(west, west + globe->Cells().x * globe->Step / terrain::kDegree,
+      globe->Latitudes.front() / terrain::kDegree, globe->Latitudes.back() / terrain::kDegree);
+    return;
   }
   const terrain::FieldData::Layout layout = terrain::FieldData::GetLayout(heights);
   const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(heights);
@@ -268,10 +276,17 @@ void vtkTerrainGeoreference::PrepareFrame()
       "' is tied to no place on earth: only the file's own grid can be kept";
     return;
   }
+  if (this->Frame == FrameType::Globe)
+  {
+    internals.WhyNot = system.WhyNotLongitudeLatitude();
+    internals.HasFrame = internals.WhyNot.empty();
+    internals.Frame = terrain::SceneFrame::OfBody({ system.GetSemiMajor(), system.GetSemiMinor() });
+    return;
+  }
   if (system.GetKind() == Kind::OtherWorld)
   {
     internals.WhyNot = "the coordinate system '" + system.GetName() +
-      "' is of another world than the earth: only the file's own grid can be kept";
+      "' is of another world than the earth: only the file's own grid or the globe can be kept";
     return;
   }
   double middle[3] = { kNaN, kNaN, 0.0 };

@@ -85,6 +85,20 @@ bool IsOfOtherWorld(OGRSpatialReferenceH reference)
   return error == OGRERR_NONE && std::abs(radius / kEarth - 1.0) > kSame;
 }
 
+/// True if an axis of longitude and latitude points west: planetographic systems of what turns
+/// forward.
+bool CountsLongitudeWest(OGRSpatialReferenceH reference)
+{
+  bool west = false;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    OGRAxisOrientation orientation = OAO_Other;
+    OSRGetAxis(reference, nullptr, axis, &orientation);
+    west = west || orientation == OAO_West;
+  }
+  return west;
+}
+
 /// The beginning of a long definition, for messages.
 std::string Shortened(const std::string& text)
 {
@@ -210,6 +224,9 @@ std::string CoordinateSystem::Read(const std::string& definition)
       "' is neither a map projection nor longitude and latitude";
   }
 
+  this->SemiMajor = OSRGetSemiMajor(flat.get(), nullptr);
+  this->SemiMinor = OSRGetSemiMinor(flat.get(), nullptr);
+  this->CountsWest = !projected && CountsLongitudeWest(flat.get());
   if (IsOfOtherWorld(flat.get()))
   {
     this->TheKind = Kind::OtherWorld;
@@ -249,6 +266,18 @@ bool CoordinateSystem::HasPlaces() const
 {
   return this->IsOnEarth() ||
     (this->TheKind == Kind::OtherWorld && this->Transformations->IsComplete());
+}
+
+std::string CoordinateSystem::WhyNotLongitudeLatitude() const
+{
+  if (!this->IsInDegrees())
+  {
+    return "a globe needs heights in longitude and latitude, and '" + this->Name +
+      "' is none: bring them to degrees first (gdalwarp -t_srs EPSG:4326 for the earth)";
+  }
+  return this->CountsWest ? "the coordinate system '" + this->Name +
+      "' counts longitudes to the west: name the one of the same body that counts east (--crs)"
+                          : std::string();
 }
 
 bool CoordinateSystem::Transform(double* points, std::int64_t count, int stride, bool forward) const

@@ -65,6 +65,19 @@ public:
     return this->TheKind == Kind::Geographic ||
       (this->TheKind == Kind::OtherWorld && this->Degrees > 0.0);
   }
+  /// Empty if x and y are longitude and latitude on a body, else one sentence that says why not.
+  std::string WhyNotLongitudeLatitude() const;
+  ///@{
+  /// Semi-axes of the ellipsoid in metres; WGS84's where no definition was given.
+  double GetSemiMajor() const
+  {
+    return this->SemiMajor;
+  }
+  double GetSemiMinor() const
+  {
+    return this->SemiMinor;
+  }
+  ///@}
   const std::string& GetName() const
   {
     return this->Name;
@@ -111,10 +124,13 @@ private:
   std::string Name;
   double Metres = 1.0;
   double Degrees = 1.0;
+  double SemiMajor = 6378137.0;
+  double SemiMinor = 6356752.314245179;
+  bool CountsWest = false;
   std::string VerticalName;
   double VerticalMetres = 0.0;
   bool EllipsoidalHeights = false;
-  /// Degrees on WGS84 from Greenwich: nothing to transform.
+  /// Degrees on WGS84 from Greenwich, or on the body of another world: nothing to transform.
   bool IsPlaces = false;
   std::unique_ptr<Pool> Transformations;
 };

@@ -170,6 +170,7 @@
   ENTRY(OSRGetLinearUnits)                                                                         \
   ENTRY(OSRGetName)                                                                                \
   ENTRY(OSRGetSemiMajor)                                                                           \
+  ENTRY(OSRGetSemiMinor)                                                                           \
   ENTRY(OSRGetTargetLinearUnits)                                                                   \
   ENTRY(OSRImportFromEPSG)                                                                         \
   ENTRY(OSRIsCompound)                                                                             \

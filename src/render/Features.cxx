@@ -42,10 +42,11 @@ std::string defineNumber(const char* name, int number)
 auto membersOf(const Features& features)
 {
   return std::tie(features.Way, features.IntegerHeights, features.BuffersPyramid, features.Gathers,
-    features.Tiles, features.Detail, features.Columns, features.Within, features.Block,
-    features.BelowBox, features.ReadsSightings, features.ShiftsDepth, features.Textured,
-    features.Paints, features.ClipPlanes, features.BeamPixels, features.DrapeComponents,
-    features.ShadowMask, features.ReadsLights, features.Sky, features.BoundsShadows);
+    features.Globe, features.Tiles, features.Detail, features.Columns, features.Within,
+    features.Block, features.BelowBox, features.ReadsSightings, features.ShiftsDepth,
+    features.Textured, features.Paints, features.ClipPlanes, features.BeamPixels,
+    features.DrapeComponents, features.ShadowMask, features.ReadsLights, features.Sky,
+    features.BoundsShadows);
 }
 }
 
@@ -79,9 +80,10 @@ std::string Features::Defines() const
     defineIf("TERRAIN_CAST", this->CastsRays()) +
     defineIf("TERRAIN_HEIGHTS_INTEGER", this->IntegerHeights) +
     defineIf("TERRAIN_PYRAMID_BUFFER", this->BuffersPyramid) +
-    defineIf("TERRAIN_TILES", this->Tiles) + defineIf("TERRAIN_DETAIL", this->Detail) +
-    defineIf("TERRAIN_COLUMNS", this->Columns) + defineIf("TERRAIN_WITHIN", this->Within) +
-    defineIf("TERRAIN_BLOCK", this->Block) + defineIf("TERRAIN_BELOW_BOX", this->BelowBox) +
+    defineIf("TERRAIN_GLOBE", this->Globe) + defineIf("TERRAIN_TILES", this->Tiles) +
+    defineIf("TERRAIN_DETAIL", this->Detail) + defineIf("TERRAIN_COLUMNS", this->Columns) +
+    defineIf("TERRAIN_WITHIN", this->Within) + defineIf("TERRAIN_BLOCK", this->Block) +
+    defineIf("TERRAIN_BELOW_BOX", this->BelowBox) +
     defineIf("TERRAIN_READ_SIGHTINGS", this->ReadsSightings) +
     defineIf("TERRAIN_DEPTH_OFFSET", this->ShiftsDepth) +
     defineIf("TERRAIN_TEXTURED", this->Textured) + defineIf("TERRAIN_PAINT", this->Paints) +

@@ -53,6 +53,7 @@ struct Features
   bool IntegerHeights = false; ///< texels are 16-bit integers, else floats
   bool BuffersPyramid = false; ///< the pyramid is a buffer, else a texture with mip levels
   bool Gathers = false;        ///< textureGather() is used where the driver has it
+  bool Globe = false;          ///< heights are in longitude and latitude on an ellipsoid
   bool Tiles = false;          ///< heights are in tiles of several levels
   bool Detail = false;         ///< the heights are a sum with repeated detail
   bool Columns = false;        ///< columns of constant height, else bilinear patches

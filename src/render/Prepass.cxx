@@ -48,6 +48,7 @@ std::string Prepass::ComputeSightings(const PrepassFrame& frame)
 {
   Features features = ofHeights(frame.Features);
   features.Way = frame.Features.Way;
+  features.Globe = frame.Features.Globe;
   features.Columns = frame.Features.Columns;
   features.Within = frame.Features.Within;
   features.Block = frame.Features.Block;

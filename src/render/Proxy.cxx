@@ -83,6 +83,17 @@ void Proxy::Update(const GridGeometry& geometry, const HeightCodes& codes, const
 }
 
 //------------------------------------------------------------------------------
+void Proxy::Update(const BoxGC& boxMC, const BoxGC& bounds)
+{
+  this->Bounds = bounds;
+  if (this->CornersMC != boxMC)
+  {
+    this->CornersMC = boxMC;
+    buildBox(this->Box, boxMC);
+  }
+}
+
+//------------------------------------------------------------------------------
 void Proxy::Clear()
 {
   if (this->Box->GetNumberOfPoints() > 0)

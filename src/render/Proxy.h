@@ -34,6 +34,8 @@ public:
   /// that.
   void Update(const GridGeometry& geometry, const HeightCodes& codes, const glm::ivec2& size,
     double lowestHeight);
+  /// Makes the box of a globe, in model coordinates, whose bounds a view has in other axes.
+  void Update(const BoxGC& boxMC, const BoxGC& bounds);
   /// Empties the box.
   void Clear();
 

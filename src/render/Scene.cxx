@@ -72,20 +72,54 @@ bool Scene::Update(vtkImageData* heights, vtkImageData* detail)
     this->Why = this->Surface.SetDetail(
       detail, LevelOfCells(this->Look->GetDetailCells()), this->Look->GetDetailScale());
   }
+  if (this->Why.empty())
+  {
+    this->Why = this->UpdateGlobe(heights, detail);
+  }
   if (!this->Why.empty())
   {
     this->Proxy.Clear();
     return false;
   }
   const HeightCodes& codes = this->Surface.GetCodes();
+  if (this->Globe.IsRound())
+  {
+    this->Globe.SetHeights(codes, this->Look->GetVerticalExaggeration());
+    this->Proxy.Update(this->Globe.GetBounds(), this->Globe.GetAnchoredBounds());
+    return true;
+  }
   this->Proxy.Update(this->Surface.GetGeometry(), codes, this->Surface.GetSize(),
     this->Cutting.Lowest(codes.ToHeight(0.0)));
   return true;
 }
 
 //------------------------------------------------------------------------------
+std::string Scene::UpdateGlobe(vtkImageData* heights, vtkImageData* detail)
+{
+  std::string why = this->Globe.SetImage(heights);
+  if (!this->Globe.IsRound() || !why.empty())
+  {
+    return why;
+  }
+  const bool plain = this->GetTechnique().IsExact() && !detail && !this->Surface.HasTiles() &&
+    !this->Cutting.Extracts && !this->Cutting.Block && !this->Look->GetSunShadows() &&
+    this->Look->GetSkyLight() <= 0.0 &&
+    this->Look->GetSurface() != vtkTerrainLook::Surfaces::Columns;
+  return plain ? std::string()
+               : "a globe is drawn with the technique Pyramid from heights in memory, without "
+                 "detail, columns, block, extract, shadows and the light of the sky: leave these "
+                 "out, or choose a flat frame";
+}
+
+//------------------------------------------------------------------------------
 void Scene::GetBounds(double bounds[6]) const
 {
+  if (this->Globe.IsRound())
+  {
+    const BoxGC box = this->Globe.GetBounds();
+    vtkBoundingBox(box[0].x, box[1].x, box[0].y, box[1].y, box[0].z, box[1].z).GetBounds(bounds);
+    return;
+  }
   const GridGeometry geometry = this->Geometry();
   const HeightCodes& codes = this->Surface.GetCodes();
   const SampleRectangle drawn = this->Drawn();
@@ -109,8 +143,14 @@ std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
   std::string words =
     this->Surface.Colors.Update(this->Mapper, this->Surface.GetImage(), this->Look, window);
   const HeightCodes& codes = this->Surface.GetCodes();
-  this->View.Update(
-    renderer, actor, ModelFromGrid(this->Geometry(), codes), this->Proxy.GetBounds());
+  if (this->Globe.IsRound() && !this->Globe.Update(renderer, actor))
+  {
+    this->Why = "the lines of the globe's grid could not be sent to the graphics card";
+    return "Cannot draw the terrain: " + this->Why;
+  }
+  this->View.Update(renderer, actor,
+    this->Globe.IsRound() ? this->Globe.ModelFromAnchor() : ModelFromGrid(this->Geometry(), codes),
+    this->Globe.IsRound() ? this->Globe.GetAnchoredBounds() : this->Proxy.GetBounds());
   this->View.SetClippingPlanes(this->Mapper, actor,
     this->Cutting.PlanesGC(this->Drawn(), codes.ToCode(this->Cutting.BlockBase)));
   this->Lights.Clear();
@@ -139,6 +179,7 @@ std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
   this->Surface.Activate();
   this->Sky.Activate();
   this->ShadowBounds.Activate();
+  this->Globe.Activate();
   const int planes = this->Mapper->GetNumberOfClippingPlanes();
   return !words.empty() || planes <= View::MostMapperPlanes
     ? words
@@ -187,7 +228,7 @@ PrepassFrame Scene::MakeFrame(vtkRenderer* renderer, vtkActor* actor, const Feat
 std::string Scene::PrepareBeams(vtkRenderer* renderer, vtkActor* actor, const Features& features)
 {
   const bool uses = this->Look->GetUseBeams() && features.CastsRays() && !features.Columns &&
-    !features.Block && // walls may lie before the start
+    !features.Globe && !features.Block && // walls may lie before the start
     ComputeProgram::IsSupported();
   return uses ? this->Prepass.ComputeBeams(this->MakeFrame(renderer, actor, features))
               : std::string();
@@ -219,6 +260,7 @@ void Scene::Finish()
   this->Surface.Deactivate();
   this->Sky.Deactivate();
   this->ShadowBounds.Deactivate();
+  this->Globe.Deactivate();
   this->Prepass.Finish();
 }
 
@@ -245,7 +287,8 @@ void Scene::AddFeatures(Features& features) const
   if (technique.IsExact())
   {
     features.Columns = this->Look->GetSurface() == vtkTerrainLook::Surfaces::Columns;
-    features.Within = this->GetPixelTolerance() > 0.0;
+    features.Globe = this->Globe.IsRound();
+    features.Within = this->GetPixelTolerance() > 0.0 && !features.Globe; // exact is near enough
   }
 }
 
@@ -259,6 +302,10 @@ void Scene::SetUniforms(Uniforms& uniforms, vtkActor* actor)
   this->Sky.SetUniforms(uniforms);
   this->ShadowBounds.SetUniforms(uniforms);
   uniforms.Set("terrainSkyLight", static_cast<float>(this->Look->GetSkyLight()));
+  if (this->Globe.IsRound())
+  {
+    this->Globe.SetUniforms(uniforms);
+  }
   this->View.SetTolerance(uniforms, this->GetPixelTolerance());
   this->GetTechnique().SetSearchUniforms(uniforms, this->Look, this->Surface, geometry);
   this->Prepass.SetUniforms(uniforms, this->Surface);
@@ -274,7 +321,7 @@ void Scene::SetUniforms(Uniforms& uniforms, vtkActor* actor)
 void Scene::ExaggerateVertices(Uniforms& uniforms, vtkRenderer* renderer, vtkActor* actor,
   vtkOpenGLVertexBufferObjectGroup* buffers) const
 {
-  if (this->Why.empty() && this->Look->GetVerticalExaggeration() != 1.0)
+  if (this->Why.empty() && !this->Globe.IsRound() && this->Look->GetVerticalExaggeration() != 1.0)
   {
     const CameraMatrices camera(renderer);
     const glm::dmat4 viewFromBuffer = camera.ViewFromWorld * ToGlm(actor->GetMatrix()) *
@@ -290,6 +337,7 @@ void Scene::ReleaseGraphicsResources(vtkWindow* window)
   this->Surface.ReleaseGraphicsResources(window);
   this->Sky.ReleaseGraphicsResources(window);
   this->ShadowBounds.ReleaseGraphicsResources(window);
+  this->Globe.ReleaseGraphicsResources(window);
   this->Prepass.ReleaseGraphicsResources(window);
 }
 }

@@ -12,6 +12,7 @@
 #define vtkTerrain_render_Scene_h
 
 #include "core/surface/Cutting.h"
+#include "render/Globe.h"
 #include "render/Lights.h"
 #include "render/Prepass.h"
 #include "render/Proxy.h"
@@ -102,6 +103,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   SurfaceTextures Surface;
+  terrain::Globe Globe;
   terrain::Cutting Cutting;
   terrain::Proxy Proxy;
   terrain::View View;
@@ -111,6 +113,8 @@ public:
   terrain::Prepass Prepass;
 
 private:
+  /// Takes over the globe that heights lie on, if any; Why not.
+  std::string UpdateGlobe(vtkImageData* heights, vtkImageData* detail);
   GridGeometry Geometry() const;
   SampleRectangle Drawn() const;
   PrepassFrame MakeFrame(vtkRenderer* renderer, vtkActor* actor, const Features& features);

@@ -11,6 +11,8 @@
 #include "vtkTerrainCast.h"
 #include "vtkTerrainColor.h"
 #include "vtkTerrainColumns.h"
+#include "vtkTerrainGlobeLines.h"
+#include "vtkTerrainGlobeTrace.h"
 #include "vtkTerrainGradient.h"
 #include "vtkTerrainHeights.h"
 #include "vtkTerrainLight.h"
@@ -66,7 +68,8 @@ SearchKind searchKind(Features::Ways way)
 std::string commonFunctions(const Features& features)
 {
   return Features::Constants() + (features.Tiles ? vtkTerrainTiles : "") + vtkTerrainHeights +
-    vtkTerrainColumns + vtkTerrainRay + vtkTerrainView;
+    vtkTerrainColumns + vtkTerrainRay + vtkTerrainView +
+    (features.Globe ? vtkTerrainGlobeLines : "");
 }
 
 std::string pyramidFunctions(const Features& features)
@@ -77,8 +80,9 @@ std::string pyramidFunctions(const Features& features)
 std::string castFunctions(const Features& features)
 {
   return pyramidFunctions(features) +
-    (features.Way == Features::Ways::Pyramid ? "" : vtkTerrainSearch) + vtkTerrainTrace +
-    vtkTerrainSighting + vtkTerrainCast;
+    (features.Way == Features::Ways::Pyramid ? "" : vtkTerrainSearch) +
+    (features.Globe ? vtkTerrainGlobeTrace : "") + vtkTerrainTrace + vtkTerrainSighting +
+    vtkTerrainCast;
 }
 }
 

@@ -158,6 +158,13 @@ void AddGraticule(vtkRenderer* renderer, const PlacedHeights& heights, const Opt
   graticule->SetGeoreference(heights.Georeference);
   graticule->SetGrid(grid);
   graticule->SetExaggeration(heights.Exaggeration);
+  if (heights.IsGlobe())
+  {
+    // above what VTK's depth buffer can tell from space
+    constexpr double kOffset = 1500.0;
+    graticule->SetOffset(kOffset);
+    graticule->SetStep(15.0);
+  }
   graticule->Update();
   ThrowOnError("--graticule");
   if (graticule->GetOutput()->GetNumberOfCells() > 0)

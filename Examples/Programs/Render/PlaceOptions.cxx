@@ -24,7 +24,9 @@ using ModeType = vtkTerrainDrape::ModeType;
 
 const std::map<std::string, FrameType> kFrames = { { "plane", FrameType::Plane },
   { "local", FrameType::Local }, { "utm", FrameType::Zone }, { "grid", FrameType::Grid },
-  { "geocentric", FrameType::Geocentric } };
+  { "geocentric", FrameType::Geocentric }, { "globe", FrameType::Globe } };
+/// Instead of a frame.
+const char* const kMap = "map";
 
 const std::map<std::string, HeightType> kVerticals = { { "as-is", HeightType::AsIs },
   { "ellipsoid", HeightType::Ellipsoid }, { "geoid", HeightType::Geoid } };
@@ -133,11 +135,19 @@ void PlaceArguments::Declare(CLI::App& app, PlaceOptions& options)
   };
   const auto flag = [&app](const char* name, bool& value, const char* help)
   { app.add_flag(name, value, help)->group("Places on earth"); };
-  add("--frame", options.Frame, "NAME",
-    "scene: grid (of the file, where it is in metres and true to scale: the default there), plane "
+  add("--frame", this->Frame, "NAME",
+    "scene: grid (of the file, where it is in metres and true to scale: the default there), globe "
+    "(of HEIGHTS in degrees, of any planet: the default where they reach over 60), plane "
     "(the default elsewhere: flat, east and north at its origin), local (the same, the earth "
-    "round), utm, geocentric")
-    ->transform(OneOf(kFrames));
+    "round), utm, geocentric, map (the default among the flat ones)")
+    ->check(CLI::Validator(
+      [](const std::string& name)
+      {
+        return name == kMap || kFrames.count(name) > 0
+          ? std::string()
+          : "'" + name + "' is none of grid, globe, plane, local, utm, geocentric, map";
+      },
+      ""));
   flag("--curvature", this->Curvature, "the earth is round: heights sink below the horizon");
   add("--origin", this->Origin, "LON,LAT[,HEIGHT]",
     "of the frames plane and local; default: the middle of HEIGHTS");
@@ -170,6 +180,11 @@ void PlaceArguments::Declare(CLI::App& app, PlaceOptions& options)
 //------------------------------------------------------------------------------
 void PlaceArguments::Interpret(PlaceOptions& options) const
 {
+  options.IsMap = this->Frame == kMap;
+  if (!this->Frame.empty() && !options.IsMap)
+  {
+    options.Frame = kFrames.at(this->Frame);
+  }
   if (!this->Zone.empty())
   {
     ImplyFrame(options, "--utm-zone", FrameType::Zone);

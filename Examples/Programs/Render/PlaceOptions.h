@@ -27,6 +27,8 @@ struct PlaceOptions
 {
   /// None: chosen by the program.
   std::optional<vtkTerrainGeoreference::FrameType> Frame;
+  /// The program chooses none but a flat frame.
+  bool IsMap = false;
   /// Longitude, latitude, height.
   std::optional<std::array<double, 3>> Origin;
   /// 1 to 60, 0 for UPS, -1 for that of the middle of the heights.
@@ -69,6 +71,7 @@ public:
   void Interpret(PlaceOptions& options) const;
 
 private:
+  std::string Frame;
   std::string Origin;
   std::string Zone;
   std::string Cell;

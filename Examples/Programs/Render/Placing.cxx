@@ -15,6 +15,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTerrainGeoid.h"
 #include "vtkTerrainGeoreference.h"
+#include "vtkTerrainGlobe.h"
 #include "vtkTerrainReproject.h"
 
 #include <algorithm>
@@ -91,6 +92,52 @@ std::string WhyNoPlaces(vtkTerrainGeoreference* scene)
     : "its coordinate system '" + scene->GetCoordinateSystemName() + "' is tied to no place";
 }
 
+/// True for the frame Globe, named or the one that suits.
+bool IsGlobe(vtkImageData* image, const Options& options)
+{
+  const PlaceOptions& wanted = options.Place;
+  return wanted.Frame
+    ? *wanted.Frame == FrameType::Globe
+    : !wanted.IsMap && wanted.Cell == 0.0 && wanted.Vertical == HeightType::AsIs &&
+      options.Search == vtkTerrainLook::Techniques::Pyramid && options.Detail.File.empty() &&
+      vtkTerrainGlobe::Suits(image);
+}
+
+/// What a globe cannot do.
+void RefuseOnGlobe(const Options& options)
+{
+  const PlaceOptions& wanted = options.Place;
+  const auto refuse = [](bool is, const char* option, const char* instead)
+  {
+    if (is)
+    {
+      throw Failure(option, std::string("does not go with --frame globe: ") + instead);
+    }
+  };
+  refuse(options.Search != vtkTerrainLook::Techniques::Pyramid, "--technique",
+    "leave it at pyramid, or choose --frame map");
+  refuse(!options.Detail.File.empty(), "--detail", "choose --frame map");
+  refuse(wanted.Cell > 0.0 || wanted.Cubic, "--cell", "heights are drawn as they are");
+  refuse(wanted.Vertical != HeightType::AsIs, "--vertical", "heights count from the ellipsoid");
+  refuse(!wanted.Drape.empty(), "--drape", "choose --frame map");
+  refuse(!wanted.Tracks.empty(), "--track", "choose --frame map");
+  refuse(options.Light.Shadows, "--shadows", "choose --frame map");
+  refuse(options.Light.SkyLight > 0.0, "--sky-light", "choose --frame map");
+  refuse(!options.Light.Sun.empty() && !options.Light.NeedsPlace(), "--sun",
+    "a direction differs over a globe, give a date and time");
+  refuse(wanted.ScaleBar, "--scale-bar", "scales differ over a globe, choose --frame map");
+  refuse(wanted.NorthArrow, "--north-arrow", "choose --frame map");
+}
+
+vtkSmartPointer<vtkImageData> LayOnGlobe(vtkImageData* image, const std::string& name)
+{
+  const vtkNew<vtkTerrainGlobe> globe;
+  globe->SetInputData(image);
+  globe->Update();
+  ThrowOnError(name);
+  return globe->GetOutput();
+}
+
 vtkSmartPointer<vtkImageData> Resample(
   const PlacedHeights& placed, const Options& options, ProgressBar& progress)
 {
@@ -136,6 +183,20 @@ PlacedHeights PlaceHeights(
   }
   placed.Georeference = DescribeScene(placed.Image, wanted);
   std::string warning;
+  if (IsGlobe(placed.Image, options))
+  {
+    placed.Georeference->SetFrame(FrameType::Globe);
+    if (!placed.Georeference->GetWhyNot().empty())
+    {
+      throw Failure(name, placed.Georeference->GetWhyNot());
+    }
+    RefuseOnGlobe(options);
+    placed.Image = LayOnGlobe(placed.Image, name);
+    CountSamples(placed.Image, statistics);
+    statistics.AddTime("place", watch.GetMilliseconds());
+    statistics.SetText("crs", placed.Georeference->GetCoordinateSystemName());
+    return placed;
+  }
   if (!wanted.Frame)
   {
     warning = ChooseFrame(placed, name);

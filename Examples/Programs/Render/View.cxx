@@ -10,6 +10,7 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
@@ -98,6 +99,42 @@ void LookFromSouth(vtkCamera* camera, const vtkBoundingBox& box, double aspect)
   camera->SetViewUp(0.0, 0.0, 1.0);
 }
 
+/// The whole planet, over the middle of the heights; a little from the north.
+void LookAtGlobe(vtkCamera* camera, const vtkBoundingBox& box, vtkImageData* heights, double aspect)
+{
+  constexpr double kTilt = 20.0;
+  constexpr double kSlope = 0.9;
+  std::array<double, 6> degrees{};
+  heights->GetBounds(degrees.data());
+  const double longitude = vtkMath::RadiansFromDegrees(0.5 * (degrees[0] + degrees[1]));
+  const double latitude =
+    vtkMath::RadiansFromDegrees(kTilt + (1.0 - kTilt / 90.0) * 0.5 * (degrees[2] + degrees[3]));
+  const double half = std::atan(kSlope * std::min(aspect, 1.0) *
+    std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2.0));
+  const double distance = 0.5 * box.GetMaxLength() / std::sin(half);
+  camera->SetPosition(distance * std::cos(latitude) * std::cos(longitude),
+    distance * std::cos(latitude) * std::sin(longitude), distance * std::sin(latitude));
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+}
+
+/// From over the left shoulder of who looks at a globe.
+void LightGlobe(vtkCamera* camera, vtkLight* sun)
+{
+  constexpr Vector kFrom = { -0.55, 0.45, 0.7 };
+  Vector back{};
+  Vector right{};
+  Vector up{};
+  camera->GetDirectionOfProjection(back.data());
+  vtkMath::MultiplyScalar(back.data(), -1.0);
+  camera->OrthogonalizeViewUp();
+  camera->GetViewUp(up.data());
+  vtkMath::Cross(up.data(), back.data(), right.data());
+  sun->SetPosition(kFrom[0] * right[0] + kFrom[1] * up[0] + kFrom[2] * back[0],
+    kFrom[0] * right[1] + kFrom[1] * up[1] + kFrom[2] * back[1],
+    kFrom[0] * right[2] + kFrom[1] * up[2] + kFrom[2] * back[2]);
+}
+
 /// From as near as the contract of the near plane allows to beyond the farthest corner.
 void SetClippingRange(vtkCamera* camera, const vtkBoundingBox& box)
 {
@@ -177,6 +214,10 @@ void SetSun(vtkRenderer* renderer, const PlacedHeights& heights, const Options& 
 {
   auto* light = static_cast<vtkLight*>(renderer->GetLights()->GetItemAsObject(0));
   ThrowIf("--sun", PlaceSun(sun, heights.Georeference, heights.Image, heights.Exaggeration, light));
+  if (heights.IsGlobe() && sun.empty())
+  {
+    LightGlobe(renderer->GetActiveCamera(), light);
+  }
   if (!light->GetSwitch() && options.Light.GetSuns().size() == 1)
   {
     Warn("--sun: it is night");
@@ -219,7 +260,6 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->AddActor(terrain.Actor);
-  AddLights(renderer, heights, options);
   renderer->GradientBackgroundOn();
   renderer->SetBackground(0.90, 0.93, 0.95);
   renderer->SetBackground2(0.50, 0.66, 0.84);
@@ -238,10 +278,15 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
     ThrowIf("--look-from",
       MakeViewpoint(heights)->Look(options.Place.LookFrom, options.Place.LookAt, camera));
   }
+  else if (heights.IsGlobe())
+  {
+    LookAtGlobe(camera, box, heights.Image, static_cast<double>(options.Size[0]) / options.Size[1]);
+  }
   else
   {
     LookFromSouth(camera, box, static_cast<double>(options.Size[0]) / options.Size[1]);
   }
   SetClippingRange(camera, box);
+  AddLights(renderer, heights, options);
   return renderer;
 }

@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkFieldData
 
-from .vtkTerrain import vtkTerrainGeoreference, vtkTerrainRasterReader, vtkTerrainReproject
+from .vtkTerrain import vtkTerrainGeoreference, vtkTerrainGlobe, vtkTerrainRasterReader, vtkTerrainReproject
 
 _READ_TYPES = "BhHiIfd"  # of samples in memory
 
@@ -99,6 +99,18 @@ def read(reader, error=OSError):
     return reader.GetOutput()
 
 
+def lay_on_globe(image):
+    """Heights in longitude and latitude as those of a globe (``vtkTerrainGlobe``)."""
+    if image.GetFieldData().GetArray("GlobeLatitudes"):
+        return image
+    globe = vtkTerrainGlobe()
+    globe.SetInputData(image)
+    _run(globe, globe.Update)
+    if globe.GetErrorMessage():
+        raise ValueError(globe.GetErrorMessage())
+    return globe.GetOutput()
+
+
 def lay_out(image, scene=None):
     """Heights in metres: resampled where their own grid is none, or not that of the scene.
 
@@ -106,6 +118,10 @@ def lay_out(image, scene=None):
     its frame and origin from these heights. Heights that cannot join it stay where they are, and a
     warning says why.
     """
+    if scene is not None and scene.GetFrame() == vtkTerrainGeoreference.FrameType.Globe:
+        if not scene.GetCoordinateSystem():
+            scene.SetFromHeights(image)
+        return lay_on_globe(image)
     place = vtkTerrainGeoreference()
     place.SetFromHeights(image)
     if not place.GetCoordinateSystem():

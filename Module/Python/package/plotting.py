@@ -21,7 +21,7 @@ import pyvista
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._actor import Terrain
-from ._intake import _run, join_as_it_is, lay_out, make_reader, read, tell_of_apart
+from ._intake import _run, join_as_it_is, lay_on_globe, lay_out, make_reader, read, tell_of_apart
 from ._looks import Scalars, make_table
 from ._looks import apply as apply_look
 from .heights import heights_from_array
@@ -137,7 +137,7 @@ def _add_scalar_bar(plotter, table, title, options):
 
 def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scalars=None, cmap=None, clim=None,
                 color=None, texture=None, opacity=1.0, show_scalar_bar=None, scalar_bar_args=None, name=None,
-                reset_camera=None, pickable=True, render=True, label=None, scene=None, shadows=False,
+                reset_camera=None, pickable=True, render=True, label=None, scene=None, frame=None, shadows=False,
                 sun_angle=0.53, sky_light=0.0, component=None, rgb=False, n_colors=256, flip_scalars=False,
                 log_scale=False, nan_color=None, nan_opacity=1.0, above_color=None, below_color=None, **options):
     """Adds a heightfield to a plotter; returns the ``vtkterrain.plotting.Terrain``, a ``vtkTerrainActor``.
@@ -182,6 +182,10 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     scene : vtkTerrainGeoreference, optional
         Frame and origin that the heights are brought into; by default those of the plotter
         (``terrain_scene``), so that tiles that are added one by one meet.
+    frame : {"globe"}, optional
+        "globe" draws heights in longitude and latitude on the ellipsoid of their coordinate system, of
+        any planet (``vtkTerrainGlobe``): the scene of the plotter is then geocentric, in metres. It
+        needs the technique "pyramid".
     shadows : bool
         Whether the surface lies in its own shadow, of all lights of the plotter but a headlight.
     sun_angle : float
@@ -210,10 +214,15 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         raise ValueError(f"sun_angle must be 0 to 90 and sky_light 0 or more, not {sun_angle} and {sky_light}")
     actor.SetTechnique(techniques[technique])
     place = {key: options.pop(key) for key in tuple(options) if key in _OF_PLACE}
+    if frame not in (None, "globe"):
+        raise ValueError(f"frame must be \"globe\" or None, not {frame!r}")
     scene = scene or terrain_scene(plotter)
     tell_of_apart(scene)
-    is_drawn_as_it_is = not place and (_is_prepared(heights) or _is_large(heights))
-    if not is_drawn_as_it_is:
+    is_drawn_as_it_is = not place and frame is None and (_is_prepared(heights) or _is_large(heights))
+    if frame == "globe":
+        scene.SetFrame(vtkTerrainGeoreference.FrameType.Globe)
+        actor.SetInputData(lay_on_globe(heights_from(heights, scene=scene, **place)))
+    elif not is_drawn_as_it_is:
         actor.SetInputData(heights_from(heights, scene=scene, **place))
     elif not _open(actor, os.fspath(heights)):
         raise OSError(actor.GetErrorMessage())

@@ -3,7 +3,7 @@
 /**
  * @file
  * What casting rays at a globe works with, as floats or doubles: rays and hits, the grid about an
- * anchor, and where on it a ray is. The comments of shaders/vtkTerrainGlobe.glsl refer to these.
+ * anchor, and where on it a ray is. The comments of shaders/vtkTerrainGlobeLines.glsl refer to these.
  */
 #ifndef terrain_GlobeLines_h
 #define terrain_GlobeLines_h
@@ -21,6 +21,17 @@ namespace terrain
 constexpr double kWidestGlobeCell = 0.0176;
 /// Beyond any distance.
 constexpr float kGlobeNever = 1e30f;
+
+/// The level whose nodes are less than a quarter turn wide.
+inline int TopOfGlobe(const GlobeGrid& grid)
+{
+  int top = 0;
+  while (std::ldexp(grid.Step, top + 1) < 1.5)
+  {
+    ++top;
+  }
+  return top;
+}
 
 template <typename Real>
 struct GlobeRay
@@ -73,11 +84,7 @@ struct GlobeLines
     }
     this->AnchorCell = static_cast<int>(std::floor(anchor.Column));
     this->AnchorFraction = static_cast<Real>(anchor.Column - this->AnchorCell);
-    this->Top = 0;
-    while (std::ldexp(grid.Step, this->Top + 1) < 1.5)
-    {
-      ++this->Top;
-    }
+    this->Top = TopOfGlobe(grid);
   }
 
   std::vector<Vec2> Columns;
@@ -96,7 +103,7 @@ struct GlobeLines
   bool Joined = false;
   int AnchorCell = 0;
   Real AnchorFraction = 0;
-  int Top = 0; ///< level whose nodes are less than a quarter turn wide
+  int Top = 0; ///< TopOfGlobe()
 };
 
 /// A ray with what its lines share.

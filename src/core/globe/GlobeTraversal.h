@@ -3,7 +3,7 @@
 /**
  * @file
  * Exact ray casting at a globe, through the min-max pyramid of its grid in longitude and latitude.
- * Twin, step for step, of shaders/vtkTerrainGlobe.glsl, where Real is float; with double it is what
+ * Twin, step for step, of shaders/vtkTerrainGlobeTrace.glsl, where Real is float; with double it is what
  * picks and tests use. GlobeAnchor.h has the axes and the equations of the lines.
  *
  * Along a straight line
@@ -481,9 +481,10 @@ void GlobeTraversal<Real, Texel>::TracePart(const Path& path, Hit& hit) const
     bool down = false;
     if (outside || at.Level > 0)
     {
-      side = 0;
       const int row = outside ? 0 : std::min((fence.First.y + fence.Last.y) >> 1, fence.Last.y);
       down = !outside && this->VisitNode(path, at, span, row, from);
+      // down in the node the ray is where it left the last cell, or above or below all of it
+      side = down ? side : Real(0);
     }
     else
     {

@@ -149,6 +149,14 @@ SceneFrame SceneFrame::OfZone(int zone, bool northern)
   return frame;
 }
 
+SceneFrame SceneFrame::OfBody(const Ellipsoid& body)
+{
+  SceneFrame frame;
+  frame.TheKind = SceneKind::Globe;
+  frame.Body = body;
+  return frame;
+}
+
 glm::dvec3 SceneFrame::ToScene(const glm::dvec3& place) const
 {
   switch (this->TheKind)
@@ -164,6 +172,10 @@ glm::dvec3 SceneFrame::ToScene(const glm::dvec3& place) const
       return PlaceToGeocentric(place);
     case SceneKind::Zone:
       return this->ZoneToScene(place);
+    case SceneKind::Globe:
+      return IsPlace(place)
+        ? this->Body.ToPosition({ place.x * kDegree, place.y * kDegree, place.z })
+        : kNowhere;
   }
   return kNowhere;
 }
@@ -186,6 +198,11 @@ glm::dvec3 SceneFrame::ToPlace(const glm::dvec3& scene) const
       return GeocentricToPlace(scene);
     case SceneKind::Zone:
       return this->ZoneToPlace(scene);
+    case SceneKind::Globe:
+    {
+      const glm::dvec3 place = this->Body.ToPlace(scene);
+      return { place.x / kDegree, place.y / kDegree, place.z };
+    }
   }
   return kNowhere;
 }

@@ -5,7 +5,7 @@
  * From places on earth to the scene and back.
  *
  * A place is a dvec3: longitude in x and latitude in y (degrees, WGS84), height in z (metres). The
- * scene is metric. Four kinds of frame are metric everywhere (E east, N north, U up at an origin):
+ * scene is metric. These kinds of frame are metric everywhere (E east, N north, U up at an origin):
  *
  *   Local       east-north-up Cartesian coordinates: the earth is round in them, and heights above
  *               it may be exaggerated
@@ -13,6 +13,7 @@
  *               EPSG method 9840 (ellipsoidal orthographic), the earth is flat in it
  *   Geocentric  X through (0 E, 0 N), Z through the north pole, origin at the earth's centre
  *   Zone        easting, northing, height of a UTM zone or, zone 0, of UPS
+ *   Globe       as Geocentric, of any ellipsoid, whose own longitudes and latitudes places are
  *
  * Points that have no image (a latitude beyond 90 degrees, the far side of the earth in Plane, NaN)
  * become NaN in all three coordinates. Errors: kSceneFrameError.
@@ -20,6 +21,7 @@
 #ifndef terrain_SceneFrame_h
 #define terrain_SceneFrame_h
 
+#include "core/globe/Ellipsoid.h"
 #include "core/grid/ParallelFor.h"
 
 #include <glm/glm.hpp>
@@ -38,7 +40,8 @@ enum class SceneKind
   Local,
   Plane,
   Geocentric,
-  Zone
+  Zone,
+  Globe
 };
 
 class SceneFrame
@@ -52,6 +55,9 @@ public:
   static SceneFrame AtOrigin(SceneKind kind, const glm::dvec3& origin, double exaggeration = 1.0);
   /// UTM zone 1 to 60, or 0 for UPS, of the northern or southern hemisphere.
   static SceneFrame OfZone(int zone, bool northern);
+
+  /// Frame of kind Globe.
+  static SceneFrame OfBody(const Ellipsoid& body);
 
   SceneKind Kind() const
   {
@@ -99,6 +105,7 @@ private:
   int TheZone = -1;
   bool IsNorthern = true;
   double Exaggeration = 1.0;
+  Ellipsoid Body;
   // Local and Plane: sine and cosine of the origin's latitude, and the origin's foot (Plane) or the
   // origin itself (Local) in the half plane of its meridian (x off the axis, z along the axis).
   double SinLatitude = 0.0;

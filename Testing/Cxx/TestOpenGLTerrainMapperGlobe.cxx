@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Heights on a globe as the mapper draws them, against the reference in double precision: from
+// space to eye height, over the poles and the date line, on several bodies.
+#include "vtkTerrainTestDrawing.h"
+
+#include "core/globe/GlobeReference.h"
+#include "data/GlobeData.h"
+#include "vtkTerrainGlobe.h"
+#include "vtkTerrainPicker.h"
+
+#include "vtkCommand.h"
+#include "vtkLight.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkTestErrorObserver.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace
+{
+using terrain::kDegree;
+using vtkTerrainTesting::Drawing;
+using vtkTerrainTesting::DrawingHeight;
+using vtkTerrainTesting::DrawingWidth;
+
+/// Heights in degrees.
+vtkSmartPointer<vtkImageData> makeHeights(double west, double south, double step, int columns,
+  int rows, const std::function<double(int, int)>& height)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(columns, rows, 1);
+  image->SetOrigin(west, south, 0.0);
+  image->SetSpacing(step, step, 1.0);
+  image->AllocateScalars(VTK_SHORT, 1);
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      image->SetScalarComponentFromDouble(i, j, 0, 0, height(i, j));
+    }
+  }
+  return image;
+}
+
+double hills(int i, int j)
+{
+  return std::floor(2000.0 + 2500.0 * std::sin(0.31 * i) * std::cos(0.23 * j) +
+    1500.0 * std::sin(0.9 * i + j) * std::cos(1.3 * j));
+}
+
+vtkSmartPointer<vtkImageData> layOnGlobe(
+  vtkImageData* heights, double equatorial = 0.0, double polar = 0.0)
+{
+  const vtkNew<vtkTerrainGlobe> globe;
+  globe->SetInputData(heights);
+  globe->SetRadii(equatorial, polar);
+  globe->Update();
+  return globe->GetOutput();
+}
+
+/// Cells of a degree or half of it, all over a planet.
+vtkSmartPointer<vtkImageData> makeWorld(
+  double step = 1.0, double equatorial = 0.0, double polar = 0.0)
+{
+  const int columns = static_cast<int>(360.0 / step);
+  return layOnGlobe(
+    makeHeights(-180.0 + 0.5 * step, -90.0 + 0.5 * step, step, columns, columns / 2,
+      [columns](int i, int j) { return hills(i < columns / 2 ? i : columns - i, j); }),
+    equatorial, polar);
+}
+
+/// What is drawn against the reference.
+struct Agreement
+{
+  int Pixels = 0;
+  int Hits = 0;
+  int Disagreements = 0;
+  int Off = 0;
+  double Largest = 0.0;
+};
+
+class Globe
+{
+public:
+  explicit Globe(vtkImageData* heights)
+    : Shown(heights)
+    , Grid(*terrain::GlobeData::Get(heights))
+    , Heights(heights)
+  {
+    this->Shown.Mapper->RemoveMesh();
+  }
+
+  /// From a place to another: longitude, latitude in degrees, height in metres.
+  void Look(const glm::dvec3& from, const glm::dvec3& to)
+  {
+    const auto position = [this](const glm::dvec3& place) {
+      return this->Grid.Body.ToPosition({ place.x * kDegree, place.y * kDegree, place.z });
+    };
+    const glm::dvec3 eye = position(from);
+    const glm::dvec3 focus = position(to);
+    this->Shown.Camera()->SetPosition(eye.x, eye.y, eye.z);
+    this->Shown.Camera()->SetFocalPoint(focus.x, focus.y, focus.z);
+    const glm::dvec3 way = glm::normalize(focus - eye);
+    const glm::dvec3 up = glm::normalize(eye);
+    const bool down = std::abs(glm::dot(way, up)) > 0.99;
+    this->Shown.Camera()->SetViewUp(down ? 0.13 : up.x, down ? 0.95 : up.y, down ? 0.3 : up.z);
+    this->Shown.Scene.Renderer->ResetCameraClippingRange();
+  }
+
+  double Ground(double longitude, double latitude) const
+  {
+    glm::ivec2 cell;
+    glm::dvec2 fraction;
+    const auto reference = this->Reference();
+    return -reference.Above(
+      this->Grid.Body.ToPosition({ longitude * kDegree, latitude * kDegree, 0.0 }), cell, fraction,
+      false);
+  }
+
+  terrain::GlobeReference Reference() const
+  {
+    double range[2];
+    this->Heights->GetPointData()->GetScalars()->GetFiniteRange(range);
+    const double exaggeration = this->Exaggeration;
+    return { this->Grid,
+      [this, exaggeration](int i, int j)
+      {
+        vtkUnsignedCharArray* ghosts = this->Heights->GetPointGhostArray();
+        return ghosts && ghosts->GetValue(i + this->Grid.Columns * j) != 0
+          ? terrain::kNaN
+          : exaggeration * this->Heights->GetScalarComponentAsDouble(i, j, 0, 0);
+      },
+      { exaggeration * range[0], exaggeration * range[1] } };
+  }
+
+  Agreement Compare(double tolerance = 1e-4)
+  {
+    vtkImageData* distances = this->Shown.Distances();
+    const terrain::GlobeReference reference = this->Reference();
+    const terrain::PixelRays rays = this->Rays();
+    Agreement result;
+    for (int y = 1; y < DrawingHeight; y += 3)
+    {
+      for (int x = 1; x < DrawingWidth; x += 3)
+      {
+        terrain::GlobeReferenceRay ray;
+        ray.Origin = terrain::AtPixel(rays.OriginGC, { x + 0.5, y + 0.5 });
+        ray.Direction = terrain::AtPixel(rays.DirectionGC, { x + 0.5, y + 0.5 });
+        ray.Begin = rays.Begin;
+        ray.End = rays.Far;
+        const auto hit = reference.Cast(ray);
+        const double drawn = distances->GetScalarComponentAsDouble(x, y, 0, 0);
+        const bool both = hit.Found && !std::isnan(drawn);
+        const double difference = both ? std::abs(drawn - hit.T) / hit.T : 0.0;
+        ++result.Pixels;
+        result.Hits += both ? 1 : 0;
+        result.Disagreements += hit.Found == std::isnan(drawn) && hit.Nearest > 0.01 ? 1 : 0;
+        result.Off += difference > tolerance ? 1 : 0;
+        result.Largest = std::max(result.Largest, difference);
+      }
+    }
+    return result;
+  }
+
+  terrain::PixelRays Rays()
+  {
+    vtkMatrix4x4* toView = this->Shown.Camera()->GetModelViewTransformMatrix();
+    vtkMatrix4x4* toDisplay = this->Shown.Camera()->GetProjectionTransformMatrix(
+      double(DrawingWidth) / DrawingHeight, -1.0, 1.0);
+    glm::dmat4 view;
+    glm::dmat4 display;
+    for (int row = 0; row < 4; ++row)
+    {
+      for (int column = 0; column < 4; ++column)
+      {
+        view[column][row] = toView->GetElement(row, column);
+        display[column][row] = toDisplay->GetElement(row, column);
+      }
+    }
+    return terrain::MakePixelRays(view, display, glm::dvec4(0.0, 0.0, DrawingWidth, DrawingHeight));
+  }
+
+  Drawing Shown;
+  terrain::GlobeGrid Grid;
+  vtkSmartPointer<vtkImageData> Heights;
+  double Exaggeration = 1.0;
+};
+
+void expectAgreement(Globe& globe, int hits, double tolerance = 1e-4)
+{
+  const Agreement result = globe.Compare(tolerance);
+  EXPECT_GE(result.Hits, hits);
+  EXPECT_EQ(result.Disagreements, 0);
+  EXPECT_EQ(result.Off, 0) << "the largest difference is " << result.Largest;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(OpenGLTerrainMapperGlobe, IsExactFromSpace)
+{
+  Globe globe(makeWorld());
+  for (const glm::dvec3& eye : { glm::dvec3(10.0, 40.0, 1.9e7), glm::dvec3(180.0, 3.0, 1e7),
+         glm::dvec3(20.0, 90.0, 8e6), glm::dvec3(20.0, -89.0, 5e6), glm::dvec3(-100.0, 20.0, 4e5) })
+  {
+    SCOPED_TRACE(eye.x);
+    globe.Look(eye, { eye.x + 1.0, eye.y - 1.0, 0.0 });
+    expectAgreement(globe, 100);
+  }
+}
+
+// What matters in float: 2 m above the ground, and a kilometre across seen from space.
+TEST(OpenGLTerrainMapperGlobe, IsExactNearAndFar)
+{
+  Globe globe(layOnGlobe(makeHeights(6.0, 44.0, 1.0 / 120.0, 500, 400, hills)));
+  const double ground = globe.Ground(8.0, 46.0);
+  for (const double above : { 2.0, 50.0, 2000.0, 30000.0 })
+  {
+    SCOPED_TRACE(above);
+    globe.Look({ 8.0, 46.0, ground + above }, { 8.3, 46.1, ground - above });
+    expectAgreement(globe, 100);
+  }
+  globe.Shown.Camera()->SetViewAngle(0.002);
+  globe.Look({ 8.0, 46.0, 1.9e7 }, { 8.0, 46.0, ground });
+  expectAgreement(globe, 500);
+}
+
+TEST(OpenGLTerrainMapperGlobe, IsExactOnAnyBody)
+{
+  for (const auto& [equatorial, polar] : { std::pair(3396190.0, 3376200.0),
+         std::pair(1737400.0, 1737400.0), std::pair(284500.0, 0.9 * 284500.0) })
+  {
+    SCOPED_TRACE(equatorial);
+    Globe globe(makeWorld(1.0, equatorial, polar));
+    globe.Look({ 100.0, 30.0, 2.0 * equatorial }, { 100.0, 20.0, 0.0 });
+    expectAgreement(globe, 100);
+    globe.Look({ 100.0, 30.0, globe.Ground(100.0, 30.0) + 20.0 }, { 101.0, 30.2, 0.0 });
+    expectAgreement(globe, 30);
+  }
+}
+
+// Partial rasters, holes, exaggeration, both sides.
+TEST(OpenGLTerrainMapperGlobe, ShowsWhatIsThere)
+{
+  Globe part(layOnGlobe(makeHeights(170.0, -15.0, 0.5, 61, 61, hills)));
+  part.Look({ 185.0, -3.0, 4e6 }, { 183.0, 1.0, 0.0 });
+  expectAgreement(part, 50);
+  part.Exaggeration = 20.0;
+  part.Shown.Mapper->SetVerticalExaggeration(20.0);
+  part.Look({ 185.0, -40.0, 4e6 }, { 183.0, 1.0, 0.0 });
+  expectAgreement(part, 50);
+  // from within the planet, through the other side
+  part.Exaggeration = 1.0;
+  part.Shown.Mapper->SetVerticalExaggeration(1.0);
+  part.Look({ 185.0, 10.0, -3e6 }, { 183.0, 1.0, 0.0 });
+  expectAgreement(part, 50);
+  part.Look({ 5.0, 10.0, 1e6 }, { 183.0, 1.0, 0.0 });
+  expectAgreement(part, 20);
+}
+
+TEST(OpenGLTerrainMapperGlobe, IsExactInParallelProjection)
+{
+  Globe globe(makeWorld());
+  globe.Shown.Camera()->ParallelProjectionOn();
+  globe.Shown.Camera()->SetParallelScale(5e6);
+  globe.Look({ 30.0, 50.0, 1.5e7 }, { 31.0, 48.0, 0.0 });
+  expectAgreement(globe, 100);
+}
+
+// Day and night come with normals: a light from the east lights the east.
+TEST(OpenGLTerrainMapperGlobe, HasDayAndNight)
+{
+  Globe globe(makeWorld());
+  globe.Look({ 0.0, 0.0, 1.5e7 }, { 0.0, 0.0, 0.0 });
+  globe.Shown.Camera()->SetViewUp(0.0, 0.0, 1.0);
+  vtkRenderer* renderer = globe.Shown.Scene.Renderer;
+  renderer->RemoveAllLights();
+  const vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->PositionalOff();
+  light->SetPosition(0.0, 1.0, 0.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  renderer->AddLight(light);
+  renderer->SetBackground(0.0, 0.0, 1.0);
+  globe.Shown.Actor->GetProperty()->SetAmbient(0.0);
+  const vtkSmartPointer<vtkImageData> picture = vtkTerrainTesting::Render(globe.Shown.Scene.Window);
+  const auto red = [&picture](int x)
+  { return picture->GetScalarComponentAsDouble(x, DrawingHeight / 2, 0, 0); };
+  EXPECT_GT(red(DrawingWidth / 2 + 9), 40.0);
+  EXPECT_LT(red(DrawingWidth / 2 - 9), 5.0);
+}
+
+TEST(OpenGLTerrainMapperGlobe, PicksAndSees)
+{
+  Globe globe(makeWorld());
+  globe.Look({ 25.0, 30.0, 3e6 }, { 25.0, 30.0, 0.0 });
+  globe.Shown.Scene.Window->Render();
+  const vtkNew<vtkTerrainPicker> picker;
+  const terrain::GlobeReference reference = globe.Reference();
+  const terrain::PixelRays rays = globe.Rays();
+  for (int x = 5; x < DrawingWidth; x += 10)
+  {
+    ASSERT_TRUE(picker->Pick(x + 0.5, 20.5, 0.0, globe.Shown.Scene.Renderer));
+    terrain::GlobeReferenceRay ray;
+    ray.Origin = terrain::AtPixel(rays.OriginGC, { x + 0.5, 20.5 });
+    ray.Direction = terrain::AtPixel(rays.DirectionGC, { x + 0.5, 20.5 });
+    ray.End = rays.Far;
+    const auto hit = reference.Cast(ray);
+    ASSERT_TRUE(hit.Found);
+    const glm::dvec3 expected = ray.Origin + hit.T * ray.Direction;
+    const double* picked = picker->GetPickPosition();
+    EXPECT_NEAR(glm::length(expected - glm::dvec3(picked[0], picked[1], picked[2])), 0.0, 0.01);
+    EXPECT_NEAR(picker->GetHeight(), globe.Grid.Body.ToPlace(expected).z, 0.01);
+    EXPECT_NEAR(picker->GetGridPosition()[0], hit.Cell.x + hit.Fraction.x, 1e-5);
+  }
+  // over the horizon, and beside it
+  const auto position = [&globe](double longitude, double height) {
+    return globe.Grid.Body.ToPosition({ longitude * kDegree, 0.0, height });
+  };
+  const glm::dvec3 from = position(0.0, 6000.0);
+  const glm::dvec3 near = position(0.5, 6500.0);
+  const glm::dvec3 far = position(12.0, 6500.0);
+  double obstacle[3];
+  EXPECT_FALSE(picker->HasLineOfSight(globe.Shown.Actor, &from.x, &far.x, obstacle));
+  EXPECT_TRUE(picker->HasLineOfSight(globe.Shown.Actor, &from.x, &near.x, obstacle));
+}
+
+// What is not to be had is one sentence, not a wrong picture.
+TEST(OpenGLTerrainMapperGlobe, RefusesOtherTechniques)
+{
+  Globe globe(makeWorld());
+  globe.Look({ 0.0, 0.0, 1.5e7 }, { 0.0, 0.0, 0.0 });
+  globe.Shown.Mapper->SetTechnique(vtkOpenGLTerrainMapper::Techniques::Equidistant);
+  const vtkNew<vtkTest::ErrorObserver> errors;
+  globe.Shown.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  globe.Shown.Scene.Window->Render();
+  EXPECT_NE(errors->GetErrorMessage().find("technique Pyramid"), std::string::npos);
+}

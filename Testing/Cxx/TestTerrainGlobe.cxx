@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainGlobe.h"
+
+#include "vtkTerrainGeoreference.h"
+#include "vtkTerrainGraticule.h"
+#include "vtkTerrainViewpoint.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+using FrameType = vtkTerrainGeoreference::FrameType;
+
+/// Heights i + 100 j in degrees, of a coordinate system.
+vtkSmartPointer<vtkImageData> makeHeights(
+  double west, double south, double step, int columns, int rows, const std::string& system = {})
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(columns, rows, 1);
+  image->SetOrigin(west, south, 0.0);
+  image->SetSpacing(step, step, 1.0);
+  image->AllocateScalars(VTK_SHORT, 1);
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      image->SetScalarComponentFromDouble(i, j, 0, 0, i + 100 * j);
+    }
+  }
+  if (!system.empty())
+  {
+    const vtkNew<vtkStringArray> array;
+    array->SetName("CRS");
+    array->InsertNextValue(system);
+    image->GetFieldData()->AddArray(array);
+  }
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> layOnGlobe(vtkImageData* heights, std::string* why = nullptr)
+{
+  const vtkNew<vtkTest::ErrorObserver> errors;
+  const vtkNew<vtkTerrainGlobe> globe;
+  globe->AddObserver(vtkCommand::ErrorEvent, errors);
+  globe->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+  globe->SetInputData(heights);
+  globe->Update();
+  if (why)
+  {
+    *why = errors->GetErrorMessage();
+  }
+  EXPECT_EQ(errors->GetError(), why != nullptr);
+  return globe->GetOutput();
+}
+
+double latitude(vtkImageData* globe, int row)
+{
+  return globe->GetFieldData()->GetArray("GlobeLatitudes")->GetComponent(row, 0);
+}
+
+double height(vtkImageData* globe, int i, int j)
+{
+  return globe->GetScalarComponentAsDouble(i, j, 0, 0);
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(TerrainGlobe, JoinsCellsAndClosesPoles)
+{
+  const auto globe = layOnGlobe(makeHeights(-179.5, -89.5, 1.0, 360, 180));
+  EXPECT_EQ(globe->GetDimensions()[0], 361);
+  EXPECT_EQ(globe->GetDimensions()[1], 182);
+  EXPECT_EQ(latitude(globe, 0), -90.0);
+  EXPECT_EQ(latitude(globe, 1), -89.5);
+  EXPECT_EQ(latitude(globe, 181), 90.0);
+  EXPECT_EQ(height(globe, 360, 7), height(globe, 0, 7));
+  EXPECT_EQ(height(globe, 12, 7), 12 + 600);
+  EXPECT_EQ(height(globe, 3, 0), 180.0); // the mean of 0 to 359, rounded
+  EXPECT_EQ(height(globe, 300, 0), 180.0);
+}
+
+TEST(TerrainGlobe, KeepsNodesAtPolesAndPartsAsTheyAre)
+{
+  const auto heights = makeHeights(-180.0, -90.0, 1.0, 361, 181);
+  const auto nodes = layOnGlobe(heights);
+  EXPECT_EQ(nodes->GetPointData()->GetScalars(), heights->GetPointData()->GetScalars());
+  EXPECT_EQ(latitude(nodes, 180), 90.0);
+  for (const auto& [west, columns] : { std::pair(350.0, 20), std::pair(-200.0, 300) })
+  {
+    const auto part = makeHeights(west, 80.0, 1.0, columns, 10);
+    EXPECT_EQ(layOnGlobe(part)->GetPointData()->GetScalars(), part->GetPointData()->GetScalars());
+  }
+}
+
+// Wide cells are divided; the surface is the same.
+TEST(TerrainGlobe, DividesWideCells)
+{
+  const auto globe = layOnGlobe(makeHeights(0.0, -67.5, 45.0, 8, 4));
+  EXPECT_EQ(globe->GetDimensions()[0], 361);
+  EXPECT_NEAR(latitude(globe, 0), -90.0, 1e-9);
+  const int rows = globe->GetDimensions()[1];
+  EXPECT_NEAR(latitude(globe, rows - 1), 90.0, 1e-9);
+  for (int row = 0; row < rows; ++row)
+  {
+    if (std::abs(latitude(globe, row) + 67.5) < 1e-9)
+    {
+      EXPECT_NEAR(height(globe, 90, row), 2.0, 1e-5);
+      EXPECT_NEAR(height(globe, 100, row), 2.0 + 10.0 / 45.0, 1e-5);
+      EXPECT_NEAR(height(globe, 360, row), 0.0, 1e-5);
+    }
+  }
+}
+
+TEST(TerrainGlobe, TakesHolesAndRadii)
+{
+  auto heights = makeHeights(-179.5, -89.5, 1.0, 360, 180);
+  vtkUnsignedCharArray* ghosts = heights->AllocatePointGhostArray();
+  ghosts->Fill(0);
+  ghosts->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
+  const auto globe = layOnGlobe(heights);
+  EXPECT_NE(globe->GetPointGhostArray()->GetValue(361), 0);
+  EXPECT_NE(globe->GetPointGhostArray()->GetValue(361 + 360), 0);
+  EXPECT_EQ(globe->GetPointGhostArray()->GetValue(0), 0);
+
+  const vtkNew<vtkImageData> radii;
+  radii->DeepCopy(makeHeights(0.0, 0.0, 1.0, 5, 5));
+  radii->AllocateScalars(VTK_DOUBLE, 1);
+  radii->GetPointData()->GetScalars()->Fill(1737500.0);
+  const vtkNew<vtkTerrainGlobe> filter;
+  filter->SetRadii(1737400.0, 1737400.0);
+  filter->SetInputData(radii);
+  filter->Update();
+  EXPECT_EQ(height(filter->GetOutput(), 2, 2), 100.0);
+}
+
+TEST(TerrainGlobe, RefusesWhatIsNone)
+{
+  const auto refusal = [](vtkImageData* heights)
+  {
+    std::string why;
+    layOnGlobe(heights, &why);
+    return why;
+  };
+  const auto has = [](const std::string& why, const char* word)
+  { return why.find(word) != std::string::npos; };
+  EXPECT_TRUE(has(refusal(makeHeights(0.0, 0.0, 1.0, 1, 9)), "two meridians"));
+  EXPECT_TRUE(has(refusal(makeHeights(-360.0, -80.0, 1.0, 721, 160)), "more than once"));
+  EXPECT_TRUE(has(refusal(makeHeights(0.0, -120.0, 1.0, 90, 240)), "latitudes"));
+  EXPECT_TRUE(has(refusal(makeHeights(0.0, 0.0, 1.0, 9, 9, "EPSG:32633")), "is none"));
+  EXPECT_TRUE(
+    has(refusal(makeHeights(0.0, 0.0, 1.0, 9, 9, "+proj=longlat +a=6378137 +b=5000000 +no_defs")),
+      "flattening"));
+}
+
+TEST(TerrainGlobe, SuitsWhatIsWide)
+{
+  EXPECT_TRUE(vtkTerrainGlobe::Suits(makeHeights(-180.0, -90.0, 1.0, 361, 181, "EPSG:4326")));
+  EXPECT_FALSE(vtkTerrainGlobe::Suits(makeHeights(0.0, 0.0, 1.0, 21, 21, "EPSG:4326")));
+  EXPECT_TRUE(vtkTerrainGlobe::Suits(
+    makeHeights(0.0, 0.0, 1.0, 21, 21, "+proj=longlat +R=1737400 +no_defs")));
+  EXPECT_FALSE(vtkTerrainGlobe::Suits(makeHeights(0.0, 0.0, 1.0, 361, 181)));
+  EXPECT_FALSE(vtkTerrainGlobe::Suits(makeHeights(0.0, 0.0, 1e6, 361, 181, "EPSG:3857")));
+}
+
+// The frame Globe against numbers of the ellipsoids, there and back.
+TEST(TerrainGlobe, PlacesPointsOnItsBody)
+{
+  for (const auto& [system, a, b] : { std::tuple("EPSG:4326", 6378137.0, 6356752.314245179),
+         std::tuple("+proj=longlat +a=3396190 +b=3376200 +no_defs", 3396190.0, 3376200.0) })
+  {
+    SCOPED_TRACE(system);
+    const vtkNew<vtkTerrainGeoreference> place;
+    place->SetCoordinateSystem(system);
+    place->SetFrame(FrameType::Globe);
+    ASSERT_EQ(place->GetWhyNot(), "");
+    double points[9] = { 0.0, 0.0, 10.0, 90.0, 0.0, 0.0, 12.0, 90.0, 5.0 };
+    ASSERT_TRUE(place->FileToScene(points, points, 3));
+    const double expected[9] = { a + 10.0, 0.0, 0.0, 0.0, a, 0.0, 0.0, 0.0, b + 5.0 };
+    for (int k = 0; k < 9; ++k)
+    {
+      EXPECT_NEAR(points[k], expected[k], 1e-8) << k;
+    }
+    for (double longitude = -179.0; longitude < 180.0; longitude += 37.0)
+    {
+      const double from[3] = { longitude, 0.4 * longitude, 1234.0 };
+      double there[3];
+      double back[3];
+      ASSERT_TRUE(place->PlacesToScene(from, there, 1));
+      ASSERT_TRUE(place->SceneToPlaces(there, back, 1));
+      EXPECT_NEAR(back[0], from[0], 1e-11);
+      EXPECT_NEAR(back[1], from[1], 1e-11);
+      EXPECT_NEAR(back[2], from[2], 1e-6);
+    }
+  }
+  const vtkNew<vtkTerrainGeoreference> projected;
+  projected->SetCoordinateSystem("EPSG:32633");
+  projected->SetFrame(FrameType::Globe);
+  EXPECT_NE(projected->GetWhyNot().find("longitude and latitude"), std::string::npos);
+}
+
+// Cameras by place, profiles and sight on the globe.
+TEST(TerrainGlobe, HasViewpoints)
+{
+  const auto heights = makeHeights(-180.0, -90.0, 1.0, 361, 181, "EPSG:4326");
+  const auto globe = layOnGlobe(heights);
+  const vtkNew<vtkTerrainGeoreference> place;
+  place->SetFromHeights(globe);
+  place->SetFrame(FrameType::Globe);
+  const vtkNew<vtkTerrainViewpoint> viewpoint;
+  viewpoint->SetGeoreference(place);
+  viewpoint->SetHeights(globe);
+  viewpoint->SetExaggeration(2.0);
+  const vtkNew<vtkCamera> camera;
+  ASSERT_EQ(viewpoint->Look("10,45,100agl", "11,45", camera), "");
+  double eye[3];
+  place->SceneToPlaces(camera->GetPosition(), eye, 1);
+  EXPECT_NEAR(eye[0], 10.0, 1e-9);
+  EXPECT_NEAR(eye[1], 45.0, 1e-9);
+  EXPECT_NEAR(eye[2], 2.0 * (190.0 + 13500.0 + 100.0), 1e-6);
+  double far[3];
+  place->PlacesToScene(std::array<double, 3>{ 60.0, 45.0, 30000.0 }.data(), far, 1);
+  EXPECT_FALSE(viewpoint->IsVisible(camera->GetPosition(), far));
+  const vtkNew<vtkPolyData> profile;
+  ASSERT_EQ(viewpoint->GetProfile(camera->GetPosition(), far, 11, profile), "");
+  EXPECT_NEAR(profile->GetPointData()->GetArray("Height")->GetComponent(0, 0), 13690.0, 1e-6);
+}
+
+TEST(TerrainGlobe, HasAGraticule)
+{
+  const auto globe = layOnGlobe(makeHeights(-179.5, -89.5, 1.0, 360, 180, "EPSG:4326"));
+  const vtkNew<vtkTerrainGeoreference> place;
+  place->SetFromHeights(globe);
+  place->SetFrame(FrameType::Globe);
+  const vtkNew<vtkTerrainGraticule> graticule;
+  graticule->SetInputData(globe);
+  graticule->SetGeoreference(place);
+  graticule->SetOffset(7.0);
+  graticule->SetStep(30.0);
+  graticule->Update();
+  vtkPolyData* lines = graticule->GetOutput();
+  ASSERT_GE(lines->GetNumberOfLines(), 12 + 5);
+  int onLines = 0;
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    double there[3];
+    place->SceneToPlaces(lines->GetPoint(i), there, 1);
+    const bool meridian = std::abs(std::remainder(there[0], 30.0)) < 1e-6;
+    const bool parallel = std::abs(std::remainder(there[1], 30.0)) < 1e-6;
+    onLines += meridian || parallel ? 1 : 0;
+    EXPECT_GT(there[2], 0.0);
+  }
+  EXPECT_EQ(onLines, lines->GetNumberOfPoints());
+}

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// shaders/vtkTerrainGlobeTrace.glsl against its twin, core/globe/GlobeTraversal.h in float: the same
+// rays at the same worlds, step for step.
+#include "vtkTerrainTestTextures.h"
+#include "vtkTerrainTesting.h"
+
+#include "../Unit/UnitTestGlobe.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using terrain::GlobeRays;
+using vtkTerrainTesting::FieldTextures;
+using vtkTerrainTesting::ReadShader;
+
+constexpr int NumberOfRays = 300;
+using Texel = std::uint16_t;
+
+std::string declarations(terrain::Features features)
+{
+  features.Globe = true;
+  return features.Defines() + terrain::Features::Constants() + ReadShader("vtkTerrainHeights") +
+    ReadShader("vtkTerrainColumns") + ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView") +
+    ReadShader("vtkTerrainGlobeLines") + ReadShader("vtkTerrainPyramid") +
+    ReadShader("vtkTerrainGlobeTrace");
+}
+
+/// The lines of a globe on the GPU.
+class GlobeTexture
+{
+public:
+  GlobeTexture(vtkRenderWindow* window, const terrain::WorldTracer<float, Texel>& tracer)
+    : Tracer(tracer)
+  {
+    std::vector<glm::vec4> texels;
+    for (const glm::vec2& column : tracer.Lines.Columns)
+    {
+      texels.emplace_back(column, 0.0f, 0.0f);
+    }
+    texels.insert(texels.end(), tracer.Lines.Rows.begin(), tracer.Lines.Rows.end());
+    texels.insert(texels.end(), tracer.Lines.Curves.begin(), tracer.Lines.Curves.end());
+    vtkTerrainTesting::PrepareTexture(window, this->Texture, GL_RGBA32F, GL_RGBA);
+    this->Buffer->Upload(&texels[0].x, 4 * texels.size(), vtkOpenGLBufferObject::TextureBuffer);
+    this->Texture->CreateTextureBuffer(
+      static_cast<unsigned int>(texels.size()), 4, VTK_FLOAT, this->Buffer);
+    this->Texture->Activate();
+  }
+  GlobeTexture(const GlobeTexture&) = delete;
+  GlobeTexture& operator=(const GlobeTexture&) = delete;
+  ~GlobeTexture()
+  {
+    this->Texture->Deactivate();
+  }
+
+  void SetUniforms(vtkShaderProgram* program) const
+  {
+    const terrain::GlobeLines<float>& lines = this->Tracer.Lines;
+    const auto set = [program](const char* name, const glm::vec4& value)
+    { program->SetUniform4f(name, &value[0]); };
+    program->SetUniformi("terrainGlobeLines", this->Texture->GetTextureUnit());
+    set("terrainGlobeScene", { lines.Radius, lines.Axis, lines.Height, lines.Curvature });
+    set("terrainGlobeOuter", { lines.Outer, lines.Spread });
+    set("terrainGlobeInner", { lines.Inner, 0.0f });
+    set("terrainGlobeColumn", { lines.PerStep, lines.Turn, lines.AnchorFraction, 0.0f });
+    const glm::ivec2 grid(lines.AnchorCell, lines.Top);
+    program->SetUniform2i("terrainGlobeGrid", &grid[0]);
+    program->SetUniformi("terrainGlobeJoined", lines.Joined ? 1 : 0);
+    const auto& traversal = this->Tracer.Traversal;
+    set("terrainGlobeHeights",
+      { traversal.codeScale, traversal.codeBase, traversal.anchorCode, 0.0f });
+  }
+
+private:
+  const terrain::WorldTracer<float, Texel>& Tracer;
+  vtkNew<vtkTextureObject> Texture;
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+};
+
+/// Rays of a kind about one anchor, on the GPU and by the twin: how many end differently.
+void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int kind)
+{
+  const terrain::World<Texel> world(globe.Grid, globe.Field());
+  FieldTextures<Texel> field(window, world.Field, kind % 2 == 0);
+  GlobeRays rays(globe, 17u + static_cast<unsigned>(kind));
+  const terrain::WorldTracer<float, Texel> tracer(world, rays.Make(kind).Origin);
+  const GlobeTexture lines(window, tracer);
+  std::vector<std::vector<float>> inputs(2);
+  std::vector<terrain::GlobeHit<float>> expected;
+  for (int k = 0; k < NumberOfRays; ++k)
+  {
+    const terrain::GlobeReferenceRay ray = rays.Make(kind);
+    terrain::GlobeRay<float> about;
+    about.Origin = tracer.Anchor.ToAxes(ray.Origin - tracer.Anchor.Position);
+    about.Direction = tracer.Anchor.ToAxes(ray.Direction);
+    about.End = static_cast<float>(ray.End);
+    expected.push_back(tracer.Traversal.Trace(about));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      inputs[0].push_back(about.Origin[axis]);
+      inputs[1].push_back(about.Direction[axis]);
+    }
+    inputs[0].push_back(0.0f);
+    inputs[1].push_back(about.End);
+  }
+  const std::vector<float> drawn =
+    vtkTerrainTesting::RunShader(window, declarations(field.GetFeatures()),
+      "TerrainGlobeHit hit = terrainGlobeTrace(input0.xyz, input1.xyz, 0.0, input1.w);"
+      "result = vec4(hit.found, hit.t, hit.cell.x + 4096 * hit.cell.y, hit.front);",
+      inputs,
+      [&](vtkShaderProgram* program)
+      {
+        field.SetUniforms(program);
+        lines.SetUniforms(program);
+      });
+  ASSERT_EQ(drawn.size(), 4u * NumberOfRays);
+  int different = 0;
+  int hits = 0;
+  for (std::size_t k = 0; k < NumberOfRays; ++k)
+  {
+    const terrain::GlobeHit<float>& hit = expected[k];
+    const bool found = drawn[4 * k] != 0.0f;
+    hits += hit.Found ? 1 : 0;
+    const bool same =
+      found == hit.Found && (!found || std::abs(drawn[4 * k + 1] - hit.T) <= 1e-5f * hit.T + 0.1f);
+    different += same ? 0 : 1;
+  }
+  // atan() and order differ; far from their anchor, grazing rays may go either way
+  EXPECT_LE(different, NumberOfRays / 100);
+  EXPECT_GE(hits, 1);
+}
+}
+
+TEST(TerrainShaderTwinsGlobe, TracesAsInCxx)
+{
+  const vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(8, 8);
+  scene.Window->Render();
+  const std::vector<terrain::TestGlobe> globes = terrain::TestGlobes();
+  for (std::size_t k = 0; k < globes.size(); ++k)
+  {
+    SCOPED_TRACE(globes[k].Name);
+    compareRays(scene.Window, globes[k], static_cast<int>(k) % GlobeRays::Count);
+  }
+}

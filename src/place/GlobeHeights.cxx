@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "place/GlobeHeights.h"
+
+#include "core/grid/Constants.h"
+#include "data/FieldData.h"
+#include "data/ImageHeights.h"
+#include "raster/CoordinateSystem.h"
+
+#include "vtkImageData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace terrain
+{
+namespace
+{
+/// Degrees by which coordinates of files are rounded.
+constexpr double kRounding = 1e-6;
+/// Widest cells that are not divided, degrees.
+constexpr double kWidest = 1.0;
+
+/// Where the samples lie, degrees.
+struct Degrees
+{
+  glm::dvec2 First{ 0.0 };
+  glm::dvec2 Step{ 0.0 };
+  glm::ivec2 Count{ 0 };
+};
+
+Degrees degreesOf(vtkImageData* heights, double unit)
+{
+  const FieldData::Layout layout = FieldData::GetLayout(heights);
+  const GridGeometry geometry = ImageHeights::Geometry(heights);
+  Degrees degrees;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    degrees.First[axis] = unit * (layout.Origin[axis] + geometry.Origin[axis] / layout.Scale[axis]);
+    degrees.Step[axis] = unit * geometry.Spacing[axis] / layout.Scale[axis];
+    degrees.Count[axis] = heights->GetDimensions()[axis];
+  }
+  return degrees;
+}
+
+/// Lines between lines, so that none are wider apart than kWidest.
+std::vector<GlobePlan::Line> divide(const std::vector<GlobePlan::Line>& lines, int parts)
+{
+  std::vector<GlobePlan::Line> divided;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    for (int part = 0; part < (i + 1 < lines.size() ? parts : 1); ++part)
+    {
+      divided.push_back({ static_cast<int>(i), part / static_cast<double>(parts) });
+    }
+  }
+  return divided;
+}
+
+std::string planColumns(const Degrees& degrees, GlobePlan& plan)
+{
+  GlobeGrid& grid = plan.Grid;
+  const int count = degrees.Count.x;
+  const double slack = 0.5 * degrees.Step.x;
+  grid.West = degrees.First.x * kDegree;
+  grid.Step = degrees.Step.x * kDegree;
+  for (int i = 0; i < count; ++i)
+  {
+    plan.Columns.push_back({ i, 0.0 });
+  }
+  if (count > 2 && std::abs(count * degrees.Step.x - 360.0) < slack)
+  {
+    plan.Columns.push_back({ 0, 0.0 });
+    grid.Step = kTurn / count;
+    plan.IsPlain = false;
+  }
+  else if (count > 2 && std::abs((count - 1) * degrees.Step.x - 360.0) < slack)
+  {
+    grid.Step = kTurn / (count - 1);
+  }
+  grid.Columns = static_cast<int>(plan.Columns.size());
+  return count < 2 || degrees.Step.x > 120.0
+    ? "a globe needs at least two meridians of heights within 120 degrees of each other: give a "
+      "raster with more columns"
+    : std::string();
+}
+
+void planRows(const Degrees& degrees, GlobePlan& plan)
+{
+  std::vector<double>& latitudes = plan.Grid.Latitudes;
+  const bool joined = plan.Grid.IsJoined();
+  const auto near = [](double latitude)
+  {
+    return std::abs(std::abs(latitude) - 90.0) < kRounding ? std::copysign(90.0, latitude)
+                                                           : latitude;
+  };
+  const double south = near(degrees.First.y);
+  const double north = near(degrees.First.y + (degrees.Count.y - 1) * degrees.Step.y);
+  const double most = 90.0 - 1.01 * degrees.Step.y;
+  if (joined && south > -90.0 && south < -most)
+  {
+    latitudes.push_back(-90.0);
+    plan.Rows.push_back({ -1, 0.0 });
+    plan.IsPlain = false;
+  }
+  for (int j = 0; j < degrees.Count.y; ++j)
+  {
+    latitudes.push_back(near(degrees.First.y + j * degrees.Step.y));
+    plan.Rows.push_back({ j, 0.0 });
+  }
+  if (joined && north < 90.0 && north > most)
+  {
+    latitudes.push_back(90.0);
+    plan.Rows.push_back({ degrees.Count.y, 0.0 });
+    plan.IsPlain = false;
+  }
+  for (double& latitude : latitudes)
+  {
+    latitude *= kDegree;
+  }
+}
+
+/// Divides wide cells; lines of the plan are then those of the undivided one.
+void divideCells(const Degrees& degrees, GlobePlan& plan)
+{
+  const int across = static_cast<int>(std::ceil(degrees.Step.x / kWidest - kRounding));
+  const int along = static_cast<int>(std::ceil(degrees.Step.y / kWidest - kRounding));
+  if (across <= 1 && along <= 1)
+  {
+    return;
+  }
+  plan.IsPlain = false;
+  plan.IsDivided = true;
+  const std::vector<GlobePlan::Line> columns = divide(plan.Columns, across);
+  const std::vector<GlobePlan::Line> rows = divide(plan.Rows, along);
+  std::vector<double> latitudes;
+  for (const GlobePlan::Line& row : rows)
+  {
+    const auto first = static_cast<std::size_t>(row.First);
+    const double south = plan.Grid.Latitudes[first];
+    const double north = row.At > 0.0 ? plan.Grid.Latitudes[first + 1] : south;
+    latitudes.push_back(south + row.At * (north - south));
+  }
+  plan.Grid.Latitudes = latitudes;
+  plan.Grid.Step /= across;
+  plan.Grid.Columns = static_cast<int>(columns.size());
+  // lines refer to those of the plan, which refer to samples: one step of each
+  const auto resolve =
+    [](const std::vector<GlobePlan::Line>& lines, const std::vector<GlobePlan::Line>& whole)
+  {
+    std::vector<GlobePlan::Line> resolved;
+    for (const GlobePlan::Line& line : lines)
+    {
+      resolved.push_back({ whole[static_cast<std::size_t>(line.First)].First, line.At });
+    }
+    return resolved;
+  };
+  plan.Columns = resolve(columns, plan.Columns);
+  plan.Rows = resolve(rows, plan.Rows);
+}
+
+/// The samples of one row of the heights, as doubles with NaN for none; the mean of the first row
+/// for -1, of the last for the number of rows.
+template <typename T>
+std::vector<double> rowOf(const HeightfieldView<T>& view, int row)
+{
+  const std::int64_t at = std::clamp<std::int64_t>(row, 0, view.Height - 1);
+  std::vector<double> samples(static_cast<std::size_t>(view.Width));
+  double sum = 0.0;
+  int count = 0;
+  for (std::int64_t i = 0; i < view.Width; ++i)
+  {
+    const double height = view.At(i, at);
+    samples[static_cast<std::size_t>(i)] = height;
+    sum += std::isnan(height) ? 0.0 : height;
+    count += std::isnan(height) ? 0 : 1;
+  }
+  if (at != row)
+  {
+    const double mean = count > 0 ? sum / count : kNaN;
+    std::fill(samples.begin(), samples.end(), std::is_integral_v<T> ? std::round(mean) : mean);
+  }
+  return samples;
+}
+
+/// Bilinear between two rows, which may be the same.
+double sampleAt(const std::vector<double>& south, const std::vector<double>& north, double along,
+  const GlobePlan::Line& column)
+{
+  const auto first = static_cast<std::size_t>(column.First);
+  const std::size_t next = column.At > 0.0 ? (first + 1) % south.size() : first;
+  const double below = south[first] * (1.0 - column.At) + south[next] * column.At;
+  const double above = north[first] * (1.0 - column.At) + north[next] * column.At;
+  return below * (1.0 - along) + above * along;
+}
+}
+
+GlobePlan PlanGlobe(vtkImageData* heights, const double radii[2])
+{
+  GlobePlan plan;
+  plan.WhyNot = ImageHeights::WhyNotHeights(heights);
+  CoordinateSystem system;
+  if (plan.WhyNot.empty())
+  {
+    plan.WhyNot = system.Read(FieldData::GetText(heights, "CRS"));
+  }
+  if (plan.WhyNot.empty() && system.GetKind() != CoordinateSystem::Kind::None)
+  {
+    plan.WhyNot = system.WhyNotLongitudeLatitude();
+  }
+  if (!plan.WhyNot.empty())
+  {
+    return plan;
+  }
+  plan.Grid.Body = radii[0] > 0.0 ? Ellipsoid{ radii[0], radii[1] }
+                                  : Ellipsoid{ system.GetSemiMajor(), system.GetSemiMinor() };
+  const Degrees degrees = degreesOf(heights, system.GetDegrees());
+  plan.WhyNot = planColumns(degrees, plan);
+  planRows(degrees, plan);
+  if (plan.WhyNot.empty())
+  {
+    plan.WhyNot = plan.Grid.WhyNot();
+  }
+  if (plan.WhyNot.empty())
+  {
+    divideCells(degrees, plan);
+  }
+  return plan;
+}
+
+glm::dvec2 GlobeReach(vtkImageData* heights, bool& isEarth)
+{
+  CoordinateSystem system;
+  isEarth = true;
+  const std::string text = FieldData::GetText(heights, "CRS");
+  if (text.empty() || !system.Read(text).empty() || !system.WhyNotLongitudeLatitude().empty())
+  {
+    return glm::dvec2(0.0);
+  }
+  isEarth = system.IsOnEarth();
+  const Degrees degrees = degreesOf(heights, system.GetDegrees());
+  return degrees.Step * glm::dvec2(degrees.Count);
+}
+
+void FillGlobe(vtkImageData* heights, const GlobePlan& plan, double offset, vtkImageData* output)
+{
+  const bool isFloat = plan.IsDivided || offset != 0.0;
+  output->SetDimensions(plan.Grid.Columns, static_cast<int>(plan.Grid.Latitudes.size()), 1);
+  output->AllocateScalars(
+    isFloat ? VTK_FLOAT : heights->GetPointData()->GetScalars()->GetDataType(), 1);
+  vtkDataArray* scalars = output->GetPointData()->GetScalars();
+  const char* name = heights->GetPointData()->GetScalars()->GetName();
+  scalars->SetName(name ? name : "Heights");
+  output->AllocatePointGhostArray();
+  vtkUnsignedCharArray* ghosts = output->GetPointGhostArray();
+  ImageHeights::Dispatch(heights,
+    [&](const auto& view)
+    {
+      vtkSMPTools::For(0, static_cast<vtkIdType>(plan.Rows.size()),
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType j = begin; j < end; ++j)
+          {
+            const GlobePlan::Line& row = plan.Rows[static_cast<std::size_t>(j)];
+            const std::vector<double> south = rowOf(view, row.First);
+            const std::vector<double> north = row.At > 0.0 ? rowOf(view, row.First + 1) : south;
+            for (int i = 0; i < plan.Grid.Columns; ++i)
+            {
+              const double height =
+                sampleAt(south, north, row.At, plan.Columns[static_cast<std::size_t>(i)]);
+              const vtkIdType at = j * plan.Grid.Columns + i;
+              const bool none = std::isnan(height);
+              scalars->SetComponent(at, 0, none ? 0.0 : height - offset);
+              ghosts->SetValue(at, none ? vtkDataSetAttributes::HIDDENPOINT : 0);
+            }
+          }
+        });
+    });
+}
+}

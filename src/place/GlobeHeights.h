@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Heights in longitude and latitude as those of a globe: the private half of vtkTerrainGlobe.
+ */
+#ifndef vtkTerrain_place_GlobeHeights_h
+#define vtkTerrain_place_GlobeHeights_h
+
+#include "core/globe/GlobeGrid.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace terrain
+{
+/// The grid of a globe and what its columns and rows are made from: the sample at part At of the way
+/// from First to the sample after it, First -1 for the mean of the first row and Count for that of
+/// the last.
+struct GlobePlan
+{
+  struct Line
+  {
+    int First = 0;
+    double At = 0.0;
+  };
+  GlobeGrid Grid;
+  std::vector<Line> Columns;
+  std::vector<Line> Rows;
+  /// True if there is nothing to make.
+  bool IsPlain = true;
+  /// True if samples lie between samples.
+  bool IsDivided = false;
+  /// Empty, or one sentence that says why there is no globe.
+  std::string WhyNot;
+};
+
+/// Plans the globe of heights; radii: semi-axes in metres, 0 for those of their coordinate system.
+GlobePlan PlanGlobe(vtkImageData* heights, const double radii[2]);
+/// Longitudes and latitudes over which the samples reach, degrees; 0 where they are none. isEarth:
+/// false for another world.
+glm::dvec2 GlobeReach(vtkImageData* heights, bool& isEarth);
+/// Writes the samples of a planned globe: height less offset.
+void FillGlobe(vtkImageData* heights, const GlobePlan& plan, double offset, vtkImageData* output);
+}
+#endif

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainGlobe.h"
+
+#include "core/grid/Constants.h"
+#include "data/GlobeData.h"
+#include "data/ImageHeights.h"
+#include "place/GlobeHeights.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkTerrainGlobe);
+
+//------------------------------------------------------------------------------
+void vtkTerrainGlobe::SetRadii(double equatorial, double polar)
+{
+  if (this->Radii[0] != equatorial || this->Radii[1] != polar)
+  {
+    this->Radii[0] = equatorial;
+    this->Radii[1] = polar;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainGlobe::Suits(vtkImageData* heights)
+{
+  constexpr double kWide = 60.0;
+  bool isEarth = true;
+  const glm::dvec2 reach = terrain::GlobeReach(heights, isEarth);
+  return std::max(reach.x, reach.y) > (isEarth ? kWide : 0.0);
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainGlobe::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // what is added is known with the samples only: one cell each way at most, or divided cells
+  vtkInformation* info = outputs->GetInformationObject(0);
+  int extent[6];
+  inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainGlobe::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  vtkInformation* info = inputs[0]->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainGlobe::Fail(vtkImageData* output, const std::string& why)
+{
+  output->Initialize();
+  this->ErrorMessage = why;
+  vtkErrorMacro("No globe: " << why << ".");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainGlobe::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkImageData* heights = vtkImageData::GetData(inputs[0]);
+  vtkImageData* output = vtkImageData::GetData(outputs);
+  const terrain::GlobePlan plan = terrain::PlanGlobe(heights, this->Radii);
+  this->ErrorMessage.clear();
+  if (!plan.WhyNot.empty())
+  {
+    return this->Fail(output, plan.WhyNot);
+  }
+  double range[2];
+  heights->GetPointData()->GetScalars()->GetFiniteRange(range);
+  const terrain::Ellipsoid& body = plan.Grid.Body;
+  const bool radii = range[0] > 0.5 * body.Polar;
+  if (radii && body.Flattening() > 0.0)
+  {
+    return this->Fail(output,
+      "the heights are radii, which count from a sphere, but the ellipsoid is flattened: "
+      "SetRadii() to those of a sphere");
+  }
+  if (plan.IsPlain && !radii)
+  {
+    output->ShallowCopy(heights);
+    output->SetExtent(0, plan.Grid.Columns - 1, 0, heights->GetDimensions()[1] - 1, 0, 0);
+  }
+  else
+  {
+    terrain::FillGlobe(heights, plan, radii ? body.Equatorial : 0.0, output);
+    output->GetFieldData()->PassData(heights->GetFieldData());
+  }
+  const double step = plan.Grid.Step / terrain::kDegree;
+  const std::vector<double>& latitudes = plan.Grid.Latitudes;
+  // rows at equal distances; those that close a pole are nearer
+  const std::size_t second = latitudes.size() > 3 ? 1 : 0;
+  const double along = (latitudes[second + 1] - latitudes[second]) / terrain::kDegree;
+  output->SetOrigin(plan.Grid.West / terrain::kDegree,
+    latitudes[second] / terrain::kDegree - static_cast<double>(second) * along, 0.0);
+  output->SetSpacing(step, along, 1.0);
+  output->GetFieldData()->RemoveArray("LayoutOrigin");
+  output->GetFieldData()->RemoveArray("LayoutScale");
+  terrain::GlobeData::Add(output, plan.Grid);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainGlobe::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Radii: " << this->Radii[0] << ", " << this->Radii[1] << "\n";
+}
