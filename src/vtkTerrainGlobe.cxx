@@ -90,14 +90,16 @@ int vtkTerrainGlobe::RequestData(
       "the heights are radii, which count from a sphere, but the ellipsoid is flattened: "
       "SetRadii() to those of a sphere");
   }
-  if (plan.IsPlain && !radii)
+  // the origin's z counts as in every frame
+  const double offset = (radii ? body.Equatorial : 0.0) - heights->GetOrigin()[2];
+  if (plan.IsPlain && offset == 0.0)
   {
     output->ShallowCopy(heights);
     output->SetExtent(0, plan.Grid.Columns - 1, 0, heights->GetDimensions()[1] - 1, 0, 0);
   }
   else
   {
-    terrain::FillGlobe(heights, plan, radii ? body.Equatorial : 0.0, output);
+    terrain::FillGlobe(heights, plan, offset, output);
     output->GetFieldData()->PassData(heights->GetFieldData());
   }
   const double step = plan.Grid.Step / terrain::kDegree;

@@ -13,7 +13,7 @@
  * - The ellipsoid is that of the coordinate system, of any planet or moon, or that of SetRadii().
  * - Samples that go round are joined at the date line: where they stand for cells, the first column
  *   is repeated.
- * - Samples that go round and end within a cell of a pole are closed there by the mean of their last
+ * - Samples that go round and end within a cell of a pole are closed there by the mean of the last
  *   row. Where the last row lies at a pole, it stays as it is.
  * - Heights that are radii (all of them above half the polar one) count from a sphere's surface.
  * - Cells wider than a degree are divided; the surface stays the same.

@@ -35,7 +35,7 @@
  * 1e-7 of the depth range. vtkHardwareSelector gives cells and points of the heights' grid.
  *
  * On a globe (vtkTerrainGlobe) the same holds but for clipping planes, which picks do not see, and
- * profiles, which vtkTerrainViewpoint has; the grid is that of the heights as they lie on the globe.
+ * profiles, which vtkTerrainViewpoint has; the grid is that of the heights on the globe.
  * Longitude and latitude of a pick are vtkTerrainGeoreference::SceneToPlaces() in its frame Globe.
  *
  * On earth: the position of a pick is a scene point of vtkTerrainGeoreference::GetReadout

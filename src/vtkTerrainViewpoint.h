@@ -101,7 +101,7 @@ public:
   /// Whether the straight line of sight between two scene points meets the terrain. In flat frames
   /// the earth's curvature is added, in all refraction is taken off. Exact for the bilinear
   /// surface; obstruction, if given, is the scene point that stands highest above the line. On a
-  /// globe the line is straight, without refraction, and obstruction where it first meets the ground.
+  /// globe the line is straight, without refraction, and obstruction is where it meets the ground.
   bool IsVisible(const double from[3], const double to[3], double obstruction[3] = nullptr);
 
   vtkTerrainViewpoint(const vtkTerrainViewpoint&) = delete;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// shaders/vtkTerrainGlobeTrace.glsl against its twin, core/globe/GlobeTraversal.h in float: the same
-// rays at the same worlds, step for step.
+// shaders/vtkTerrainGlobeTrace.glsl against its twin, core/globe/GlobeTraversal.h in float: the
+// same rays at the same worlds, step for step.
 #include "vtkTerrainTestTextures.h"
 #include "vtkTerrainTesting.h"
 

@@ -272,13 +272,46 @@ TEST_F(TerrainRenderPlaces, LargePartsOfTheEarthStayMaps)
   half.GeoTransform = { -90.0, 1.0, 0.0, 45.0, 0.0, -1.0 };
   half.Sample = [](int i, int) { return 1e5 * std::sin(0.2 * i); };
   const std::string path = this->WriteRaster("half.tif", half);
-  const RunResult result = this->Draw(path, { "--stats", "stats.json" });
+  const RunResult result = this->Draw(path, { "--frame", "map", "--stats", "stats.json" });
   this->ExpectDrawn(result, 1000);
   EXPECT_NE(result.Errors.find("--frame local"), std::string::npos) << result.Errors;
   EXPECT_EQ(this->ReadStatistics()["columns"].asInt(), 180);
   this->ExpectDrawn(this->Draw(path, { "--frame", "local" }), 1000);
   // what needs places says that there are none in this map
-  this->ExpectRefusal(path, { "--graticule", "degrees" }, "--graticule needs");
+  this->ExpectRefusal(path, { "--frame", "map", "--graticule", "degrees" }, "--graticule needs");
+}
+
+// Half the earth, and a part of Mars, as they are: looking straight down on a place.
+TEST_F(TerrainRenderPlaces, DegreesAreAGlobe)
+{
+  RasterDescription half;
+  half.Width = 180;
+  half.Height = 90;
+  half.CoordinateSystem = "EPSG:4326";
+  half.GeoTransform = { -90.0, 1.0, 0.0, 45.0, 0.0, -1.0 };
+  half.Sample = [](int i, int j) { return 100.0 * i + 10.0 * j; };
+  const std::string path = this->WriteRaster("half.tif", half);
+  const RunResult result = this->Draw(path, { "--stats", "stats.json" });
+  this->ExpectDrawn(result, 500);
+  EXPECT_EQ(result.Errors, "");
+  EXPECT_EQ(this->ReadStatistics()["columns"].asInt(), 180);
+  // the sample of column 90, row 45 is at longitude 0.5, latitude -0.5
+  const std::vector<std::string> down = { "--look-from", "0.5,-0.5,100000", "--look-at",
+    "0.5,-0.5,0" };
+  EXPECT_NEAR(this->DrawDepth(path, down), 100000.0 - 9450.0, 30.0);
+  std::vector<std::string> twice = down;
+  twice.insert(twice.end(), { "--exaggeration", "2" });
+  EXPECT_NEAR(this->DrawDepth(path, twice), 2.0 * (100000.0 - 9450.0), 60.0);
+  this->ExpectDrawn(
+    this->Draw(path, { "--graticule", "degrees", "--sun", "2024-06-21T12:00Z" }), 500);
+  this->ExpectRefusal(path, { "--frame", "globe", "--technique", "linear" }, "leave it at pyramid");
+  this->ExpectRefusal(path, { "--frame", "globe", "--scale-bar" }, "--frame map");
+
+  half.CoordinateSystem = "+proj=longlat +a=3396190 +b=3376200 +no_defs";
+  const std::string mars = this->WriteRaster("mars.tif", half);
+  EXPECT_NEAR(this->DrawDepth(mars, { "--camera", "3496190,0,0,0,0,0" }), 100000.0 - 9400.0, 100.0);
+  this->ExpectRefusal(mars, { "--sun", "2024-06-21T12:00Z" }, "earth only");
+  this->ExpectRefusal(mars, { "--frame", "plane" }, "another world");
 }
 
 TEST_F(TerrainRenderPlaces, CoordinateSystemOfTheCommandLine)

@@ -49,6 +49,28 @@ class TestPyVista(unittest.TestCase):
         vtkTerrainTesting.compare_with_baseline(self, picture, "PythonPyVista")
         self.assertAlmostEqual((picture != picture[0, 0]).any(axis=2).mean(), 0.312, delta=0.005)
 
+    def test_globe(self):
+        latitude, longitude = np.mgrid[-89.5:90:1.0, -179.5:180:1.0]
+        heights = 3000.0 * np.cos(np.radians(3.0 * longitude)) * np.cos(np.radians(latitude))
+        plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
+        terrain = plotting.add_terrain(
+            plotter, heights.astype(np.float32), frame="globe", spacing=(1.0, 1.0), origin=(-179.5, -89.5),
+            coordinate_system="EPSG:4326", show_scalar_bar=False)
+        self.assertGreater(terrain.GetBounds()[1], 6378137.0)
+        plotter.camera_position = [(2.4e7, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
+        picture = plotter.screenshot(return_img=True)
+        shown = (picture != picture[0, 0]).any(axis=2)
+        self.assertTrue(shown[120, 160])
+        # a ball: as wide as it is high
+        self.assertLess(abs(int(shown.any(axis=0).sum()) - int(shown.any(axis=1).sum())), 3)
+        scene = [0.0, 0.0, 0.0]
+        plotting.terrain_scene(plotter).PlacesToScene([90.0, 0.0, 0.0], scene, 1)
+        self.assertAlmostEqual(scene[1], 6378137.0)
+        with self.assertRaisesRegex(ValueError, "longitude and latitude"):
+            plotting.add_terrain(plotter, hill(), frame="globe", coordinate_system="EPSG:32633")
+        with self.assertRaisesRegex(ValueError, "frame must be"):
+            plotting.add_terrain(plotter, hill(), frame="flat")
+
     def test_every_kind_of_heights_gives_the_same_picture(self):
         heights = hill()
         expected, _, _ = draw(heights)

@@ -9,7 +9,8 @@ namespace
 using terrain::GlobeRays;
 using terrain::kDegree;
 
-// How casts of Real agree with the reference: hits, and depths within a part of them and of a length.
+// How casts of Real agree with the reference: hits, and depths within a part of them and of a
+// length.
 template <typename Real>
 void CompareWithReference(int count, double part, double length)
 {
@@ -41,8 +42,8 @@ void CompareWithReference(int count, double part, double length)
   }
 }
 
-// Along a ray 2 mm in cells of 1 degree, by the end of the meridian's series; the fourth power of the
-// cell's size.
+// Along a ray 2 mm in cells of 1 degree, by the end of the meridian's series; the fourth power of
+// the cell's size.
 TEST(Globe, IsExactInDouble)
 {
   CompareWithReference<double>(6, 1e-9, 2e-3);
@@ -79,7 +80,8 @@ TEST(Globe, ResolvesTheGroundBesideTheEye)
   EXPECT_LE(off, count / 1000);
 }
 
-// Rays at points of the surface on the lines between cells, in float: none passes between two cells.
+// Rays at points of the surface on the lines between cells, in float: none passes between two
+// cells.
 TEST(Globe, IsWatertight)
 {
   const double step = 360.0 / 2048.0;

@@ -16,9 +16,9 @@ class vtkImageData;
 
 namespace terrain
 {
-/// The grid of a globe and what its columns and rows are made from: the sample at part At of the way
-/// from First to the sample after it, First -1 for the mean of the first row and Count for that of
-/// the last.
+/// The grid of a globe and what its columns and rows are made from: the sample at part At of the
+/// way from First to the sample after it, First -1 for the mean of the first row and Count for that
+/// of the last.
 struct GlobePlan
 {
   struct Line

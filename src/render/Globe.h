@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The globe that heights lie on, if their field data say so (data/GlobeData.h), as one view sees it:
- * the lines of its grid about an anchor, for shaders/vtkTerrainGlobeLines.glsl. Private to the module.
+ * The globe that heights lie on, if their field data say so (data/GlobeData.h), as one view sees
+ * it: the lines of its grid about an anchor, for shaders/vtkTerrainGlobeLines.glsl. Private to the
+ * module.
  */
 #ifndef vtkTerrain_render_Globe_h
 #define vtkTerrain_render_Globe_h

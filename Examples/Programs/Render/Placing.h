@@ -40,10 +40,10 @@ struct PlacedHeights
  * Brings heights that were read into the frame that the options ask for. Without such options the
  * file's own grid is kept where it is in metres and true to scale in its middle (within 1 %), and
  * where nothing is known of it; heights in degrees that reach over more than 60 of them, or lie on
- * another planet, are laid on the globe; other heights in degrees, Web Mercator and the like are resampled in the
- * frame Plane. That has no use for large parts of the earth, where the ground falls by more than
- * 200 km below the middle's horizon (1,600 km off): those keep the layout of the reader, and a
- * warning says so.
+ * another planet, are laid on the globe; other heights in degrees, Web Mercator and the like are
+ * resampled in the frame Plane. That has no use for large parts of the earth, where the ground
+ * falls by more than 200 km below the middle's horizon (1,600 km off): those keep the layout of
+ * the reader, and a warning says so.
  *
  * Throws a Failure: what is asked for cannot be had, or an option needs places that there are not.
  */

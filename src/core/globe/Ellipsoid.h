@@ -47,7 +47,8 @@ struct Ellipsoid
     const double w2 = 1.0 - this->E2() * sine * sine;
     return this->Equatorial * (1.0 - this->E2()) / (w2 * std::sqrt(w2));
   }
-  /// Least and greatest radius of curvature of all: in the meridian at the equator, and at the poles.
+  /// Least and greatest radius of curvature of all: in the meridian at the equator, and at the
+  /// poles.
   double LeastRadius() const
   {
     return this->Meridional(0.0);

@@ -47,8 +47,8 @@ GlobeAnchor::GlobeAnchor(const GlobeGrid& grid, const GlobeRange& range, const g
   east -= kTurn * std::floor(east / kTurn);
   this->Column = east / grid.Step;
 
-  // Two ellipsoids hold all points of a height between them, up to the square of the flattening; and
-  // rounding at an anchor far away has its room.
+  // Two ellipsoids hold all points of a height between them, up to the square of the flattening;
+  // and rounding at an anchor far away has its room.
   const double relief = std::max(std::abs(range.Lowest), std::abs(range.Highest));
   const double margin = 1.0 + 1e-6 * glm::length(position) + 1e-6 * body.Equatorial +
     relief * body.Flattening() * body.Flattening() + 1e-3 * (range.Highest - range.Lowest);

@@ -6,8 +6,8 @@
  * itself where it is near the ground. Made in double precision, once for all rays of a view; what
  * float then rounds is a part of the distance from the anchor, not of the planet's radius.
  *
- * Axes at the anchor: x away from the axis of the planet, y east, z north along the axis; the anchor
- * is at distance Radius from the axis.
+ * Axes at the anchor: x away from the axis of the planet, y east, z north along the axis; the
+ * anchor is at distance Radius from the axis.
  *
  * A meridian whose longitude is D more than the anchor's is the plane y cos D = (Radius + x) sin D.
  *

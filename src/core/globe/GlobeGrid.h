@@ -3,8 +3,8 @@
 /**
  * @file
  * Where the samples of heights lie on a body: sample (i, j) at longitude West + i * Step and at
- * latitude Latitudes[j], from the south. The surface over a cell is the height bilinear in longitude
- * and latitude above the ellipsoid, drawn at Base + Exaggeration * height.
+ * latitude Latitudes[j], from the south. The surface over a cell is the height bilinear in
+ * longitude and latitude above the ellipsoid, drawn at Base + Exaggeration * height.
  */
 #ifndef terrain_GlobeGrid_h
 #define terrain_GlobeGrid_h

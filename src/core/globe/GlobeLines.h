@@ -3,7 +3,8 @@
 /**
  * @file
  * What casting rays at a globe works with, as floats or doubles: rays and hits, the grid about an
- * anchor, and where on it a ray is. The comments of shaders/vtkTerrainGlobeLines.glsl refer to these.
+ * anchor, and where on it a ray is. The comments of shaders/vtkTerrainGlobeLines.glsl refer to
+ * these.
  */
 #ifndef terrain_GlobeLines_h
 #define terrain_GlobeLines_h

@@ -51,7 +51,8 @@ public:
 
 private:
   std::vector<double> Cuts(const GlobeReferenceRay& ray) const;
-  /// False if a part of a ray lies outside or inside of all heights, by its distance from the centre.
+  /// False if a part of a ray lies outside or inside of all heights, by its distance from the
+  /// centre.
   bool IsNear(const GlobeReferenceRay& ray, double begin, double end) const;
 
   GlobeGrid Grid;

@@ -3,8 +3,8 @@
 /**
  * @file
  * Exact ray casting at a globe, through the min-max pyramid of its grid in longitude and latitude.
- * Twin, step for step, of shaders/vtkTerrainGlobeTrace.glsl, where Real is float; with double it is what
- * picks and tests use. GlobeAnchor.h has the axes and the equations of the lines.
+ * Twin, step for step, of shaders/vtkTerrainGlobeTrace.glsl, where Real is float; with double it is
+ * what picks and tests use. GlobeAnchor.h has the axes and the equations of the lines.
  *
  * Along a straight line
  * - longitudes change in one direction only, by less than half a turn: the next meridian is met in
@@ -12,13 +12,14 @@
  * - a cone of normals is met at most once on the way north and once on the way south, in closed
  *   form (RowCrossing());
  * - the height above the ellipsoid is convex, being the distance from a convex body, with a second
- *   derivative of no more than the greatest curvature: between two heights it lies below their chord
- *   and above a parabola. So bounds of a node are safe without any search.
+ *   derivative of no more than the greatest curvature: between two heights it lies below their
+ *   chord and above a parabola. So bounds of a node are safe without any search.
  *
  * A node's height is taken from the circle that touches the ellipsoid at a parallel in the node:
  * Blaschke's theorem bounds its error by the spread of the radii of curvature, as a part of the
  * circle's own drop. In a cell the meridian is followed exactly, by the radius of curvature and its
- * derivatives; the difference of heights along the ray is fitted by a parabola and the root refined.
+ * derivatives; the difference of heights along the ray is fitted by a parabola and the root
+ * refined.
  *
  * Rays go on in the region outside a partial raster, where nothing is met.
  */
@@ -54,7 +55,8 @@ struct GlobeTraversal
   Real codeBase = 0;  ///< height of anchorCode less the anchor's
   float anchorCode = 0.0f;
 
-  /// Takes heights as drawn of codes: base + scale * code. The anchor's height is that of the lines.
+  /// Takes heights as drawn of codes: base + scale * code. The anchor's height is that of the
+  /// lines.
   void SetHeights(double base, double scale, double anchorHeight)
   {
     this->anchorCode = static_cast<float>(std::clamp(
