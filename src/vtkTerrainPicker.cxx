@@ -371,7 +371,8 @@ double vtkTerrainPicker::PickGlobe(const terrain::GlobeSurface& globe, const dou
     const glm::dvec3 point = globe.PositionAt(hit.Cell, hit.Fraction, exaggeration, normal);
     const glm::dvec2 position = glm::dvec2(hit.Cell) + hit.Fraction;
     this->SetPick(prop, mapper, globe.GetImage(), &position.x,
-      globe.GetGrid().Body.ToPlace(point).z / exaggeration, &point.x, &normal.x);
+      terrain::DrawnOnGlobe(exaggeration).RiseToHeights(globe.GetGrid().Body.ToPlace(point).z),
+      &point.x, &normal.x);
   }
   return hit.T;
 }

@@ -211,7 +211,7 @@ bool vtkTerrainViewpoint::ToPlace(const double scene[3], double place[3])
   if (this->Internals->GlobeOf(this->Heights))
   {
     const bool found = this->Georeference->SceneToPlaces(scene, place, 1);
-    place[2] /= this->Exaggeration;
+    place[2] = terrain::DrawnOnGlobe(this->Exaggeration).RiseToHeights(place[2]);
     return found && std::isfinite(place[0]);
   }
   const terrain::GridGeometry frame =
@@ -254,7 +254,7 @@ std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene
   if (const auto* globe = this->Internals->GlobeOf(this->Heights))
   {
     place[2] = written.Height + (written.IsAboveGround ? this->GetGlobeGround(*globe, place) : 0.0);
-    place[2] *= this->Exaggeration;
+    place[2] = terrain::DrawnOnGlobe(this->Exaggeration).RiseToModel(place[2]);
     this->Georeference->PlacesToScene(place, scene, 1);
     return std::isfinite(scene[0]) ? "" : "'" + text + "' does not lie on the terrain";
   }
@@ -445,7 +445,7 @@ std::string vtkTerrainViewpoint::GetProfile(
   {
     const double height = globe ? this->GetGlobeGround(*globe, &places[i].x) : ground[3 * i + 2];
     double point[3] = { places[i].x, places[i].y, std::isnan(height) ? places[i].z : height };
-    point[2] *= globe ? this->Exaggeration : 1.0;
+    point[2] = globe ? terrain::DrawnOnGlobe(this->Exaggeration).RiseToModel(point[2]) : point[2];
     this->Georeference->PlacesToScene(point, point, 1);
     point[2] = globe ? point[2] : frame.ToDrawnZ(point[2]);
     line->InsertCellPoint(points->InsertNextPoint(point));

@@ -90,8 +90,9 @@ double GlobeSurface::HeightAt(double longitude, double latitude) const
 GlobeHit<double> GlobeSurface::Trace(const glm::dvec3& origin, const glm::dvec3& direction,
   double begin, double end, double exaggeration) const
 {
-  const GlobeRange range{ exaggeration * this->Codes.Offset,
-    exaggeration * this->Codes.ToHeight(this->Codes.MaximumCode) };
+  const GridGeometry drawn = DrawnOnGlobe(exaggeration);
+  const GlobeRange range{ drawn.RiseToModel(this->Codes.Offset),
+    drawn.RiseToModel(this->Codes.ToHeight(this->Codes.MaximumCode)) };
   const GlobeAnchor anchor(*this->Grid, range, origin);
   const GlobeLines<double> lines(*this->Grid, anchor);
   GlobeTraversal<double, float> traversal;
@@ -100,7 +101,7 @@ GlobeHit<double> GlobeSurface::Trace(const glm::dvec3& origin, const glm::dvec3&
     { this->Grid->Columns, static_cast<int>(this->Grid->Latitudes.size()) }, 0,
     static_cast<float>(this->Codes.MaximumCode) };
   traversal.pyramid = &this->Pyramid;
-  traversal.SetHeights(range.Lowest, exaggeration * this->Codes.Scale, anchor.Height);
+  traversal.SetHeights(range.Lowest, drawn.RiseToModel(this->Codes.Scale), anchor.Height);
   return traversal.Trace({ glm::dvec3(0.0), anchor.ToAxes(direction), begin, end });
 }
 
@@ -111,7 +112,7 @@ glm::dvec3 GlobeSurface::PositionAt(
   const GlobeGrid& grid = *this->Grid;
   const auto row = static_cast<std::size_t>(cell.y);
   const double rows = grid.Latitudes[row + 1] - grid.Latitudes[row];
-  const glm::dvec4 h = exaggeration * this->CellHeights(cell);
+  const glm::dvec4 h = this->CellHeights(cell) * DrawnOnGlobe(exaggeration).RiseToModel(1.0);
   const double height =
     glm::mix(glm::mix(h.x, h.y, fraction.x), glm::mix(h.z, h.w, fraction.x), fraction.y);
   const glm::dvec3 place(

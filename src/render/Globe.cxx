@@ -62,8 +62,9 @@ std::string Globe::SetImage(vtkImageData* image)
 //------------------------------------------------------------------------------
 void Globe::SetHeights(const HeightCodes& codes, double exaggeration)
 {
-  this->Base = exaggeration * codes.Offset;
-  this->Scale = exaggeration * codes.Scale;
+  const GridGeometry drawn = DrawnOnGlobe(exaggeration);
+  this->Base = drawn.RiseToModel(codes.Offset);
+  this->Scale = drawn.RiseToModel(codes.Scale);
   this->TrueScale = codes.Scale;
   this->MaximumCode = codes.MaximumCode;
   this->Range = { this->Base, this->Base + this->Scale * codes.MaximumCode };

@@ -10,6 +10,7 @@
 #define terrain_GlobeGrid_h
 
 #include "core/globe/Ellipsoid.h"
+#include "core/grid/Coordinates.h"
 
 #include <glm/glm.hpp>
 
@@ -24,6 +25,14 @@ struct GlobeRange
   double Lowest = 0.0;
   double Highest = 0.0;
 };
+
+/// How heights are drawn above the ellipsoid, which is not exaggerated itself.
+inline GridGeometry DrawnOnGlobe(double exaggeration)
+{
+  GridGeometry geometry;
+  geometry.Exaggeration = exaggeration;
+  return geometry;
+}
 
 struct GlobeGrid
 {
