@@ -73,6 +73,7 @@ core_rooms_for()
     grid | files | colors) echo "$1" ;;
     surface | place | mesh | landscape) echo "grid $1" ;;
     rays | strips) echo "grid files surface $1" ;;
+    globe) echo "grid files surface place rays $1" ;;
     *) echo "src/core/$1 is no room that Testing/check-sources.sh knows" >&2 ;;
   esac
 }

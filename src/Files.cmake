@@ -149,7 +149,6 @@ set(core
   colors/ColorFile
   colors/ColorScheme
   files/OutputFile
-  globe/Ellipsoid
   globe/GlobeAnchor
   globe/GlobeGrid
   globe/GlobeReference
@@ -162,6 +161,7 @@ set(core
   mesh/CoarseMeshSurface
   mesh/GreedyMesh
   mesh/GreedyTile
+  place/Ellipsoid
   place/Geodesics
   place/GeographicText
   place/GeoidGrid

@@ -9,8 +9,8 @@
 #ifndef terrain_GlobeGrid_h
 #define terrain_GlobeGrid_h
 
-#include "core/globe/Ellipsoid.h"
 #include "core/grid/Coordinates.h"
+#include "core/place/Ellipsoid.h"
 
 #include <glm/glm.hpp>
 

@@ -21,8 +21,8 @@
 #ifndef terrain_SceneFrame_h
 #define terrain_SceneFrame_h
 
-#include "core/globe/Ellipsoid.h"
 #include "core/grid/ParallelFor.h"
+#include "core/place/Ellipsoid.h"
 
 #include <glm/glm.hpp>
 

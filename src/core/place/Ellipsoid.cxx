@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/globe/Ellipsoid.h"
+#include "core/place/Ellipsoid.h"
 
 #include "core/grid/Constants.h"
 
