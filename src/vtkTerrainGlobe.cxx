@@ -92,7 +92,7 @@ int vtkTerrainGlobe::RequestData(
   }
   // the origin's z counts as in every frame
   const double offset = (radii ? body.Equatorial : 0.0) - heights->GetOrigin()[2];
-  if (plan.IsPlain && offset == 0.0)
+  if (plan.IsPlain && offset == 0.0 && !terrain::ImageHeights::AreRowsFromNorth(heights))
   {
     output->ShallowCopy(heights);
     output->SetExtent(0, plan.Grid.Columns - 1, 0, heights->GetDimensions()[1] - 1, 0, 0);
