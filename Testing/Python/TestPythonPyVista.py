@@ -57,7 +57,7 @@ class TestPyVista(unittest.TestCase):
             plotter, heights.astype(np.float32), frame="globe", spacing=(1.0, 1.0), origin=(-179.5, -89.5),
             coordinate_system="EPSG:4326", show_scalar_bar=False)
         self.assertGreater(terrain.GetBounds()[1], 6378137.0)
-        plotter.camera_position = [(2.4e7, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
+        plotter.camera_position = [(3.0e7, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
         picture = plotter.screenshot(return_img=True)
         shown = (picture != picture[0, 0]).any(axis=2)
         self.assertTrue(shown[120, 160])

@@ -39,7 +39,7 @@ constexpr int kParts = 256;
 /// Most numbers beside the bar.
 constexpr double kMostLabels = 6.0;
 
-struct Color
+struct BarColor
 {
   std::array<unsigned char, 3> Parts{ 20, 26, 41 };
 };
@@ -52,7 +52,7 @@ public:
   {
     this->Colors->SetNumberOfComponents(3);
   }
-  void Add(double left, double low, double right, double high, const Color& color)
+  void Add(double left, double low, double right, double high, const BarColor& color)
   {
     const vtkIdType first = this->Points->InsertNextPoint(left, low, 0.0);
     this->Points->InsertNextPoint(right, low, 0.0);
