@@ -46,7 +46,7 @@ struct HeightsOverLow
   double High = -kInfinity;
 };
 
-QueryRay ToQuery(const TerrainRay& ray, double low)
+QueryRay QueryOf(const TerrainRay& ray, double low)
 {
   QueryRay query;
   query.Origin = { ray.anchorCell.x + static_cast<double>(ray.originGC.x),
@@ -84,7 +84,7 @@ void ExpectHits(const TestField& field, const LaneKernels& kernels)
   for (int i = 0; i < 1501; ++i) // the last packet is not full
   {
     rays.push_back(maker.Make());
-    asked.push_back(ToQuery(rays.back(), codes.Low));
+    asked.push_back(QueryOf(rays.back(), codes.Low));
   }
   std::vector<SurfaceHit> hits(asked.size());
   packets.First(asked.data(), static_cast<std::int64_t>(asked.size()), hits.data(), kernels);
@@ -177,7 +177,7 @@ TEST(RayPackets, KindsOfProcessorsAgreeToTheBit)
     std::vector<QueryRay> rays;
     for (int i = 0; i < 640; ++i)
     {
-      rays.push_back(ToQuery(maker.Make(), codes.Low));
+      rays.push_back(QueryOf(maker.Make(), codes.Low));
     }
     std::vector<SurfaceHit> plain(rays.size());
     std::vector<SurfaceHit> hits(rays.size());
