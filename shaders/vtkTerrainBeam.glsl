@@ -30,6 +30,8 @@ struct TerrainBeamStep
   bool stops;
 };
 
+// The edges of a beam's box over the distance, relative to the path's origin: its radius and growth, and
+// room for what float rounds, terrainBeamMargin of the numbers.
 TerrainBeamEdges terrainBeamEdges(TerrainPath path, TerrainBeam beam)
 {
   vec3 radius = beam.radius + terrainBeamMargin * (abs(path.origin) + 1.0) +

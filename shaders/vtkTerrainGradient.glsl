@@ -18,6 +18,19 @@ float terrainTexelHeight(ivec2 cell, vec2 position)
   return terrainCellValid(codes) ? terrainPatchCode(codes, position - vec2(at - cell)) : -1.0;
 }
 
+// Mean slope along x and y from low to high, positions on both sides of one in a cell; here, atLow and
+// atHigh: codes there, negative where there is no height. A difference ends at the position on a side
+// without height; without any on both sides it is `none`. Per cell of the positions' unit.
+vec2 terrainDifference(
+  vec2 position, vec2 low, vec2 high, float here, vec2 atLow, vec2 atHigh, vec2 none)
+{
+  bvec2 noLow = lessThan(atLow, vec2(0.0));
+  bvec2 noHigh = lessThan(atHigh, vec2(0.0));
+  vec2 apart = mix(high, position, noHigh) - mix(low, position, noLow);
+  vec2 mean = (mix(atHigh, vec2(here), noHigh) - mix(atLow, vec2(here), noLow)) / max(apart, 1e-3);
+  return mix(mean, none, bvec2(noLow.x && noHigh.x, noLow.y && noHigh.y));
+}
+
 // Gradient of the texels' surface at a position in a cell of texels, as the central difference over a
 // width in texels: the mean slope along it. Continuous away from holes, and for a width of 1 the
 // gradient of the patch at the centre of a cell. The difference ends at the border, and at the position
@@ -32,12 +45,8 @@ vec2 terrainWideGradient(ivec2 cell, vec2 fraction, vec4 codes, float width)
     terrainTexelHeight(cell, vec2(fraction.x, low.y)));
   vec2 atHigh = vec2(terrainTexelHeight(cell, vec2(high.x, fraction.y)),
     terrainTexelHeight(cell, vec2(fraction.x, high.y)));
-  bvec2 noLow = lessThan(atLow, vec2(0.0));
-  bvec2 noHigh = lessThan(atHigh, vec2(0.0));
-  vec2 apart = mix(high, fraction, noHigh) - mix(low, fraction, noLow);
-  vec2 mean = (mix(atHigh, vec2(here), noHigh) - mix(atLow, vec2(here), noLow)) / max(apart, 1e-3);
-  return mix(mean, terrainPatchGradient(codes, fraction),
-    bvec2(noLow.x && noHigh.x, noLow.y && noHigh.y));
+  return terrainDifference(
+    fraction, low, high, here, atLow, atHigh, terrainPatchGradient(codes, fraction));
 }
 
 // The mean gradient over squares of 2^level cells of texels a side, level >= terrainFirstSlopeLevel, at
@@ -66,12 +75,8 @@ vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
     terrainTileHeight(cell, vec2(fraction.x, low.y), from, terrainSize));
   vec2 atHigh = vec2(terrainTileHeight(cell, vec2(high.x, fraction.y), from, terrainSize),
     terrainTileHeight(cell, vec2(fraction.x, high.y), from, terrainSize));
-  bvec2 noLow = lessThan(atLow, vec2(0.0));
-  bvec2 noHigh = lessThan(atHigh, vec2(0.0));
-  vec2 apart = mix(high, fraction, noHigh) - mix(low, fraction, noLow);
-  vec2 mean = (mix(atHigh, vec2(here), noHigh) - mix(atLow, vec2(here), noLow)) / max(apart, 1e-3);
   return here < 0.0 ? terrainPatchGradient(codes, fraction)
-                    : mean * vec2(not(bvec2(noLow.x && noHigh.x, noLow.y && noHigh.y)));
+                    : terrainDifference(fraction, low, high, here, atLow, atHigh, vec2(0.0));
 }
 #else
 // Gradient of the texels' surface at a position in a cell of texels over squares of 2^level texels a

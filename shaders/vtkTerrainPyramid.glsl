@@ -165,6 +165,8 @@ vec2 terrainNodeExtremes(ivec2 node, int level)
 }
 #endif
 
+// A ray as one that moves east and north or not at all, in cells counted backwards where it does not:
+// mirror is -1 along such an axis. Codes are relative to anchorCode, the nearest code of a height.
 TerrainPath terrainMirrorRay(TerrainRay ray)
 {
   TerrainPath path;

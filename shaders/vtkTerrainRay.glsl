@@ -22,6 +22,7 @@ struct TerrainHit
   int crossings;  // nodes visited or samples taken
 };
 
+// The hit of a ray that meets nothing, after no work.
 TerrainHit terrainNoHit()
 {
   return TerrainHit(false, 0.0, ivec2(0), vec2(0.0), 0);

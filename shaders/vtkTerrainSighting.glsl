@@ -33,6 +33,8 @@ vec4 terrainPackSighting(TerrainSighting sighting)
     sighting.front ? work : -work);
 }
 
+// The sighting in a texel, of which cell and fraction are those of the rounded position. Codes are read
+// anew.
 TerrainSighting terrainUnpackSighting(vec4 texel)
 {
   ivec2 cell = clamp(ivec2(texel.yz), ivec2(0), terrainSize - 2);
@@ -43,6 +45,7 @@ TerrainSighting terrainUnpackSighting(vec4 texel)
 #ifdef TERRAIN_READ_SIGHTINGS
 uniform sampler2D terrainSightings; // one texel a pixel
 
+// The sighting of a pixel (gl_FragCoord.xy) in the viewport.
 TerrainSighting terrainReadSighting(vec2 pixel)
 {
   return terrainUnpackSighting(

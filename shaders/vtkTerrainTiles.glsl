@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Heights and their bounds in tiles of several levels, some of which may be missing:
-// src/core/surface/TileSource.h. Twin: TilePages and TileSlots in src/core/surface/TileSlots.h. Comes before
+// src/core/surface/TileSource.h. Twin: TileSlots in src/core/surface/TileSlots.h. Comes before
 // vtkTerrainHeights.glsl, whose texels it is.
 // Defines: TERRAIN_TILES; TERRAIN_HEIGHTS_INTEGER and TERRAIN_GATHER as there.
 

@@ -51,16 +51,20 @@ vec2 terrainSplit(float number)
 }
 #endif
 
+// A vector that depends on the pixel (gl_FragCoord.xy), from its leading bits and what those cut off.
+// Twin: AtPixel().
 terrainReal3 terrainAtPixel(mat3 leading, mat3 low, vec2 pixel)
 {
   return (terrainReal3x3(leading) + terrainReal3x3(low)) * terrainReal3(1.0, pixel);
 }
 
+// Where a pixel's ray is at distance 0 along the viewing direction, in grid coordinates.
 terrainReal3 terrainPixelOrigin(vec2 pixel)
 {
   return terrainAtPixel(terrainOriginGC, terrainOriginLowGC, pixel);
 }
 
+// How a pixel's ray moves per unit of distance along the viewing direction, in grid coordinates.
 terrainReal3 terrainPixelDirection(vec2 pixel)
 {
   return terrainAtPixel(terrainDirectionGC, terrainDirectionLowGC, pixel);
