@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UnitTestFields.h"
 #include "UnitTestRays.h"
+#include "UnitTestTiles.h"
 
-#include "core/rays/TileTraversal.h"
-#include "core/surface/MemoryTiles.h"
 #include "core/surface/TileSelection.h"
 
 #include <gtest/gtest.h>
@@ -25,69 +24,10 @@ using terrain::TerrainHit;
 using terrain::TerrainRay;
 using terrain::TestField;
 using terrain::Tile;
+using terrain::TiledField;
 using terrain::TileKey;
-using terrain::TileLayout;
 
-constexpr int kRayTileLevel = 2;
 const glm::vec4 kExact(0.0f);
-
-// A field in tiles, of which any may be shown.
-struct TiledField
-{
-  std::unique_ptr<terrain::TileSource> Source;
-  TileLayout Layout;
-  terrain::TileSlots Slots;
-  terrain::TiledPyramid Rays;
-  std::size_t Shown = 0;
-
-  explicit TiledField(const TestField& field)
-    : Source(terrain::MakeMemoryTiles(field.View(), kRayTileLevel, terrain::SerialFor))
-    , Layout(this->Source->GetLayout())
-    , Slots(this->Layout)
-  {
-    this->Rays.heights = { &this->Slots, { field.Width, field.Height }, 0,
-      static_cast<float>(this->Source->GetCodes().MaximumCode) };
-    this->Levels.tiles = &this->Slots;
-    this->Rays.pyramid = &this->Levels;
-    this->Rays.start = this->Slots.Top();
-    this->Rays.holes = this->Source->GetCodes().HasNoData;
-  }
-  TiledField(const TiledField&) = delete;
-  TiledField& operator=(const TiledField&) = delete;
-
-  void Show(const TileKey& key)
-  {
-    auto tile = std::make_shared<Tile>();
-    ASSERT_EQ(this->Source->Read(key, *tile), "");
-    this->Slots.Show(key, this->Shown++, tile);
-  }
-  void Hide(const TileKey& key)
-  {
-    this->Slots.Show(key, this->Slots.GetPages().At(key) - 1, nullptr);
-  }
-  // Shows the top and each finer tile, whose parent is shown, if `choose` says so.
-  void ShowIf(const std::function<bool(const TileKey&)>& choose)
-  {
-    for (int level = this->Slots.Top(); level >= 0; --level)
-    {
-      const glm::i64vec2 tiles = this->Layout.Tiles(level);
-      for (std::int64_t k = 0; k < tiles.x * tiles.y; ++k)
-      {
-        const TileKey key{ level, k % tiles.x, k / tiles.x };
-        if (level == this->Slots.Top() || (this->Slots.IsShown(key.Parent()) && choose(key)))
-        {
-          this->Show(key);
-        }
-      }
-    }
-  }
-  TerrainHit Trace(const TerrainRay& ray, const glm::vec4& tolerance = kExact) const
-  {
-    return this->Rays.TraceTiles(ray, tolerance, [](glm::ivec2, int, bool) {});
-  }
-
-  terrain::TiledLevels Levels;
-};
 
 // The pieces of a ray over what is shown: the finest node or cell at each place, in double.
 std::vector<CellPiece> ShownPieces(const TiledField& field, const TerrainRay& ray)

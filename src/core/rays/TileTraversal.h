@@ -3,7 +3,7 @@
 /**
  * @file
  * Ray casting through tiles (TileSource.h), some of which may be missing. Twin, node for node, of
- * shaders/vtkTerrainTiles.glsl.
+ * shaders/vtkTerrainTileTrace.glsl.
  *
  * It is the traversal of PyramidTraversal.h with the levels of the pyramid in tiles, and two
  * differences:
@@ -48,16 +48,8 @@ struct TiledHeights
   /// Codes of the corners of a cell of a level; all negative where its tile is not there.
   glm::vec4 LevelCodes(glm::ivec2 cell, int level) const
   {
-    const Tile* tile = this->tiles->Find(cell, level);
-    if (!tile)
-    {
-      return glm::vec4(NoDataCode);
-    }
-    const glm::ivec2 at = this->tiles->InTile(cell);
-    const float* south =
-      &tile->Samples[static_cast<std::size_t>(at.x + (tile->Cells.x + 1) * at.y)];
-    const float* north = south + tile->Cells.x + 1;
-    return { south[0], south[1], north[0], north[1] };
+    const int slot = this->tiles->TileSlot(cell, level);
+    return slot < 0 ? glm::vec4(NoDataCode) : this->tiles->SlotCodes(cell, slot);
   }
   glm::vec4 CellCodes(glm::ivec2 cell) const
   {
@@ -77,9 +69,8 @@ struct TiledLevels
   /// Of a node whose tile is there.
   PyramidNode<float> At(glm::ivec2 node, int level) const
   {
-    const Tile* tile = this->tiles->Find(node, level);
-    const glm::ivec2 at = this->tiles->InTile(node);
-    return tile->Nodes[static_cast<std::size_t>(at.x + tile->Cells.x * at.y)];
+    const glm::vec2 bounds = this->tiles->SlotBounds(node, this->tiles->TileSlot(node, level));
+    return { bounds.x, bounds.y };
   }
 };
 

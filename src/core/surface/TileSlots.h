@@ -48,7 +48,7 @@ public:
   {
     return this->Pages;
   }
-  /// Twin: terrainTilePage() in shaders/vtkTerrainTiles.glsl.
+  /// As terrainTileSlot() in shaders/vtkTerrainTiles.glsl finds it.
   std::size_t PlaceOf(const TileKey& key) const
   {
     const int depth = this->Top() - key.Level;
@@ -116,20 +116,99 @@ public:
   /// The tile over a cell of a level, or null.
   const Tile* Find(glm::ivec2 cell, int level) const
   {
-    const glm::ivec2 tile = cell >> this->Pages.GetLayout().TileLevel;
-    const std::uint32_t page = this->Pages.At({ level, tile.x, tile.y });
-    return page == 0 ? nullptr : this->Slots[page - 1].get();
+    const int slot = this->TileSlot(cell, level);
+    return slot < 0 ? nullptr : this->Slots[static_cast<std::size_t>(slot)].get();
   }
+
+  const Tile* GetTile(std::size_t slot) const
+  {
+    return this->Slots[slot].get();
+  }
+
+  ///@{
+  /// Twins of the functions in shaders/vtkTerrainTiles.glsl, which have the prefix terrain and
+  /// document them.
+  int TileSlot(glm::ivec2 cell, int level) const
+  {
+    const glm::ivec2 tile = cell >> this->Pages.GetLayout().TileLevel;
+    return static_cast<int>(this->Pages.At({ level, tile.x, tile.y })) - 1;
+  }
+  glm::vec4 SlotCodes(glm::ivec2 cell, int slot) const
+  {
+    const Tile& tile = *this->Slots[static_cast<std::size_t>(slot)];
+    const glm::ivec2 at = this->InTile(cell);
+    const float* south = &tile.Samples[static_cast<std::size_t>(at.x + (tile.Cells.x + 1) * at.y)];
+    const float* north = south + tile.Cells.x + 1;
+    return { south[0], south[1], north[0], north[1] };
+  }
+  glm::vec2 SlotBounds(glm::ivec2 cell, int slot) const
+  {
+    const Tile& tile = *this->Slots[static_cast<std::size_t>(slot)];
+    const glm::ivec2 at = this->InTile(cell);
+    const PyramidNode<float>& node =
+      tile.Nodes[static_cast<std::size_t>(at.x + tile.Cells.x * at.y)];
+    return { node.Maximum, node.Minimum };
+  }
+  int FinestSlot(glm::ivec2 cell, int& level) const
+  {
+    int slot = this->TileSlot(cell >> level, level);
+    while (slot < 0 && level < this->Top())
+    {
+      ++level;
+      slot = this->TileSlot(cell >> level, level);
+    }
+    return slot;
+  }
+  glm::vec4 TileCellCodes(glm::ivec2 cell) const;
+  float TileHeight(glm::ivec2 cell, glm::vec2 position, int level, glm::ivec2 size) const;
+  ///@}
+
+private:
   /// Place of a cell in its tile.
   glm::ivec2 InTile(glm::ivec2 cell) const
   {
     return cell & ((1 << this->Pages.GetLayout().TileLevel) - 1);
   }
+  /// Code of a patch at a position in it; negative where a corner has no height.
+  static float SlotHeight(const glm::vec4& codes, const glm::vec2& fraction)
+  {
+    const bool valid = glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0F)));
+    const float south = codes.x * (1.0F - fraction.x) + codes.y * fraction.x;
+    const float north = codes.z * (1.0F - fraction.x) + codes.w * fraction.x;
+    return valid ? south * (1.0F - fraction.y) + north * fraction.y : -1.0F;
+  }
 
-private:
   TilePages Pages;
   std::vector<std::shared_ptr<const Tile>> Slots;
 };
+
+inline glm::vec4 TileSlots::TileCellCodes(glm::ivec2 cell) const
+{
+  int level = 0;
+  const int slot = this->FinestSlot(cell, level);
+  const glm::vec4 codes = slot < 0 ? glm::vec4(-1.0F) : this->SlotCodes(cell >> level, slot);
+  if (level == 0)
+  {
+    return codes;
+  }
+  const float width = 1.0F / static_cast<float>(1 << level);
+  const glm::vec2 low = glm::vec2(cell & ((1 << level) - 1)) * width;
+  const glm::vec2 high = low + width;
+  return { SlotHeight(codes, low), SlotHeight(codes, { high.x, low.y }),
+    SlotHeight(codes, { low.x, high.y }), SlotHeight(codes, high) };
+}
+
+inline float TileSlots::TileHeight(
+  glm::ivec2 cell, glm::vec2 position, int level, glm::ivec2 size) const
+{
+  const glm::ivec2 at =
+    glm::clamp(cell + glm::ivec2(glm::floor(position)), glm::ivec2(0), size - 2);
+  const int slot = this->FinestSlot(at, level);
+  const glm::ivec2 first = (at >> level) << level;
+  const glm::vec2 fraction =
+    glm::clamp((position - glm::vec2(first - cell)) / static_cast<float>(1 << level), 0.0F, 1.0F);
+  return slot < 0 ? -1.0F : SlotHeight(this->SlotCodes(at >> level, slot), fraction);
+}
 }
 
 #endif
