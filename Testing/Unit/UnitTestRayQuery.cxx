@@ -79,6 +79,22 @@ double RayCode(const QueryRay& ray, double distance, double low)
   return ray.Origin.z - low + distance * (ray.Direction.z + distance * ray.Bend);
 }
 
+/// The largest coordinate in cells, and more, of which kQueryError is a part.
+double LargestCoordinate(const QueryRay& ray, const glm::ivec2& size)
+{
+  return glm::length(glm::dvec2(ray.Origin)) + glm::length(glm::dvec2(ray.Direction)) +
+    glm::length(glm::dvec2(size));
+}
+
+/// Heights: a position that is off is on another part of a slope; and what doubles round.
+double HeightTolerance(const QueryRay& ray, const FieldCodes& codes, double bend)
+{
+  const double steepest = 1.0 + codes.High - codes.Low + std::abs(ray.Direction.z) + std::abs(bend);
+  return terrain::kQueryError *
+    ((1.0 + LargestCoordinate(ray, codes.size)) * steepest + std::abs(codes.Low) +
+      std::abs(ray.Origin.z));
+}
+
 /// Checks queries of a field with rays of all kinds against all its cells.
 void ExpectExact(const terrain::TestField& field, terrain::SurfaceKind kind, bool bent)
 {
@@ -103,13 +119,12 @@ void ExpectExact(const terrain::TestField& field, terrain::SurfaceKind kind, boo
     {
       piece.A += bend;
     }
-    const double tolerance = 1e-12 *
-      (std::abs(codes.Low) + relief + std::abs(asked.Origin.z) + std::abs(asked.Direction.z) +
-        std::abs(bend));
+    const double largest = LargestCoordinate(asked, codes.size);
+    const double tolerance = HeightTolerance(asked, codes, bend);
     const SurfaceHit hit = query.First(asked);
     EXPECT_EQ(hit.Found, query.Any(asked));
-    EXPECT_LE(terrain::Penetration(pieces, hit.Found ? hit.Distance - 1e-9 : terrain::kInfinity),
-      1e3 * tolerance)
+    EXPECT_LE(
+      terrain::Penetration(pieces, hit.Found ? hit.Distance - 1e-9 : terrain::kInfinity), tolerance)
       << i;
     if (hit.Found)
     {
@@ -117,13 +132,8 @@ void ExpectExact(const terrain::TestField& field, terrain::SurfaceKind kind, boo
       const glm::dvec2 position = glm::dvec2(hit.Cell) + hit.Fraction;
       const glm::dvec2 expected =
         glm::dvec2(asked.Origin) + hit.Distance * glm::dvec2(asked.Direction);
-      EXPECT_LE(glm::length(position - expected),
-        terrain::kQueryError *
-          (glm::length(glm::dvec2(asked.Origin)) + glm::length(glm::dvec2(asked.Direction)) +
-            glm::length(glm::dvec2(codes.size))))
-        << i;
-      EXPECT_NEAR(hit.Height - codes.Low, RayCode(asked, hit.Distance, codes.Low), 1e3 * tolerance)
-        << i;
+      EXPECT_LE(glm::length(position - expected), terrain::kQueryError * largest) << i;
+      EXPECT_NEAR(hit.Height - codes.Low, RayCode(asked, hit.Distance, codes.Low), tolerance) << i;
     }
   }
   EXPECT_GT(hits, columns || holes ? 50 : 200);
@@ -305,8 +315,9 @@ TEST(RayQuery, FindsTheHighestPointAboveALine)
         piece.A += bend;
         highest = std::max(highest, -piece.Extremes(terrain::kInfinity)[0]);
       }
-      const terrain::SurfaceSummit summit = query.Highest(ToQuery(ray, codes.Low, bend));
-      const double tolerance = 1e-9 * (1.0 + codes.High - codes.Low);
+      const QueryRay asked = ToQuery(ray, codes.Low, bend);
+      const terrain::SurfaceSummit summit = query.Highest(asked);
+      const double tolerance = HeightTolerance(asked, codes, bend);
       if (std::isfinite(highest))
       {
         EXPECT_NEAR(summit.Height, highest, tolerance) << i;

@@ -231,8 +231,10 @@ TEST(ReferenceRayCaster, AgreesWithDenseSampling)
       if (hit.Found)
       {
         const glm::dvec3 p = ray.Origin + hit.Distance * ray.Direction;
-        EXPECT_NEAR(p.x, static_cast<double>(hit.CellX) + hit.Fraction.x, 1e-8);
-        EXPECT_NEAR(p.y, static_cast<double>(hit.CellY) + hit.Fraction.y, 1e-8);
+        EXPECT_NEAR(
+          p.x, static_cast<double>(hit.CellX) + hit.Fraction.x, terrain::kReferenceTolerance);
+        EXPECT_NEAR(
+          p.y, static_cast<double>(hit.CellY) + hit.Fraction.y, terrain::kReferenceTolerance);
         EXPECT_EQ(scene.Above(ray, hit.Distance - 1e-6) < 0.0, !hit.FromAbove);
       }
     }

@@ -132,7 +132,9 @@ void CompareWithJudge(const TestField& field, const ViewshedOptions& options,
   grid.Count({ observer }, options, counts.data(), BackwardFor, kernels);
   const auto [low, high] = std::minmax_element(field.Samples.begin(), field.Samples.end(),
     [](double a, double b) { return a < b || std::isnan(b); });
-  const double touch = 1e-5 * (std::isfinite(*high - *low) ? 1.0 + *high - *low : 1e4);
+  // as free as the grid takes them, and what the grid and the judge round
+  const double touch =
+    2.0 * terrain::kSightTolerance * (std::isfinite(*high - *low) ? 1.0 + *high - *low : 1e4);
   for (std::int64_t j = 0; j < view.Height; ++j)
   {
     for (std::int64_t i = j % stride; i < view.Width; i += stride)
