@@ -23,9 +23,27 @@ bool HasOSMesa()
   }
   return false;
 }
+
+// Names each test that skipped itself, in a line that .ci/run looks for.
+void PrintSkipped(const testing::UnitTest& tests)
+{
+  for (int suite = 0; suite < tests.total_test_suite_count(); ++suite)
+  {
+    const testing::TestSuite& cases = *tests.GetTestSuite(suite);
+    for (int index = 0; index < cases.total_test_count(); ++index)
+    {
+      const testing::TestInfo& test = *cases.GetTestInfo(index);
+      if (test.should_run() && test.result()->Skipped())
+      {
+        std::cout << "SKIPPED: " << cases.name() << "." << test.name() << "\n";
+      }
+    }
+  }
+}
 }
 
-/// Runs the tests of the executable: 0 if they passed, 77 if all of them skipped or the window
+/// Runs the tests of the executable, and names those that skipped: a program of which only some did
+/// counts as passed. 0 if they passed, 77 if all of them skipped or the window
 /// asked for needs a library that this machine lacks, else 1.
 int main(int argc, char** argv)
 {
@@ -39,5 +57,6 @@ int main(int argc, char** argv)
   const testing::UnitTest* tests = testing::UnitTest::GetInstance();
   const bool allSkipped = result == 0 && tests->skipped_test_count() > 0 &&
     tests->skipped_test_count() == tests->test_to_run_count();
+  PrintSkipped(*tests);
   return allSkipped ? kSkipped : result;
 }
