@@ -47,9 +47,8 @@
  * of 640 x 360 pixels and 4096 x 4096 samples), and the program is kept: from the second time on,
  * such a change costs no more than a frame, either. A first array is uploaded: 3 to 4 frames.
  *
- * Limits: heights up to the largest texture of the driver (16384 samples a side on Mesa), or, with
- * SetTileSource, of any size. A direction matrix of the image is refused. Lines and points of port
- * 0 are drawn as they are.
+ * Limits: heights up to the driver's largest texture (16384 samples a side on Mesa), or of any size
+ * by SetTileSource. Direction matrices are refused. Lines and points of port 0 are drawn as always.
  *
  * Of what VTK does to a surface, these cannot work with rays or do something else:
  *   - Edges (EdgeVisibility) are those of a proxy, and are not drawn; the representations wireframe
@@ -138,7 +137,8 @@ public:
   /// Heights of any size by tiles, of which the image is one level: vtkTerrainRasterReader opens
   /// them (GetTileSource()). The technique Pyramid then draws the tiles that a view needs, read by
   /// threads, where the surface is bilinear and has no detail; all else shows the image. The
-  /// tolerance is PixelTolerance, or half a pixel where that is 0. Null, the default, for none.
+  /// tolerance is PixelTolerance, or half a pixel where that is 0 (vtkTerrainLook). Null, the
+  /// default, for none.
   void SetTileSource(const std::shared_ptr<terrain::TileSource>& source)
   {
     this->Tiles = source;

@@ -116,13 +116,12 @@ public:
   ///@{
   /// The technique Pyramid may end its search at a square of at least 2 x 2 cells that, in its side
   /// and in its relief, projects to less than this number of pixels, clamped to >= 0: the surface
-  /// is then drawn where the ray enters the box around that square. Default 0: exact; of tiles
-  /// (vtkOpenGLTerrainMapper::SetTileSource) half a pixel. The setting has an effect only where a
-  /// cell is smaller than half of this many pixels. Measured on hills seen at 45 degrees, along the
-  /// ray: with 1, half of the pixels were off by less than 0.4 pixels, 95 % by less than 2.5; with
-  /// 4 by 1.2 and 4.3. No hit comes later than the exact one; what a ray passes by within such a
-  /// box, such as a rim, is seen as hit. Large tolerances show dark specks where the box is entered
-  /// above a cell that faces away.
+  /// is then drawn where the ray enters the box around that square. Default 0: exact; of tiles half
+  /// a pixel. It has an effect only where a cell is smaller than half of this many pixels. Measured
+  /// on hills seen at 45 degrees, along the ray: with 1, half of the pixels were off by less than
+  /// 0.4 pixels, 95 % by less than 2.5; with 4 by 1.2 and 4.3. No hit comes later than the exact
+  /// one; what a ray passes by within such a box, such as a rim, is seen as hit. Large tolerances
+  /// show dark specks where the box is entered above a cell that faces away.
   void SetPixelTolerance(double pixels);
   double GetPixelTolerance() const;
   ///@}

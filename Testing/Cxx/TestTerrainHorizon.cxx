@@ -24,9 +24,9 @@ namespace
 {
 constexpr int kColumns = 8;
 constexpr int kRows = 201;
-constexpr double kCell = 0.05; // degrees
+constexpr double kCell = 0.01; // degrees
 constexpr double kSouth = 50.0;
-constexpr double kRise = 3000.0; // metres a column, to the east: near 45 degrees
+constexpr double kRise = 600.0; // metres a column, to the east: near 45 degrees
 const double kDegree = std::acos(-1.0) / 180.0;
 
 /// Metres east of one cell at a latitude, on the ellipsoid of WGS84.

@@ -32,7 +32,7 @@ using vtkTerrainTesting::ReadShader;
 
 constexpr int kPixels = 2000;
 const glm::ivec2 kSize(41, 33);
-const glm::vec2 kGradientScale(0.1f, 0.12f);
+const glm::vec2 kGradientScale(2.0f, 2.4f);
 const glm::vec3 kSun = glm::normalize(glm::vec3(-0.5f, 0.6f, 0.7f));
 constexpr float kRelief = 1.5f;
 constexpr float kStrength = 0.8f;
@@ -52,7 +52,8 @@ std::string declarations()
     ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView") + ReadShader("vtkTerrainGradient") +
     ReadShader("vtkTerrainSurface") + ReadShader("vtkTerrainColor") +
     "TerrainSurface inputPoint(vec4 a, vec4 b, vec4 c)\n"
-    "{ return TerrainSurface(true, terrainPositionVC(a.xy, a.z), vec3(0.0), true, ivec2(b.xy),"
+    "{ return TerrainSurface(true, terrainPositionVC(a.xy, a.z), vec3(0.0), true, false, "
+    "ivec2(b.xy),"
     " b.zw, a.w, c.xy, int(c.z)); }\n";
 }
 
@@ -128,8 +129,10 @@ struct Points
       point.Fraction =
         k % 10 == 0 ? glm::vec2(k % 20 == 0, 1.0f) : glm::vec2(number(0.0, 1.0), number(0.0, 1.0));
       point.Code = number(-3.0, 14.0);
-      point.Gradient =
-        k % 10 == 1 ? glm::vec2(0.0f) : glm::vec2(number(-4.0, 4.0), number(-4.0, 4.0));
+      // level, away from the viewer, and any that rays do not graze: there depths jump
+      point.Gradient = glm::vec2(number(-0.5, 0.5), number(-0.5, 0.5));
+      point.Gradient = k % 10 == 1 ? glm::vec2(0.0f) : point.Gradient;
+      point.Gradient = k % 10 == 2 ? glm::vec2(0.0f, -4.0f) : point.Gradient;
       const int crossings = static_cast<int>(number(0.0, 60.0));
       this->Pixels.push_back(pixel);
       this->Distances.push_back(distance);
@@ -203,8 +206,9 @@ private:
     program->SetUniform2f("terrainColorScale", &kColorScale[0]);
     program->SetUniformi("terrainColorLogarithm", 0);
     program->SetUniformi("terrainColorMap", this->ColorMapUnit);
-    const float specials[3][4] = { { -1.0f, -1.0f, -1.0f, 1.0f }, { -2.0f, -2.0f, -2.0f, 1.0f },
-      { -3.0f, -3.0f, -3.0f, 1.0f } };
+    const float specials[3][4] = { { -1.0f * terrain::kColorMapSize, 0.0f, 0.0f, 1.0f },
+      { -2.0f * terrain::kColorMapSize, 0.0f, 0.0f, 1.0f },
+      { -3.0f * terrain::kColorMapSize, 0.0f, 0.0f, 1.0f } };
     program->SetUniform4fv("terrainSpecialColors", 3, specials);
   }
 
@@ -343,13 +347,16 @@ TEST_P(TerrainShaderTwinsShading, NumbersAndColors)
   { return k % 7 == 0 ? terrain::kNotANumber : points.Items[k].Code; };
   this->Compare(points, rays,
     "int k = texel.x + 1024 * texel.y;"
-    "result.x = terrainMapColor(k % 7 == 0 ? terrainNotANumber : point.code).r;",
-    1.0f / terrain::kColorMapSize, // one texel beside, where the number is at a border
+    "result.x = terrainMapColor(k % 7 == 0 ? terrainNotANumber : point.code).r /"
+    "float(terrainColorMapSize);",
+    1.5f / terrain::kColorMapSize, // one texel beside, where the number is at a border
     [&](std::size_t k)
     {
       const int texel =
         terrain::MapTexel(value(k), kColorScale, terrain::kColorMapSize, terrain::kNotANumber);
-      return glm::vec4(texel, 0.0f, 0.0f, 0.0f);
+      return glm::vec4(
+        texel < 0 ? static_cast<float>(texel) : static_cast<float>(texel) / terrain::kColorMapSize,
+        0.0f, 0.0f, 0.0f);
     });
   this->Compare(points, rays, "result = terrainCrossingsColor(point.crossings);", 1e-6f,
     [&](std::size_t k) { return terrain::CrossingsColor(points.Crossings[k], kMostCrossings); });

@@ -8,6 +8,7 @@
 #include "vtkTerrainTesting.h"
 
 #include "../Unit/UnitTestTiles.h"
+#include "core/surface/TileReduction.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -183,8 +184,8 @@ void showSome(TiledField& field, unsigned seed)
     [&](const TileKey&) { return seed % 3 == 0 || (seed % 3 == 1 && generator() % 3u != 0); });
 }
 
-/// Traces rays by both, exactly and within a tolerance.
-void compareTraces(vtkRenderWindow* window, const TiledField& field, const TileArrays& arrays,
+/// Traces rays by both, exactly or within a tolerance; returns the number of hits.
+int compareTraces(vtkRenderWindow* window, const TiledField& field, const TileArrays& arrays,
   unsigned seed, bool within)
 {
   const float maximum = field.Rays.heights.maximumCode;
@@ -195,6 +196,10 @@ void compareTraces(vtkRenderWindow* window, const TiledField& field, const TileA
   paths.Declarations = arrays.Declarations() + "uniform vec4 tolerance;\n";
   paths.Trace = "terrainTraceTiles(inputRay(input0, input1, input2), tolerance)";
   paths.MaximumCode = maximum;
+  // Compilers of GLSL interpolate patches in a form of theirs, which rounds otherwise than ours. A
+  // ray that runs along a level surface to the last
+  // bit may be above or below it.
+  paths.OtherPaths = vtkTerrainTesting::NumberOfRays / 50;
   paths.SetUniforms = [&](vtkShaderProgram* program)
   {
     arrays.SetUniforms(program);
@@ -205,7 +210,7 @@ void compareTraces(vtkRenderWindow* window, const TiledField& field, const TileA
     return field.Rays.TraceTiles(ray, tolerance,
       [&](glm::ivec2 node, int level, bool) { vtkTerrainTesting::AddVisit(visits, node, level); });
   };
-  EXPECT_GT(vtkTerrainTesting::ExpectSamePaths(window, paths, beams), 0);
+  return vtkTerrainTesting::ExpectSamePaths(window, paths, beams);
 }
 
 /// Reads slots, codes, bounds and heights of random cells by both.
@@ -268,6 +273,7 @@ TEST(TerrainShaderTwinsTiles, TakeTheSamePath)
   const vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(16, 16);
   scene.Window->Render();
   unsigned seed = 0;
+  int hits = 0;
   for (const TestField& test : terrain::AdversarialFields())
   {
     SCOPED_TRACE(test.Name);
@@ -282,8 +288,9 @@ TEST(TerrainShaderTwinsTiles, TakeTheSamePath)
     }
     showSome(field, seed);
     const TileArrays arrays(scene.Window, field);
-    compareTraces(scene.Window, field, arrays, seed, false);
-    compareTraces(scene.Window, field, arrays, seed, true);
+    hits += compareTraces(scene.Window, field, arrays, seed, false);
+    hits += compareTraces(scene.Window, field, arrays, seed, true);
     compareReads(scene.Window, field, arrays, seed);
   }
+  EXPECT_GT(hits, 1000);
 }

@@ -144,7 +144,7 @@ struct Comparison
   int Hits = 0;
   /// Pixels of which only one has a hit.
   int Disagreements = 0;
-  /// Hits that differ by more than the tolerance over the sine of the angle between ray and surface.
+  /// Hits that differ by more than the tolerance over the sine of their angle with the surface.
   int Off = 0;
   /// Disagreements whose ray passes no silhouette within a thousandth of a cell.
   int Unexplained = 0;

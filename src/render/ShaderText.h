@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The text of one of VTK's shaders while the terrain's code goes into it. Besides, VTK's text is
- * changed in two places only: SurfaceProgram passes uniforms (UniformPasser.h), and
- * vtkTerrainDepthPass puts its distance behind a tag. What must be there and is not becomes a
- * problem, of which the first is kept: VTK's text has then changed, and a picture would be silently
- * wrong. Private to the module.
+ * The text of one of VTK's shaders while the terrain's code goes into it; only UniformPasser and
+ * vtkTerrainDepthPass edit such text besides. What must be there and is not becomes a problem, of
+ * which the first is kept: a picture would be silently wrong. Private to the module.
  *
  * The terrain's code stands between two lines of comment, its marks; what follows VTK's own text
  * leaves it alone. Tags stay outside, for those who come later.

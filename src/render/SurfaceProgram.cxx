@@ -190,8 +190,7 @@ std::string SurfaceProgram::End(Shaders& shaders)
 void SurfaceProgram::FollowSurface(Shaders& shaders)
 {
   ShaderText fragment(shaders[vtkShader::Fragment], this->Problem);
-  // The surface that is hit decides what is its front and its depth, not the proxy. VTK's text asks
-  // for them only with what needs them, such as two sides or depth peeling: none is fine.
+  // what is hit decides what is its front, not the proxy; where VTK's text asks for none, fine
   fragment.Follow("gl_FrontFacing", "terrainPoint.front");
   if (this->Features.CastsRays())
   {

@@ -122,7 +122,6 @@ struct CodedPyramid
     float z;
   };
 
-  /// Highest and lowest code of a node; 1 <= level <= top.
   glm::vec2 NodeExtremes(glm::ivec2 node, int level) const
   {
     const auto& extremes = this->pyramid->At(node, level);
@@ -130,19 +129,15 @@ struct CodedPyramid
       static_cast<float>(this->heights.bias);
   }
 
-  /// True if all four corners of a cell have heights.
   bool IsCellValid(glm::ivec2 cell) const
   {
     return glm::all(glm::greaterThanEqual(this->heights.CellCodes(cell), glm::vec4(0.0f)));
   }
 
-  /// A ray as one that moves east and north or not at all; see Path.
   Path MirrorRay(const TerrainRay& ray) const;
   /// Clips to the grid's rectangle and to the codes; empty if sBegin > sEnd.
   Path ClipPath(Path path) const;
-  /// Where a path begins, in the node of the start level.
   Step FirstStep(const Path& path) const;
-  /// Where a path leaves the node of a step.
   Span NodeSpan(const Path& path, const Step& at) const;
   /// The next step: down a level at distance s; or else into the next node, one level up if the
   /// line between them is that of a parent too, and s is where the ray leaves.
