@@ -9,7 +9,6 @@
 // TERRAIN_BLOCK if the surface covers a block that clipping planes cut; TERRAIN_CLIP_PLANES if there are
 // such; TERRAIN_READ_SIGHTINGS if a compute shader has cast the rays (vtkTerrainSighting.glsl).
 
-uniform mat4 terrainViewToGrid; // view to grid coordinates
 uniform int terrainFlat; // 1 for the normals of single patches, not of differences across them
 
 struct TerrainSurface

@@ -23,8 +23,8 @@ using Corners = std::vector<std::array<double, 2>>;
 enum class Kind
 {
   Point,
-  Line,
-  Area
+  Polyline,
+  Polygon
 };
 
 class Collector
@@ -52,7 +52,7 @@ public:
     }
     if (kind != Kind::Point)
     {
-      vtkCellArray* cells = kind == Kind::Line ? this->Lines : this->Areas;
+      vtkCellArray* cells = kind == Kind::Polyline ? this->Lines : this->Areas;
       cells->InsertNextCell(static_cast<int>(corners.size()));
       for (std::size_t k = 0; k < corners.size(); ++k)
       {
@@ -112,11 +112,11 @@ vtkSmartPointer<vtkPolyData> MakeObservers(const ObserverOptions& options, vtkIm
   }
   for (const std::string& line : options.Lines)
   {
-    observers.Add(Kind::Line, ParseCorners("--line", line, 2));
+    observers.Add(Kind::Polyline, ParseCorners("--line", line, 2));
   }
   for (const std::string& area : options.Areas)
   {
-    observers.Add(Kind::Area, ParseCorners("--area", area, 3));
+    observers.Add(Kind::Polygon, ParseCorners("--area", area, 3));
   }
   vtkNew<vtkTerrainGeoreference> scene;
   scene->SetFromHeights(heights);
