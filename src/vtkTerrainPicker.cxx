@@ -252,8 +252,13 @@ public:
   {
     auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(anyMapper);
     vtkImageData* heights = mapper ? mapper->GetHeights() : nullptr;
-    scans += this->Globe.GetImage() != heights ? 1 : 0;
-    return this->Globe.SetImage(heights) ? &this->Globe : nullptr;
+    const bool isOther = this->Globe.GetImage() != heights;
+    if (!this->Globe.SetImage(heights))
+    {
+      return nullptr;
+    }
+    scans += isOther ? 1 : 0;
+    return &this->Globe;
   }
 };
 

@@ -28,12 +28,12 @@
 namespace
 {
 /// In shares of the picture's height.
-constexpr double kMargin = 0.03;
+constexpr double kBarMargin = 0.03;
 constexpr double kLength = 0.36;
 constexpr double kWidth = 0.022;
 constexpr double kGap = 0.008;
-constexpr double kTextSize = 0.026;
-constexpr int kSmallestText = 8;
+constexpr double kBarTextSize = 0.026;
+constexpr int kSmallestBarText = 8;
 /// Parts of the bar, each of one colour.
 constexpr int kParts = 256;
 /// Most numbers beside the bar.
@@ -80,13 +80,13 @@ private:
   vtkNew<vtkUnsignedCharArray> Colors;
 };
 
-void AddText(vtkRenderer* renderer, const std::string& text, double x, double y, double size)
+void AddLegendText(vtkRenderer* renderer, const std::string& text, double x, double y, double size)
 {
   const vtkNew<vtkTextActor> actor;
   actor->SetInput(text.c_str());
   actor->SetPosition(x, y);
   vtkTextProperty* property = actor->GetTextProperty();
-  property->SetFontSize(std::max(kSmallestText, static_cast<int>(size)));
+  property->SetFontSize(std::max(kSmallestBarText, static_cast<int>(size)));
   property->SetColor(0.08, 0.10, 0.16);
   property->SetJustificationToRight();
   property->SetVerticalJustificationToCentered();
@@ -139,7 +139,7 @@ void AddLegend(vtkRenderer* renderer, const Terrain& terrain, const Options& opt
   const double lowest = range[0];
   const double highest = std::max(range[1], lowest + 1e-9);
   const double height = options.Size[1];
-  const double right = options.Size[0] - kMargin * height;
+  const double right = options.Size[0] - kBarMargin * height;
   const double left = right - kWidth * height;
   const double low = 0.5 * (1.0 - kLength) * height;
   const double length = kLength * height;
@@ -159,9 +159,10 @@ void AddLegend(vtkRenderer* renderer, const Terrain& terrain, const Options& opt
   {
     const double y = low + length * (number - lowest) / (highest - lowest);
     shapes.Add(tip, y - 0.5, left, y + 0.5, {});
-    AddText(renderer, GroupedNumber(number, step), tip - kGap * height, y, kTextSize * height);
+    AddLegendText(
+      renderer, GroupedNumber(number, step), tip - kGap * height, y, kBarTextSize * height);
   }
   shapes.AddTo(renderer);
-  AddText(
-    renderer, options.Legend, right, low + length + 1.2 * kTextSize * height, kTextSize * height);
+  AddLegendText(renderer, options.Legend, right, low + length + 1.2 * kBarTextSize * height,
+    kBarTextSize * height);
 }
