@@ -219,13 +219,16 @@ TEST_F(TerrainRenderAnnotations, SunRisesInTheEast)
 
 TEST_F(TerrainRenderAnnotations, ShadowsFollowTheSun)
 {
-  // a low sun in the east: the west of the ridge is dark, with a light at the eye or the sky alone
+  // a low sun in the east of a ridge on a plain, which is dark to the west of it
+  RasterDescription onPlain = Ridge();
+  onPlain.Sample = [](int i, int) { return std::max(0.0, 1000.0 - 60.0 * std::abs(i - 45)); };
+  this->Heights = this->WriteRaster("plain.tif", onPlain);
   const std::vector<std::string> low = Above({ "--sun", "90,12" });
   std::vector<std::string> arguments = low;
   const Picture lit = this->DrawPicture(arguments);
   arguments.emplace_back("--shadows");
   const Picture shadows = this->DrawPicture(arguments);
-  EXPECT_GT(CountDifferent(lit, shadows), 100);
+  EXPECT_GT(CountDifferent(lit, shadows), 1000);
   arguments.emplace_back("--sky-light");
   EXPECT_GT(CountDifferent(shadows, this->DrawPicture(arguments)), 1000);
 }
@@ -248,11 +251,13 @@ TEST_F(TerrainRenderAnnotations, ADayIsAPictureForEachStep)
 TEST_F(TerrainRenderAnnotations, LinesShadeAndBlock)
 {
   const Picture plain = this->DrawPicture(Above({}));
-  for (const std::vector<std::string>& arguments : { std::vector<std::string>{ "--contours", "50" },
-         { "--hillshade" }, { "--block", "500" }, { "--legend" } })
+  for (const std::vector<std::string>& arguments :
+    { std::vector<std::string>{ "--contours", "50" }, { "--hillshade" }, { "--legend" } })
   {
     EXPECT_GT(CountDifferent(plain, this->DrawPicture(Above(arguments))), 30) << arguments.front();
   }
+  // the walls of a block are seen from the side
+  EXPECT_GT(CountDifferent(this->DrawPicture({}), this->DrawPicture({ "--block", "500" })), 300);
 }
 
 TEST_F(TerrainRenderAnnotations, PictureOfAnotherSystem)

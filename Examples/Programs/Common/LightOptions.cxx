@@ -140,10 +140,12 @@ void LightOptions::Declare(CLI::App& app, bool allowRange)
       "angular diameter of the sun in degrees, for edges of shadows; default 0.53, 0 for hard ones")
     ->type_name("DEGREES")
     ->check(CLI::Range(0.0, 90.0).description(""));
+  // as text: of a number, CLI11 2.1 counts how often the flag is given
   app
-    .add_flag("--sky-light{0.35}", this->SkyLight,
+    .add_flag("--sky-light{0.35}", this->SkyText,
       "light of the sky, as far as it is seen over the terrain; --sky-light=0.5 for more than 0.35")
-    ->check(CLI::Range(0.0, 10.0).description(""));
+    ->check(CLI::Range(0.0, 10.0).description(""))
+    ->each([this](const std::string& text) { this->SkyLight = std::stod(text); });
 }
 
 //------------------------------------------------------------------------------

@@ -28,6 +28,8 @@ struct LightOptions
   double SunAngle = 0.53;
   /// Light of the sky over that of a light of intensity 1; 0 for a light at the eye instead.
   double SkyLight = 0.0;
+  /// As it was typed.
+  std::string SkyText;
 
   /// Adds the options to a command line, which fills this object and refuses what is no value.
   void Declare(CLI::App& app, bool allowRange);
@@ -40,9 +42,6 @@ struct LightOptions
   /// Shadows and sky of a terrain.
   void Apply(vtkTerrainActor* terrain) const;
 };
-
-/// What is used of the sky's light unless a number is given.
-constexpr double kSkyLight = 0.35;
 
 /// Makes a light of the sun of heights in a frame; off where it is below the horizon. Returns one
 /// sentence that says why there is no such sun, or an empty string.
