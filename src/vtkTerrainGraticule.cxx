@@ -134,11 +134,10 @@ bool vtkTerrainGraticule::FindExtent(vtkImageData* heights, Frame& frame)
     // at longitudes and latitudes themselves
     frame.MiddleLongitude = 0.5 * (bounds[0] + bounds[1]);
     frame.IsGeographic = true;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      frame.Low[axis] = bounds[2 * axis];
-      frame.High[axis] = bounds[2 * axis + 1];
-    }
+    frame.Low[0] = bounds[0];
+    frame.High[0] = bounds[1];
+    frame.Low[1] = bounds[2];
+    frame.High[1] = bounds[3];
     frame.Low[1] = std::max(frame.Low[1], -90.0);
     frame.High[1] = std::min(frame.High[1], 90.0);
     frame.IsGlobe = true;

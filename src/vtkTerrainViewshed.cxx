@@ -162,7 +162,7 @@ std::string vtkTerrainViewshed::WhyNot() const
                                          : "elevations") +
       " must go from a number to one that is not less";
   }
-  return std::string();
+  return {};
 }
 
 //------------------------------------------------------------------------------

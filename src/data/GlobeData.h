@@ -53,6 +53,7 @@ inline void Add(vtkImageData* image, const GlobeGrid& grid)
   FieldData::AddNumbers(image, "GlobeRadii", { grid.Body.Equatorial, grid.Body.Polar });
   FieldData::AddNumbers(image, "GlobeLongitudes", { grid.West / kDegree, grid.Step / kDegree });
   std::vector<double> latitudes;
+  latitudes.reserve(grid.Latitudes.size());
   for (const double latitude : grid.Latitudes)
   {
     latitudes.push_back(latitude / kDegree);

@@ -44,7 +44,8 @@ private:
   {
     double p[3];
     this->Observers->GetPoint(point, p);
-    return glm::dvec2(this->Frame.ToGrid({ p[0], p[1], p[2] }));
+    const glm::dvec3 place = this->Frame.ToGrid({ p[0], p[1], p[2] });
+    return { place.x, place.y };
   }
 
   template <typename Visit>

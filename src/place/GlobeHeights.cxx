@@ -150,6 +150,7 @@ void divideCells(const Degrees& degrees, GlobePlan& plan)
     [](const std::vector<GlobePlan::Line>& lines, const std::vector<GlobePlan::Line>& whole)
   {
     std::vector<GlobePlan::Line> resolved;
+    resolved.reserve(lines.size());
     for (const GlobePlan::Line& line : lines)
     {
       resolved.push_back({ whole[static_cast<std::size_t>(line.First)].First, line.At });

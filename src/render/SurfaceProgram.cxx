@@ -95,8 +95,8 @@ void SurfaceProgram::CastShadows(Shaders& shaders)
     if (((this->Features.ShadowMask >> light) & 1) != 0)
     {
       const std::string color = "lightColor" + std::to_string(light);
-      code += "  vec3 " + color + " = terrainShares[" + std::to_string(share++) + "] * " + color;
-      code += ";\n";
+      code.append("  vec3 ").append(color).append(" = terrainShares[");
+      code.append(std::to_string(share++)).append("] * ").append(color).append(";\n");
     }
   }
   if (this->Features.Sky)

@@ -89,7 +89,8 @@ Corners ParseCorners(const std::string& option, const std::string& text, std::si
     char rest = 0;
     if (std::sscanf(word.c_str(), "%lf,%lf%c", &corner[0], &corner[1], &rest) != 2)
     {
-      throw Failure(option + ": \"" + word + "\" is not X,Y");
+      std::string why = option;
+      throw Failure(why.append(": \"").append(word).append("\" is not X,Y"));
     }
     corners.push_back(corner);
   }

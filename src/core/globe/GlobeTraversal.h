@@ -225,9 +225,9 @@ GlobeStep<Real> GlobeTraversal<Real, Texel>::FirstStep(const Path& path, Real t)
   }
   // rows of nodes are few
   while (((at.Node.y + 1) << at.Level) < grid.Cells.y &&
-    (this->North(path, grid.Rows[static_cast<std::size_t>((at.Node.y + 1) << at.Level)], t, off) >=
+    (this->North(path, grid.Rows[static_cast<std::size_t>(at.Node.y + 1) << at.Level], t, off) >=
         0 ||
-      grid.Rows[static_cast<std::size_t>((at.Node.y + 1) << at.Level)].y == 0))
+      grid.Rows[static_cast<std::size_t>(at.Node.y + 1) << at.Level].y == 0))
   {
     ++at.Node.y;
   }

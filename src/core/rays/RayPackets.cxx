@@ -277,7 +277,8 @@ void RayPackets::CastPixels(
   packet.Count = PacketRays::Most;
   for (int k = 0; k < PacketRays::Most; ++k)
   {
-    const glm::dvec2 pixel(first.x + k % kPacket + 0.5, first.y + k / kPacket + 0.5);
+    const int row = k / kPacket;
+    const glm::dvec2 pixel(first.x + k % kPacket + 0.5, first.y + row + 0.5);
     const glm::dvec3 direction = AtPixel(tile.Rays.DirectionGC, pixel);
     const glm::dvec3 origin = AtPixel(tile.Rays.OriginGC, pixel) + start * direction;
     for (int axis = 0; axis < 3; ++axis)

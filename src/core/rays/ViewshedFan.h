@@ -121,7 +121,7 @@ private:
 
   static void Split(float* values, int count)
   {
-    for (int b = count - 1; b >= 0; --b)
+    for (std::ptrdiff_t b = count - 1; b >= 0; --b)
     {
       values[2 * b + 1] = values[2 * b] = values[b];
     }

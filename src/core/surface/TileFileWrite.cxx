@@ -339,7 +339,7 @@ std::string WriteTileFile(const std::string& path, const TilePreparation<T>& pre
   {
     return "the raster is too small to need levels";
   }
-  if (const std::string lack = WhyNoSpace(path, preparation); !lack.empty())
+  if (std::string lack = WhyNoSpace(path, preparation); !lack.empty())
   {
     return lack;
   }

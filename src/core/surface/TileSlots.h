@@ -137,7 +137,8 @@ public:
   {
     const Tile& tile = *this->Slots[static_cast<std::size_t>(slot)];
     const glm::ivec2 at = this->InTile(cell);
-    const float* south = &tile.Samples[static_cast<std::size_t>(at.x + (tile.Cells.x + 1) * at.y)];
+    const float* south = &tile.Samples[static_cast<std::size_t>(at.x) +
+      static_cast<std::size_t>(tile.Cells.x + 1) * static_cast<std::size_t>(at.y)];
     const float* north = south + tile.Cells.x + 1;
     return { south[0], south[1], north[0], north[1] };
   }
@@ -145,8 +146,8 @@ public:
   {
     const Tile& tile = *this->Slots[static_cast<std::size_t>(slot)];
     const glm::ivec2 at = this->InTile(cell);
-    const PyramidNode<float>& node =
-      tile.Nodes[static_cast<std::size_t>(at.x + tile.Cells.x * at.y)];
+    const PyramidNode<float>& node = tile.Nodes[static_cast<std::size_t>(at.x) +
+      static_cast<std::size_t>(tile.Cells.x) * static_cast<std::size_t>(at.y)];
     return { node.Maximum, node.Minimum };
   }
   int FinestSlot(glm::ivec2 cell, int& level) const
