@@ -4,9 +4,11 @@
 
 What a browser would show is looked at in headless Chromium, where playwright and Chromium are there.
 """
+import asyncio
 import contextlib
 import http.client
 import importlib.util
+import logging
 import pathlib
 import shutil
 import signal
@@ -112,6 +114,45 @@ class TestServer(unittest.TestCase):
                 connection.sendall(f"GET /index.html HTTP/1.1\r\nHost: {server.netloc}\r\nCookie: {self.cookie}\r\n\r\n"
                                    .encode())
         self.assertEqual(ask(self.address, "/index.html", Cookie=self.cookie)[0], 200)
+
+
+@unittest.skipUnless(HAS_TRAME, "trame, trame-rca, trame-vuetify and pillow are not installed")
+class TestLog(unittest.TestCase):
+    def answer(self, error):
+        """The status of a page whose answer ends with the error, and what aiohttp logs of it."""
+        from aiohttp import web
+
+        from vtkterrain.server import guard, hush_lost_connections
+
+        async def fail(_):
+            raise error
+
+        async def serve():
+            app = web.Application(middlewares=[guard("token", "cookie")])
+            app.router.add_get("/ws", fail)
+            runner = web.AppRunner(app)
+            await runner.setup()
+            try:
+                await web.TCPSite(runner, "127.0.0.1", 0).start()
+                host, port = runner.addresses[0][:2]
+                return await asyncio.to_thread(ask, f"http://{host}:{port}", "/ws", Cookie="cookie=token")
+            finally:
+                await runner.cleanup()
+
+        lines = []
+        handler = logging.Handler()
+        handler.emit = lines.append
+        logging.getLogger().addHandler(handler)
+        self.addCleanup(logging.getLogger().removeHandler, handler)
+        hush_lost_connections()
+        return asyncio.run(serve())[0], lines
+
+    def test_a_browser_that_is_gone_is_not_logged(self):
+        self.assertEqual(self.answer(ConnectionResetError("closing")), (500, []))
+
+    def test_a_fault_of_ours_is_logged(self):
+        status, lines = self.answer(KeyError("fault"))
+        self.assertEqual((status, len(lines)), (500, 1))
 
 
 @unittest.skipUnless(HAS_TRAME, "trame, trame-rca, trame-vuetify and pillow are not installed")

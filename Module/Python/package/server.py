@@ -236,7 +236,7 @@ def _is_no_lost_connection(record):
 
 def hush_lost_connections():
     """A browser may close while it is being sent something: nothing to log a traceback of."""
-    for name in ("asyncio", "wslink.protocol", "wslink.backends.aiohttp"):
+    for name in ("asyncio", "aiohttp.server", "wslink.protocol", "wslink.backends.aiohttp"):
         logging.getLogger(name).addFilter(_is_no_lost_connection)
 
 
