@@ -15,6 +15,8 @@ largest=3000000 # bytes
 # shellcheck source=/dev/null
 source "$(dirname "$0")/wheel/functions.sh"
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
+# shellcheck disable=SC2034 # read in functions.sh
+mirror=$(sh "$source_dir/Module/debian-mirror.sh")
 mkdir -p "$1/work"
 dist=$(cd "$1" && pwd)
 work=$dist/work

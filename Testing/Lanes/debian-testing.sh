@@ -16,8 +16,7 @@ root=$lane/root
 sh "$source_dir/Module/packages.sh" debootstrap
 
 if [ ! -e "$lane/made" ]; then
-  mirror=$(sed -n 's/^URIs: *//p; s/^deb  *\([a-z]*:[^ ]*\).*/\1/p' /etc/apt/sources.list /etc/apt/sources.list.d/* \
-    2>/dev/null | head -1)
+  mirror=$(sh "$source_dir/Module/debian-mirror.sh")
   rm -rf "$root"
   mkdir -p "$root"
   debootstrap --variant=minbase "$suite" "$root" "$mirror" /usr/share/debootstrap/scripts/sid

@@ -36,7 +36,7 @@ make_bare()
 {
   local release=$1 mirror
   [ ! -e "$rooms/$release/.complete" ] || return 0
-  mirror=$(cat /etc/apt/sources.list.d/*.sources | awk '/^URIs:/ { print $2; exit }')
+  mirror=$(sh "$source_dir/Module/debian-mirror.sh")
   rm -rf "${rooms:?}/$release"
   debootstrap --variant=minbase --include=python3,python3-venv,libegl1,libgl1-mesa-dri \
     "$release" "$rooms/$release" "$mirror" /usr/share/debootstrap/scripts/sid >"$rooms/$release.log" 2>&1 ||

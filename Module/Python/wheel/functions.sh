@@ -15,12 +15,6 @@ need()
   DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet=2 --no-install-recommends "$@" >/dev/null
 }
 
-# The place that apt has its packages from.
-mirror()
-{
-  cat /etc/apt/sources.list.d/*.sources 2>/dev/null | awk '/^URIs:/ { print $2; exit }'
-}
-
 # apt for another release, with lists and a state of its own: apt_of RELEASE PROGRAM ARGUMENT...
 apt_of()
 {
@@ -28,7 +22,7 @@ apt_of()
   shift 2
   if [ ! -e "$place/ready" ]; then
     mkdir -p "$place"/{lists/partial,cache/archives/partial,state}
-    printf 'Types: deb\nURIs: %s\nSuites: %s\nComponents: main\nSigned-By: %s\n' "$(mirror)" "$release" \
+    printf 'Types: deb\nURIs: %s\nSuites: %s\nComponents: main\nSigned-By: %s\n' "$mirror" "$release" \
       /usr/share/keyrings/debian-archive-keyring.gpg >"$place/own.sources"
     : >"$place/state/status"
     cat >"$place/apt.conf" <<CONF
@@ -114,7 +108,7 @@ make_root()
   rm -rf root
   debootstrap --variant=minbase \
     --include=g++,ninja-build,libglm-dev,libgeographic-dev,python3-dev,python3-venv,libx11-6 \
-    bullseye root "$(mirror)" >debootstrap.log 2>&1 || fail "$(tail -5 debootstrap.log)"
+    bullseye root "$mirror" >debootstrap.log 2>&1 || fail "$(tail -5 debootstrap.log)"
   touch root/.complete
 }
 
