@@ -7,7 +7,7 @@
 // number of the picture's components; TERRAIN_TEXTURED for textures of VTK. All else is chosen by
 // uniforms: to build another program takes as long as several frames.
 // Constants: terrainNotANumber, terrainColorMapSize and the kinds of colours, terrainOfMaterial to
-// terrainOfCrossings (src/render/Features.h).
+// terrainOfCrossings (src/core/rays/PaintKinds.h). Twin: src/core/rays/SurfaceColors.h.
 
 // What the surface's colours make of the material's: add + keep * colour; opacity times alpha.
 struct TerrainPaint

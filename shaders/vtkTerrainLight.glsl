@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much of each light a point of the surface sees over the surface. Needs vtkTerrainView.glsl; to cast
+// How much of each light a point of the surface sees over the surface. Twin of discs and ends:
+// src/core/rays/SurfaceShading.h. Needs vtkTerrainView.glsl; to cast
 // rays, vtkTerrainHorizon.glsl; in a fragment shader, vtkTerrainSurface.glsl.
 // Defines: TERRAIN_SHADOWS, how many lights cast shadows; TERRAIN_SHADOW_BOUNDS if there are bounds of one's
 // rays (vtkTerrainOutlook.glsl); TERRAIN_CLIP_PLANES and TERRAIN_COLUMNS as in

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The point of the surface that a fragment shows: what VTK's lights and colours work on.
+// The point of the surface that a fragment shows: what VTK's lights and colours work on. Twin of its
+// depth, sides and numbers: src/core/rays/SurfaceShading.h.
 // Needs vtkTerrainHeights.glsl, vtkTerrainView.glsl, vtkTerrainGradient.glsl and, for rays,
 // vtkTerrainSighting.glsl and vtkTerrainCast.glsl; for columns, vtkTerrainColumns.glsl.
 // Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_BOX if rays begin at the

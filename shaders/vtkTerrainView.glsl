@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the pixel to its ray and back to the view. Twin: src/core/rays/PixelRays.h.
+// From the pixel to its ray and back to the view. Twins: src/core/rays/PixelRays.h and SurfaceShading.h.
 // Needs vtkTerrainRay.glsl. Defines: TERRAIN_CLIP_PLANES, the most clipping planes, if there are any.
 // Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start is then exact to 1e-9 of a
 // cell at any distance; else to 1e-7 of the distance.

@@ -4,6 +4,7 @@
 // Where rays begin and end, what they bring home, and slopes: functions of
 // shaders/vtkTerrainView.glsl, vtkTerrainCast.glsl, vtkTerrainSighting.glsl and
 // vtkTerrainGradient.glsl against their twins in src/core/.
+#include "vtkTerrainTestPoints.h"
 #include "vtkTerrainTesting.h"
 
 #include "../Unit/UnitTestFields.h"
@@ -19,7 +20,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,9 @@
 
 namespace
 {
+using vtkTerrainTesting::RaysOf;
 using vtkTerrainTesting::ReadShader;
+using vtkTerrainTesting::SetRays;
 
 constexpr int Count = 2000;
 
@@ -116,29 +118,13 @@ protected:
 };
 
 std::unique_ptr<vtkTerrainTesting::Scene> TerrainShaderTwinsView::Scene;
-
-void setMatrix(vtkShaderProgram* program, const char* name, const terrain::PixelVector& vector)
-{
-  glm::mat3 matrix(vector[0], vector[1], vector[2]);
-  program->SetUniformMatrix3x3(name, &matrix[0][0]);
-}
-
-/// Rays of a view of 200 x 100 pixels onto a grid, in perspective or parallel.
-terrain::PixelRays raysOf(bool parallel)
-{
-  const glm::dmat4 view = glm::lookAt(
-    glm::dvec3(30.0, -50.0, 80.0), glm::dvec3(20.0, 15.0, 5.0), glm::dvec3(0.0, 0.0, 1.0));
-  const glm::dmat4 projection = parallel ? glm::ortho(-40.0, 40.0, -20.0, 20.0, 1.0, 300.0)
-                                         : glm::perspective(0.6, 2.0, 1.0, 300.0);
-  return terrain::MakePixelRays(view, projection, glm::dvec4(0.0, 0.0, 200.0, 100.0));
-}
 }
 
 TEST_F(TerrainShaderTwinsView, EnterTheSameBoxes)
 {
   for (const bool parallel : { false, true })
   {
-    const terrain::PixelRays rays = raysOf(parallel);
+    const terrain::PixelRays rays = RaysOf(parallel);
     const glm::vec3 minimum(0.0f, 0.0f, -2.0f);
     const glm::vec3 maximum(40.0f, 32.0f, 9.0f);
     Numbers number;
@@ -158,11 +144,7 @@ TEST_F(TerrainShaderTwinsView, EnterTheSameBoxes)
       "result.xy = terrainEnterBox(input0.xy, input0.zw);", 2e-5f,
       [&](vtkShaderProgram* program)
       {
-        setMatrix(program, "terrainOriginGC", rays.OriginGC);
-        setMatrix(program, "terrainDirectionGC", rays.DirectionGC);
-        const terrain::PixelVector none{};
-        setMatrix(program, "terrainOriginLowGC", none);
-        setMatrix(program, "terrainDirectionLowGC", none);
+        SetRays(program, rays);
         program->SetUniform3f("terrainBoxMinimum", &minimum[0]);
         program->SetUniform3f("terrainBoxMaximum", &maximum[0]);
       });
@@ -172,7 +154,7 @@ TEST_F(TerrainShaderTwinsView, EnterTheSameBoxes)
 
 TEST_F(TerrainShaderTwinsView, AreClippedAlike)
 {
-  const terrain::PixelRays rays = raysOf(false);
+  const terrain::PixelRays rays = RaysOf(false);
   const std::vector<glm::vec4> planes{ { 1.0f, 0.0f, 0.0f, 5.0f }, { 0.0f, -0.6f, -0.8f, -50.0f },
     { 0.3f, 0.0f, -1.0f, -70.0f } };
   Numbers number;
@@ -200,8 +182,7 @@ TEST_F(TerrainShaderTwinsView, AreClippedAlike)
     1e-4f,
     [&](vtkShaderProgram* program)
     {
-      setMatrix(program, "terrainOriginVC", rays.OriginVC);
-      setMatrix(program, "terrainDirectionVC", rays.DirectionVC);
+      SetRays(program, rays);
       program->SetUniformi("terrainClipPlaneCount", static_cast<int>(planes.size()));
       program->SetUniform4fv("terrainClipPlanesVC", static_cast<int>(planes.size()), &planes[0][0]);
     });

@@ -8,25 +8,12 @@
 #ifndef vtkTerrain_render_Features_h
 #define vtkTerrain_render_Features_h
 
+#include "core/rays/PaintKinds.h"
+
 #include <string>
 
 namespace terrain
 {
-/// What the colour of a place is made from; terrainOf... in shaders/vtkTerrainColor.glsl.
-enum class PaintKinds
-{
-  Material,
-  Height,
-  Slope,
-  Aspect,
-  Values,
-  Colors,
-  Crossings
-};
-/// Texels of the colour map.
-constexpr int kColorMapSize = 4096;
-/// In textures of values, for what is no number.
-constexpr float kNotANumber = -3e38f;
 /// Invocations of a compute shader's group, each way.
 constexpr int kGroupSize = 8;
 /// Side of the tiles of pixels whose rays begin at a common start.
