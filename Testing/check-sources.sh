@@ -35,6 +35,14 @@ for file in $glsl; do
     *) offence "$file: shader files are called vtkTerrain<Concept>.glsl" ;;
   esac
 done
+# src/ itself has the public classes, a pair of files each; all else is in rooms.
+for file in $(git ls-files 'src/*.h' 'src/*.cxx' | grep -v '^src/.*/'); do
+  case $file in
+    *.h) pair=${file%.h}.cxx ;;
+    *) pair=${file%.cxx}.h ;;
+  esac
+  [ -f "$pair" ] || offence "$file: no part of a pair; private files are in rooms"
+done
 # Who may include whom (docs/architecture.md): a room those of the line below it, and itself.
 rooms_for()
 {
@@ -45,6 +53,7 @@ rooms_for()
     place) echo core data raster place vtkTerrainGeoid.h vtkTerrainGeoreference.h vtkTerrainReproject.h ;;
     windows) echo core windows ;;
     render) echo core data render vtkTerrainLook.h ;;
+    parts) echo core data raster place render parts "$(cd src && echo vtk*.h)" ;;
     *) echo "src/$1 is no room that Testing/check-sources.sh knows" >&2 ;;
   esac
 }

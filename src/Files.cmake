@@ -34,9 +34,6 @@ set(classes
 
 # Private to the module: one line a file, by rooms.
 set(private_sources
-  vtkTerrainActorInput
-  vtkTerrainActorSurface
-  vtkTerrainRasterReaderLevels
   data/ColorDocument
   data/GlobeSurface
   data/HierarchyHeights
@@ -44,6 +41,9 @@ set(private_sources
   data/MeshOutput
   data/ObserverPlaces
   data/StripsOutput
+  parts/ActorInput
+  parts/ActorSurface
+  parts/RasterReaderLevels
   place/GeoreferencePrepare
   place/GlobeHeights
   place/GroundPlaces

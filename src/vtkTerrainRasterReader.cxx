@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainRasterReader.h"
-#include "vtkTerrainRasterReaderInternals.h"
+#include "parts/RasterReaderInternals.h"
 
 #include "core/strips/HierarchyFile.h"
 #include "data/FieldData.h"

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkTerrainRasterReader where it reads a level of tiles in place of the samples themselves.
-#include "vtkTerrainRasterReader.h"
-#include "vtkTerrainRasterReaderInternals.h"
+#include "parts/RasterReaderInternals.h"
 
 #include "data/SMPParallelFor.h"
 #include "raster/RasterTileSource.h"

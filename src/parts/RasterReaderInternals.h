@@ -4,8 +4,8 @@
  * @file
  * What the files of vtkTerrainRasterReader share. Private to the module.
  */
-#ifndef vtkTerrainRasterReaderInternals_h
-#define vtkTerrainRasterReaderInternals_h
+#ifndef vtkTerrain_parts_RasterReaderInternals_h
+#define vtkTerrain_parts_RasterReaderInternals_h
 
 #include "vtkTerrainRasterReader.h"
 
