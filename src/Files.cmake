@@ -88,7 +88,6 @@ set(private_sources
   render/PyramidTexture
   render/Scene
   render/ShaderText
-  render/ShadowBoundsTexture
   render/SkyTexture
   render/SlopeTexture
   render/SurfaceProgram

@@ -48,7 +48,7 @@ std::vector<Features> singleFeatures()
     { &Features::IntegerHeights, &Features::BuffersPyramid, &Features::Gathers, &Features::Globe,
       &Features::Tiles, &Features::Detail, &Features::Columns, &Features::Within, &Features::Block,
       &Features::BelowBox, &Features::ReadsSightings, &Features::ShiftsDepth, &Features::Textured,
-      &Features::Paints, &Features::ReadsLights, &Features::Sky, &Features::BoundsShadows })
+      &Features::Paints, &Features::ReadsLights, &Features::Sky })
   {
     add(member, true);
   }

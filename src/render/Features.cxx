@@ -45,8 +45,7 @@ auto membersOf(const Features& features)
     features.Globe, features.Tiles, features.Detail, features.Columns, features.Within,
     features.Block, features.BelowBox, features.ReadsSightings, features.ShiftsDepth,
     features.Textured, features.Paints, features.ClipPlanes, features.BeamPixels,
-    features.DrapeComponents, features.ShadowMask, features.ReadsLights, features.Sky,
-    features.BoundsShadows);
+    features.DrapeComponents, features.ShadowMask, features.ReadsLights, features.Sky);
 }
 }
 
@@ -91,8 +90,7 @@ std::string Features::Defines() const
     defineNumber("TERRAIN_BEAM_PIXELS", this->BeamPixels) +
     defineNumber("TERRAIN_DRAPE", this->DrapeComponents) +
     defineNumber("TERRAIN_SHADOWS", this->Shadows()) +
-    defineIf("TERRAIN_READ_LIGHTS", this->ReadsLights) + defineIf("TERRAIN_SKY", this->Sky) +
-    defineIf("TERRAIN_SHADOW_BOUNDS", this->BoundsShadows);
+    defineIf("TERRAIN_READ_LIGHTS", this->ReadsLights) + defineIf("TERRAIN_SKY", this->Sky);
 }
 
 //------------------------------------------------------------------------------

@@ -16,7 +16,6 @@
 #include "render/Lights.h"
 #include "render/Prepass.h"
 #include "render/Proxy.h"
-#include "render/ShadowBoundsTexture.h"
 #include "render/SkyTexture.h"
 #include "render/SurfaceTextures.h"
 #include "render/Technique.h"
@@ -109,7 +108,6 @@ public:
   terrain::View View;
   terrain::Lights Lights;
   SkyTexture Sky;
-  ShadowBoundsTexture ShadowBounds;
   terrain::Prepass Prepass;
 
 private:
@@ -121,10 +119,7 @@ private:
 
   vtkMapper* Mapper;
   vtkTerrainLook* Look;
-  bool UploadShadowBounds(vtkOpenGLRenderWindow* window);
-
   bool SkyShines = false;
-  bool BoundsShadows = false;
   /// Surfaces that rays pass by.
   int Layer = 0;
 };
