@@ -4,10 +4,14 @@
 // VTK's pickers and selection on a terrain, judged by vtkTerrainPicker.
 #include "vtkTerrainTestingScene.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellPicker.h"
 #include "vtkHardwareSelector.h"
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPropPicker.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
 #include "vtkTerrainPicker.h"
 #include "vtkWorldPointPicker.h"
 
@@ -109,6 +113,42 @@ TEST(OpenGLTerrainMapperPicking, SelectionHasCellsAndSamplesOfTheGrid)
     EXPECT_GT(pixels, 100);
     EXPECT_LE(wrong, 2) << cells; // rounding at borders of cells
   }
+}
+
+// Selection draws numbers, which have no light: no rays to a sun are cast for them.
+TEST(OpenGLTerrainMapperPicking, SelectionCastsNoShadows)
+{
+  TerrainToPick scene;
+  const vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->PositionalOff();
+  sun->SetPosition(1.0, 1.0, 0.5);
+  scene.Scene.Renderer->AddLight(sun);
+  auto* mapper = static_cast<vtkOpenGLTerrainMapper*>(scene.Terrain.Actor->GetMapper());
+  mapper->SetSunShadows(true);
+  mapper->SetSkyLight(0.5);
+  int shadows = 0;
+  const vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&shadows);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* client, void* program)
+    {
+      const std::string text =
+        static_cast<vtkShaderProgram*>(program)->GetFragmentShader()->GetSource();
+      *static_cast<int*>(client) += text.find("#define TERRAIN_SHADOWS") != std::string::npos ||
+          text.find("#define TERRAIN_SKY") != std::string::npos
+        ? 1
+        : 0;
+    });
+  mapper->AddObserver(vtkCommand::UpdateShaderEvent, command);
+  scene.Scene.Window->Render();
+  EXPECT_GT(shadows, 0);
+  shadows = 0;
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Scene.Renderer);
+  selector->SetArea(0, 0, 199, 149);
+  ASSERT_TRUE(selector->CaptureBuffers());
+  EXPECT_EQ(shadows, 0);
 }
 
 TEST(OpenGLTerrainMapperPicking, WorldPointPicker)

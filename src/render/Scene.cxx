@@ -154,12 +154,13 @@ std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
   this->View.SetClippingPlanes(this->Mapper, actor,
     this->Cutting.PlanesGC(this->Drawn(), codes.ToCode(this->Cutting.BlockBase)));
   this->Lights.Clear();
-  if (this->CastsShadows(actor))
+  const bool lit = !renderer->GetSelector(); // else colours are numbers of what is seen
+  if (lit && this->CastsShadows(actor))
   {
     const std::string lights = this->Lights.Update(renderer, this->View, this->Look->GetSunAngle());
     words = words.empty() ? lights : words;
   }
-  this->SkyShines = this->HasSkyLight(actor);
+  this->SkyShines = lit && this->HasSkyLight(actor);
   if (this->SkyShines &&
     !this->Sky.Upload(window, this->Surface.GetImage(), this->Look->GetVerticalExaggeration()))
   {
