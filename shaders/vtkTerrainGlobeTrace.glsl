@@ -332,6 +332,7 @@ TerrainGlobeHit terrainGlobeMeetCell(
   float a = 2.0 * (values[0] + values[2] - 2.0 * values[1]);
   float b = values[2] - values[0] - a;
   float t = between ? 0.0 : terrainFirstRoot(values[0], values[2], a);
+  bool above = side != 0.0 ? side > 0.0 : values[0] > 0.0 || (values[0] == 0.0 && b <= 0.0);
   side = valid ? sign(values[2]) : 0.0;
   hit.found = valid && t >= 0.0;
   if (hit.found)
@@ -343,7 +344,7 @@ TerrainGlobeHit terrainGlobeMeetCell(
       t = i < 2 && !between && abs(slope) > abs(off) ? clamp(t - off / slope, 0.0, 1.0) : t;
     }
     hit.t = at.t + t * length;
-    hit.front = values[0] > 0.0 || (values[0] == 0.0 && b <= 0.0);
+    hit.front = above;
   }
   return hit;
 }

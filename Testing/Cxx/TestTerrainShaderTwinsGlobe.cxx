@@ -123,8 +123,10 @@ void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int k
     const terrain::GlobeHit<float>& hit = expected[k];
     const bool found = drawn[4 * k] != 0.0f;
     hits += hit.Found ? 1 : 0;
-    const bool same =
-      found == hit.Found && (!found || std::abs(drawn[4 * k + 1] - hit.T) <= 1e-5f * hit.T + 0.1f);
+    const bool front = drawn[4 * k + 3] != 0.0f;
+    const bool same = found == hit.Found &&
+      (!found ||
+        (std::abs(drawn[4 * k + 1] - hit.T) <= 1e-5f * hit.T + 0.1f && front == hit.Front));
     different += same ? 0 : 1;
   }
   // atan() and order differ; far from their anchor, grazing rays may go either way

@@ -443,6 +443,7 @@ bool GlobeTraversal<Real, Texel>::MeetCell(
   const bool between = side * first < 0;
   const Real a = 2 * (first + last - 2 * middle);
   const Real b = last - first - a;
+  const bool above = side != 0 ? side > 0 : first > 0 || (first == 0 && b <= 0);
   Real t = between ? Real(0) : FirstGlobeRoot(first, last, a);
   side = last > 0 ? Real(1) : (last < 0 ? Real(-1) : Real(0));
   if (t < 0)
@@ -460,7 +461,7 @@ bool GlobeTraversal<Real, Texel>::MeetCell(
   hit.Cell = at.Node;
   this->Difference(path, at.Node, codes, hit.T, fraction);
   hit.Fraction = fraction;
-  hit.Front = first > 0 || (first == 0 && b <= 0);
+  hit.Front = above;
   return true;
 }
 
@@ -483,7 +484,7 @@ void GlobeTraversal<Real, Texel>::TracePart(const Path& path, Hit& hit) const
     bool down = false;
     if (outside || at.Level > 0)
     {
-      const int row = outside ? 0 : std::min((fence.First.y + fence.Last.y) >> 1, fence.Last.y);
+      const int row = outside ? 0 : (fence.First.y + fence.Last.y) >> 1;
       down = !outside && this->VisitNode(path, at, span, row, from);
       // down in the node the ray is where it left the last cell, or above or below all of it
       side = down ? side : Real(0);
