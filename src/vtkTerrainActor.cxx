@@ -3,6 +3,7 @@
 #include "vtkTerrainActor.h"
 
 #include "core/grid/Coordinates.h"
+#include "data/GlobeData.h"
 #include "data/HierarchyData.h"
 #include "data/ImageHeights.h"
 #include "data/Setting.h"
@@ -411,7 +412,15 @@ void vtkTerrainActor::PlaceAsDrawn(vtkProp3D* other, double originZ)
 {
   vtkNew<vtkMatrix4x4> toWorld;
   this->GetMatrix(toWorld);
-  terrain::Exaggerate(toWorld, originZ, this->GetVerticalExaggeration());
+  if (!terrain::GlobeData::Has(this->GetHeights()))
+  {
+    terrain::Exaggerate(toWorld, originZ, this->GetVerticalExaggeration());
+  }
+  else if (this->GetVerticalExaggeration() != 1.0)
+  {
+    vtkErrorMacro("No matrix exaggerates heights on a globe: multiply the heights of the other "
+                  "prop's places before they become points of the scene.");
+  }
   other->SetOrigin(0.0, 0.0, 0.0);
   other->SetPosition(0.0, 0.0, 0.0);
   other->SetOrientation(0.0, 0.0, 0.0);

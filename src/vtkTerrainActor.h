@@ -154,7 +154,8 @@ public:
   /// themselves in place of the box that rays start from, through InitPathTraversal(): a picker's
   /// GetActor() is the terrain. vtkTerrainPicker does without and is exact. The mesh is made when
   /// somebody asks, and again after changes: about 0.2 microseconds a sample. It has no detail,
-  /// block or extract. Null without an image of heights (strips of a prepared file alone).
+  /// block or extract. Null without an image of heights (strips of a prepared file alone) and on a
+  /// globe (vtkTerrainGlobe), where exporters and VTK's pickers find nothing.
   vtkPolyData* GetSurface();
   vtkActor* GetSurfaceActor();
   ///@}
@@ -213,7 +214,10 @@ public:
   ///@{
   /// Places another prop, whose points have true heights, where this terrain draws its own: with
   /// its matrix and its exaggeration, from the z of its heights' origin or from the z given. The
-  /// other's user matrix says so; its own position, orientation and scale are taken back.
+  /// other's user matrix says so; its own position, orientation and scale are taken back. No matrix
+  /// exaggerates on a globe (vtkTerrainGlobe): there another exaggeration than 1 is an error, and
+  /// the other is placed by this actor's matrix alone. Multiply the heights of its places instead,
+  /// before vtkTerrainGeoTransform brings them into the scene.
   void PlaceAsDrawn(vtkProp3D* other);
   void PlaceAsDrawn(vtkProp3D* other, double originZ);
   ///@}

@@ -6,6 +6,7 @@
 
 #include "vtkTerrainActor.h"
 #include "vtkTerrainCoarseMesh.h"
+#include "vtkTerrainGlobe.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainStrips.h"
 
@@ -491,6 +492,29 @@ TEST_F(TerrainActor, PlacesOthersAsItDraws)
   }
   this->Terrain->PlaceAsDrawn(other, 0.0);
   EXPECT_NEAR(other->GetBounds()[5], this->Terrain->GetBounds()[5] + 2.0 * 700.0, 1e-3);
+}
+
+// On a globe there is no mesh of the surface, and no matrix that exaggerates.
+TEST_F(TerrainActor, HasNoMeshOfAGlobe)
+{
+  EXPECT_NE(this->Terrain->GetSurfaceActor(), nullptr);
+  this->Heights->SetSpacing(0.5, 0.5, 1.0);
+  const vtkNew<vtkTerrainGlobe> globe;
+  globe->SetInputData(this->Heights);
+  this->Terrain->SetInputConnection(globe->GetOutputPort());
+  EXPECT_EQ(this->Terrain->GetSurfaceActor(), nullptr);
+  EXPECT_EQ(this->Terrain->GetSurface(), nullptr);
+  vtkNew<vtkActor> other;
+  this->Terrain->SetPosition(30.0, 40.0, 50.0);
+  this->Terrain->PlaceAsDrawn(other);
+  EXPECT_EQ(other->GetUserMatrix()->GetElement(2, 2), 1.0);
+  EXPECT_EQ(other->GetUserMatrix()->GetElement(2, 3), 50.0);
+  this->Terrain->SetVerticalExaggeration(3.0);
+  const vtkNew<vtkTest::ErrorObserver> errors;
+  this->Terrain->AddObserver(vtkCommand::ErrorEvent, errors);
+  this->Terrain->PlaceAsDrawn(other);
+  EXPECT_NE(errors->GetErrorMessage().find("globe"), std::string::npos);
+  EXPECT_EQ(other->GetUserMatrix()->GetElement(2, 2), 1.0);
 }
 
 TEST_F(TerrainActor, BuildsOnlyWhatChanged)

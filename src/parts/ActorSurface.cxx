@@ -3,6 +3,7 @@
 // The surface as a mesh, for all who know no rays: exporters and VTK's pickers.
 #include "vtkTerrainActor.h"
 
+#include "data/GlobeData.h"
 #include "data/ImageHeights.h"
 #include "render/SurfaceScope.h"
 #include "vtkTerrainCoarseMesh.h"
@@ -48,7 +49,7 @@ vtkActor* vtkTerrainActor::GetSurfaceActor()
 {
   this->TerrainMapper->GetBounds(); // brings the heights up to date
   vtkImageData* heights = this->TerrainMapper->GetHeights();
-  if (!terrain::ImageHeights::WhyNotHeights(heights).empty())
+  if (!terrain::ImageHeights::WhyNotHeights(heights).empty() || terrain::GlobeData::Has(heights))
   {
     return nullptr;
   }
