@@ -3,19 +3,38 @@
 #include "vtkTerrainGlobe.h"
 
 #include "core/grid/Constants.h"
+#include "core/grid/HeightCodes.h"
 #include "data/GlobeData.h"
 #include "data/ImageHeights.h"
+#include "data/SMPParallelFor.h"
 #include "place/GlobeHeights.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkTerrainGlobe);
+
+namespace
+{
+/// The lowest height that is to be seen; hidden samples may hold any number. NaN if there is none.
+double lowestSeen(vtkImageData* heights)
+{
+  double lowest = terrain::kNaN;
+  terrain::ImageHeights::Dispatch(heights,
+    [&lowest](const auto& view)
+    {
+      const auto range = terrain::FindHeightRange(view, terrain::SMPParallelFor);
+      lowest = range.Minimum <= range.Maximum ? static_cast<double>(range.Minimum) : terrain::kNaN;
+    });
+  return lowest;
+}
+}
 
 //------------------------------------------------------------------------------
 void vtkTerrainGlobe::SetRadii(double equatorial, double polar)
@@ -46,6 +65,8 @@ int vtkTerrainGlobe::RequestInformation(
   int extent[6];
   inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  // rows of a globe run north, whichever way those of the input do
+  info->Remove(vtkDataObject::DIRECTION());
   return 1;
 }
 
@@ -80,10 +101,8 @@ int vtkTerrainGlobe::RequestData(
   {
     return this->Fail(output, plan.WhyNot);
   }
-  double range[2];
-  heights->GetPointData()->GetScalars()->GetFiniteRange(range);
   const terrain::Ellipsoid& body = plan.Grid.Body;
-  const bool radii = range[0] > 0.5 * body.Polar;
+  const bool radii = lowestSeen(heights) > 0.5 * body.Polar;
   if (radii && body.Flattening() > 0.0)
   {
     return this->Fail(output,
@@ -110,6 +129,7 @@ int vtkTerrainGlobe::RequestData(
   output->SetOrigin(plan.Grid.West / terrain::kDegree,
     latitudes[second] / terrain::kDegree - static_cast<double>(second) * along, 0.0);
   output->SetSpacing(step, along, 1.0);
+  output->GetDirectionMatrix()->Identity();
   output->GetFieldData()->RemoveArray("LayoutOrigin");
   output->GetFieldData()->RemoveArray("LayoutScale");
   terrain::GlobeData::Add(output, plan.Grid);

@@ -185,6 +185,7 @@ int vtkTerrainReproject::RequestInformation(
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), internals.Extent, 6);
   info->Set(vtkDataObject::ORIGIN(), internals.Origin, 3);
   info->Set(vtkDataObject::SPACING(), spacing, 3);
+  info->Remove(vtkDataObject::DIRECTION()); // rows run north, whichever way those of inputs do
   const bool isDouble = std::any_of(internals.Tiles.begin(), internals.Tiles.end(),
     [](const std::unique_ptr<Tile>& tile)
     { return tile->Image->GetPointData()->GetScalars()->GetDataType() == VTK_DOUBLE; });
@@ -399,6 +400,7 @@ int vtkTerrainReproject::RequestData(
   output->SetExtent(extent);
   output->SetOrigin(internals.Origin);
   output->SetSpacing(internals.Spacing, internals.Spacing, 1.0);
+  output->GetDirectionMatrix()->Identity();
   output->AllocateScalars(info);
   vtkDataArray* scalars = output->GetPointData()->GetScalars();
   const char* name = internals.Tiles.front()->Image->GetPointData()->GetScalars()->GetName();

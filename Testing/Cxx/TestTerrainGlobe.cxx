@@ -11,6 +11,7 @@
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -115,16 +116,19 @@ TEST(TerrainGlobe, DividesWideCells)
   EXPECT_EQ(globe->GetDimensions()[0], 361);
   EXPECT_NEAR(latitude(globe, 0), -90.0, 1e-9);
   const int rows = globe->GetDimensions()[1];
+  int found = 0;
   EXPECT_NEAR(latitude(globe, rows - 1), 90.0, 1e-9);
   for (int row = 0; row < rows; ++row)
   {
     if (std::abs(latitude(globe, row) + 67.5) < 1e-9)
     {
+      ++found;
       EXPECT_NEAR(height(globe, 90, row), 2.0, 1e-5);
       EXPECT_NEAR(height(globe, 100, row), 2.0 + 10.0 / 45.0, 1e-5);
       EXPECT_NEAR(height(globe, 360, row), 0.0, 1e-5);
     }
   }
+  EXPECT_EQ(found, 1);
 }
 
 TEST(TerrainGlobe, TakesHolesAndRadii)
@@ -147,6 +151,49 @@ TEST(TerrainGlobe, TakesHolesAndRadii)
   filter->SetInputData(radii);
   filter->Update();
   EXPECT_EQ(height(filter->GetOutput(), 2, 2), 100.0);
+}
+
+// Hidden samples may hold any number: radii are told by what is to be seen.
+TEST(TerrainGlobe, TakesRadiiBesideHoles)
+{
+  for (const double hidden : { 0.0, -32768.0, 2e9 })
+  {
+    const auto radii = makeHeights(0.0, 0.0, 1.0, 5, 5);
+    radii->AllocateScalars(VTK_INT, 1);
+    radii->GetPointData()->GetScalars()->Fill(1737500.0);
+    radii->AllocatePointGhostArray()->Fill(0);
+    radii->GetPointGhostArray()->SetValue(7, vtkDataSetAttributes::HIDDENPOINT);
+    radii->GetPointData()->GetScalars()->SetComponent(7, 0, hidden);
+    const vtkNew<vtkTerrainGlobe> filter;
+    filter->SetRadii(1737400.0, 1737400.0);
+    filter->SetInputData(radii);
+    filter->Update();
+    EXPECT_EQ(height(filter->GetOutput(), 2, 2), 100.0) << hidden;
+    EXPECT_NE(filter->GetOutput()->GetPointGhostArray()->GetValue(7), 0) << hidden;
+  }
+}
+
+// Rows of a globe run north, whichever way those of the heights do.
+TEST(TerrainGlobe, TurnsRowsFromNorth)
+{
+  const auto heights = makeHeights(10.0, 20.0, 1.0, 5, 4);
+  const auto turned = vtkSmartPointer<vtkImageData>::New();
+  turned->DeepCopy(heights);
+  turned->SetOrigin(10.0, 23.0, 0.0);
+  turned->GetDirectionMatrix()->SetElement(1, 1, -1.0);
+  for (int j = 0; j < 4; ++j)
+  {
+    for (int i = 0; i < 5; ++i)
+    {
+      turned->SetScalarComponentFromDouble(i, j, 0, 0, height(heights, i, 3 - j));
+    }
+  }
+  const auto globe = layOnGlobe(turned);
+  EXPECT_TRUE(globe->GetDirectionMatrix()->IsIdentity());
+  EXPECT_EQ(height(globe, 2, 0), 2.0);
+  EXPECT_EQ(height(globe, 2, 3), 302.0);
+  EXPECT_EQ(latitude(globe, 0), 20.0);
+  EXPECT_EQ(globe->GetOrigin()[1], 20.0);
 }
 
 TEST(TerrainGlobe, RefusesWhatIsNone)

@@ -10,6 +10,7 @@
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
@@ -152,6 +153,41 @@ TEST(TerrainReproject, RegistrationInEveryFrame)
         }
       }
     }
+  }
+}
+
+// Rows of the grid run north, whichever way those of the heights do.
+TEST(TerrainReproject, TurnsRowsFromNorth)
+{
+  const auto heights = Heights(kGrids[0], 40, 30, [](double i, double j) { return i + 100.0 * j; });
+  const auto turned = vtkSmartPointer<vtkImageData>::New();
+  turned->DeepCopy(heights);
+  turned->SetOrigin(kGrids[0].X, kGrids[0].Y + 29 * kGrids[0].Cell, 0.0);
+  turned->GetDirectionMatrix()->SetElement(1, 1, -1.0);
+  for (int j = 0; j < 30; ++j)
+  {
+    for (int i = 0; i < 40; ++i)
+    {
+      turned->SetScalarComponentFromDouble(i, j, 0, 0, i + 100.0 * (29 - j));
+    }
+  }
+  vtkNew<vtkTerrainReproject> filter;
+  vtkNew<vtkTerrainReproject> other;
+  filter->SetInputData(heights);
+  filter->Update();
+  other->SetInputData(turned);
+  other->Update();
+  EXPECT_TRUE(other->GetOutput()->GetDirectionMatrix()->IsIdentity());
+  ASSERT_EQ(other->GetOutput()->GetNumberOfPoints(), filter->GetOutput()->GetNumberOfPoints());
+  for (int axis = 0; axis < 6; ++axis)
+  {
+    EXPECT_DOUBLE_EQ(other->GetOutput()->GetBounds()[axis], filter->GetOutput()->GetBounds()[axis]);
+  }
+  for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    const double expected = filter->GetOutput()->GetPointData()->GetScalars()->GetComponent(i, 0);
+    const double found = other->GetOutput()->GetPointData()->GetScalars()->GetComponent(i, 0);
+    ASSERT_TRUE(std::isnan(expected) ? std::isnan(found) : std::abs(found - expected) < 1e-6) << i;
   }
 }
 
