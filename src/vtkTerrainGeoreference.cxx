@@ -532,6 +532,7 @@ void vtkTerrainGeoreference::PrintSelf(ostream& os, vtkIndent indent)
   this->GetOrigin(origin);
   os << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n";
   os << indent << "Extent: " << terrain::PlaceExtent::ToText(this->Extent) << "\n";
+  os << indent << "Globe: " << this->Globe[0] << ", " << this->Globe[1] << "\n";
   os << indent << "Frame: " << static_cast<int>(this->Frame) << "\n";
   os << indent << "Origin: " << origin[0] << ", " << origin[1] << ", " << origin[2] << "\n";
   os << indent << "VerticalExaggeration: " << this->VerticalExaggeration << "\n";

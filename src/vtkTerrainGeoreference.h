@@ -114,7 +114,8 @@ public:
 
   /// CRS and extent of heights, from the field data that vtkTerrainRasterReader adds to them
   /// (LayoutOrigin, LayoutScale; without these an image lies at its own coordinates). The CRS is
-  /// kept if the heights name none.
+  /// kept if the heights name none. Heights on a globe (vtkTerrainGlobe) also say its semi-axes,
+  /// which the frame Globe then takes in place of those of the CRS.
   void SetFromHeights(vtkImageData* heights);
 
   /// The frame that suits heights where nobody chooses one: Grid where their own grid is in metres
@@ -256,6 +257,7 @@ private:
   class vtkInternals;
   void Prepare();
   void PrepareFrame();
+  void SetGlobe(double equatorial, double polar);
   std::string WhyNotExtent();
   bool Middle(double place[3]);
   void ConvertHeights(double* places, vtkIdType count, bool toScene);
@@ -268,6 +270,8 @@ private:
   /// Of heights in degrees of another world: how the reader has laid them out in metres.
   double LayoutOrigin[2] = { 0.0, 0.0 };
   double LayoutScale[2] = { 1.0, 1.0 };
+  /// Semi-axes of the globe that heights lie on, metres; 0 for those of the CRS.
+  double Globe[2] = { 0.0, 0.0 };
   FrameType Frame = FrameType::Plane;
   bool IsOriginGiven = false;
   double Origin[3] = { 0.0, 0.0, 0.0 };

@@ -276,9 +276,10 @@ std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene
 double vtkTerrainViewpoint::GetGlobeGround(
   const terrain::GlobeSurface& globe, const double place[3]) const
 {
-  double file[3];
-  this->Georeference->PlacesToFile(place, file, 1);
-  return globe.HeightAt(file[0], file[1]);
+  double scene[3] = { place[0], place[1], 0.0 };
+  this->Georeference->PlacesToScene(scene, scene, 1);
+  const glm::dvec3 there = globe.GetGrid().Body.ToPlace({ scene[0], scene[1], scene[2] });
+  return globe.HeightAt(there.x / terrain::kDegree, there.y / terrain::kDegree);
 }
 
 std::string vtkTerrainViewpoint::Look(

@@ -261,6 +261,45 @@ TEST(TerrainGlobe, PlacesPointsOnItsBody)
   EXPECT_NE(projected->GetWhyNot().find("longitude and latitude"), std::string::npos);
 }
 
+// The georeference of heights on a globe is that of their body, whatever the CRS says.
+TEST(TerrainGlobe, TellsItsBodyToTheGeoreference)
+{
+  const auto heights = makeHeights(10.0, 20.0, 1.0, 5, 5, "EPSG:4326");
+  const vtkNew<vtkTerrainGlobe> globe;
+  globe->SetInputData(heights);
+  globe->SetRadii(1e6, 9.5e5);
+  globe->Update();
+  const vtkNew<vtkTerrainGeoreference> place;
+  place->SetFrame(FrameType::Globe);
+  place->SetFromHeights(globe->GetOutput());
+  double point[3] = { 0.0, 90.0, 10.0 };
+  ASSERT_TRUE(place->PlacesToScene(point, point, 1));
+  EXPECT_NEAR(point[2], 9.5e5 + 10.0, 1e-6);
+  place->SetFromHeights(heights);
+  double other[3] = { 0.0, 90.0, 10.0 };
+  ASSERT_TRUE(place->PlacesToScene(other, other, 1));
+  EXPECT_NEAR(other[2], 6356752.314245179 + 10.0, 1e-6);
+}
+
+// Files may count in grads.
+TEST(TerrainGlobe, TakesAnyUnitOfAngles)
+{
+  const auto globe = layOnGlobe(makeHeights(0.0, 50.0, 1.0, 9, 9, "EPSG:4807"));
+  const vtkNew<vtkTerrainGeoreference> place;
+  place->SetFrame(FrameType::Globe);
+  place->SetFromHeights(globe);
+  EXPECT_NEAR(place->GetExtent()[1], 8.0, 1e-9);
+  EXPECT_NEAR(place->GetExtent()[2], 50.0, 1e-9);
+  const vtkNew<vtkTerrainViewpoint> viewpoint;
+  viewpoint->SetGeoreference(place);
+  viewpoint->SetHeights(globe);
+  double scene[3];
+  ASSERT_EQ(viewpoint->FindPlace("5.5,48.5,0agl", scene), "");
+  double file[3];
+  place->SceneToFile(scene, file, 1);
+  EXPECT_NEAR(file[2], file[0] + 100.0 * (file[1] - 50.0), 1e-3);
+}
+
 // Cameras by place, profiles and sight on the globe.
 TEST(TerrainGlobe, HasViewpoints)
 {

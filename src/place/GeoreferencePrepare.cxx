@@ -64,6 +64,16 @@ std::vector<double> terrain::PlaceExtent::Border(const double extent[4])
   return points;
 }
 
+void vtkTerrainGeoreference::SetGlobe(double equatorial, double polar)
+{
+  if (this->Globe[0] != equatorial || this->Globe[1] != polar)
+  {
+    this->Globe[0] = equatorial;
+    this->Globe[1] = polar;
+    this->Modified();
+  }
+}
+
 void vtkTerrainGeoreference::SetFromHeights(vtkImageData* heights)
 {
   const std::string system = terrain::FieldData::GetText(heights, "CRS");
@@ -71,11 +81,16 @@ void vtkTerrainGeoreference::SetFromHeights(vtkImageData* heights)
   {
     this->SetCoordinateSystem(system);
   }
-  if (const auto globe = terrain::GlobeData::Get(heights))
+  const auto globe = terrain::GlobeData::Get(heights);
+  this->SetGlobe(globe ? globe->Body.Equatorial : 0.0, globe ? globe->Body.Polar : 0.0);
+  if (globe)
   {
-    const double west = globe->West / terrain::kDegree;
-    this->SetExtent(west, west + globe->Cells().x * globe->Step / terrain::kDegree,
-      globe->Latitudes.front() / terrain::kDegree, globe->Latitudes.back() / terrain::kDegree);
+    // in the units of the coordinate system, which may be grads
+    this->Prepare();
+    const double degrees = this->Internals->System.GetDegrees();
+    const double unit = terrain::kDegree * (degrees > 0.0 ? degrees : 1.0);
+    this->SetExtent(globe->West / unit, (globe->West + globe->Cells().x * globe->Step) / unit,
+      globe->Latitudes.front() / unit, globe->Latitudes.back() / unit);
     return;
   }
   const terrain::FieldData::Layout layout = terrain::FieldData::GetLayout(heights);
@@ -280,7 +295,9 @@ void vtkTerrainGeoreference::PrepareFrame()
   {
     internals.WhyNot = system.WhyNotLongitudeLatitude();
     internals.HasFrame = internals.WhyNot.empty();
-    internals.Frame = terrain::SceneFrame::OfBody({ system.GetSemiMajor(), system.GetSemiMinor() });
+    internals.Frame = terrain::SceneFrame::OfBody(this->Globe[0] > 0.0
+        ? terrain::Ellipsoid{ this->Globe[0], this->Globe[1] }
+        : terrain::Ellipsoid{ system.GetSemiMajor(), system.GetSemiMinor() });
     return;
   }
   if (system.GetKind() == Kind::OtherWorld)
