@@ -365,7 +365,7 @@ double vtkTerrainPicker::PickGlobe(const terrain::GlobeSurface& globe, const dou
     static_cast<vtkOpenGLTerrainMapper*>(mapper)->GetVerticalExaggeration();
   const glm::dvec3 origin(p1[0], p1[1], p1[2]);
   const auto hit =
-    globe.Trace(origin, glm::dvec3(p2[0], p2[1], p2[2]) - origin, 0.0, 1.0, exaggeration);
+    globe.TraceSeen(origin, glm::dvec3(p2[0], p2[1], p2[2]) - origin, 0.0, 1.0, exaggeration);
   if (!hit.Found)
   {
     return VTK_DOUBLE_MAX;

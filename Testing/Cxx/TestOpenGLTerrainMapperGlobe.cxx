@@ -83,6 +83,26 @@ struct Agreement
   double Largest = 0.0;
 };
 
+/// The first point of the surface that a ray meets from above.
+terrain::GlobeReferenceHit castSeen(
+  const terrain::GlobeReference& reference, terrain::GlobeReferenceRay ray)
+{
+  const double metre = 1.0 / glm::length(ray.Direction);
+  terrain::GlobeReferenceHit hit = reference.Cast(ray);
+  const auto isAbove = [&](double t)
+  {
+    glm::ivec2 cell;
+    glm::dvec2 fraction;
+    return reference.Above(ray.Origin + t * ray.Direction, cell, fraction, false) > 0.0;
+  };
+  while (hit.Found && !isAbove(hit.T - 0.1 * metre))
+  {
+    ray.Begin = hit.T + 10.0 * metre;
+    hit = reference.Cast(ray);
+  }
+  return hit;
+}
+
 class Globe
 {
 public:
@@ -100,8 +120,8 @@ public:
     const auto position = [this](const glm::dvec3& place) {
       return this->Grid.Body.ToPosition({ place.x * kDegree, place.y * kDegree, place.z });
     };
-    const glm::dvec3 eye = position(from);
-    const glm::dvec3 focus = position(to);
+    const glm::dvec3 eye = this->Scale * position(from);
+    const glm::dvec3 focus = this->Scale * position(to);
     this->Shown.Camera()->SetPosition(eye.x, eye.y, eye.z);
     this->Shown.Camera()->SetFocalPoint(focus.x, focus.y, focus.z);
     const glm::dvec3 way = glm::normalize(focus - eye);
@@ -148,11 +168,11 @@ public:
       for (int x = 1; x < DrawingWidth; x += 3)
       {
         terrain::GlobeReferenceRay ray;
-        ray.Origin = terrain::AtPixel(rays.OriginGC, { x + 0.5, y + 0.5 });
-        ray.Direction = terrain::AtPixel(rays.DirectionGC, { x + 0.5, y + 0.5 });
+        ray.Origin = terrain::AtPixel(rays.OriginGC, { x + 0.5, y + 0.5 }) / this->Scale;
+        ray.Direction = terrain::AtPixel(rays.DirectionGC, { x + 0.5, y + 0.5 }) / this->Scale;
         ray.Begin = rays.Begin;
         ray.End = rays.Far;
-        const auto hit = reference.Cast(ray);
+        const auto hit = castSeen(reference, ray);
         const double drawn = distances->GetScalarComponentAsDouble(x, y, 0, 0);
         const bool both = hit.Found && !std::isnan(drawn);
         const double difference = both ? std::abs(drawn - hit.T) / hit.T : 0.0;
@@ -188,6 +208,7 @@ public:
   terrain::GlobeGrid Grid;
   vtkSmartPointer<vtkImageData> Heights;
   double Exaggeration = 1.0;
+  double Scale = 1.0; ///< of the actor
 };
 
 void expectAgreement(Globe& globe, int hits, double tolerance = 1e-4)
@@ -242,7 +263,7 @@ TEST(OpenGLTerrainMapperGlobe, IsExactOnAnyBody)
   }
 }
 
-// Partial rasters, holes, exaggeration, both sides.
+// Partial rasters, exaggeration.
 TEST(OpenGLTerrainMapperGlobe, ShowsWhatIsThere)
 {
   Globe part(layOnGlobe(makeHeights(170.0, -15.0, 0.5, 61, 61, hills)));
@@ -252,13 +273,38 @@ TEST(OpenGLTerrainMapperGlobe, ShowsWhatIsThere)
   part.Shown.Mapper->SetVerticalExaggeration(20.0);
   part.Look({ 185.0, -40.0, 4e6 }, { 183.0, 1.0, 0.0 });
   expectAgreement(part, 50);
-  // from within the planet, through the other side
-  part.Exaggeration = 1.0;
-  part.Shown.Mapper->SetVerticalExaggeration(1.0);
-  part.Look({ 185.0, 10.0, -3e6 }, { 183.0, 1.0, 0.0 });
-  expectAgreement(part, 50);
-  part.Look({ 5.0, 10.0, 1e6 }, { 183.0, 1.0, 0.0 });
-  expectAgreement(part, 20);
+}
+
+// The planet is opaque: from within it, and from behind it, nothing is seen of the underside.
+TEST(OpenGLTerrainMapperGlobe, HidesItsUnderside)
+{
+  Globe part(layOnGlobe(makeHeights(170.0, -15.0, 0.5, 61, 61, hills)));
+  const vtkNew<vtkTerrainPicker> picker;
+  for (const glm::dvec3& eye : { glm::dvec3(185.0, 10.0, -3e6), glm::dvec3(5.0, 10.0, 1e6) })
+  {
+    SCOPED_TRACE(eye.x);
+    part.Look(eye, { 183.0, 1.0, 0.0 });
+    const Agreement result = part.Compare();
+    EXPECT_EQ(result.Hits, 0);
+    EXPECT_EQ(result.Disagreements, 0);
+    EXPECT_FALSE(
+      picker->Pick(0.5 * DrawingWidth, 0.5 * DrawingHeight, 0.0, part.Shown.Scene.Renderer));
+  }
+}
+
+// From below the ground rays go on through it to what they meet from above, in any unit of length.
+TEST(OpenGLTerrainMapperGlobe, ShowsWhatLiesBehindItsUnderside)
+{
+  for (const double scale : { 1.0, 1e-3 })
+  {
+    SCOPED_TRACE(scale);
+    Globe globe(layOnGlobe(makeHeights(6.0, 44.0, 1.0 / 120.0, 500, 400, hills)));
+    globe.Scale = scale;
+    globe.Shown.Actor->SetScale(scale, scale, scale);
+    const double ground = globe.Ground(8.0, 46.0);
+    globe.Look({ 8.0, 46.0, ground - 30.0 }, { 8.06, 46.03, ground + 300.0 });
+    expectAgreement(globe, 100);
+  }
 }
 
 TEST(OpenGLTerrainMapperGlobe, IsExactInParallelProjection)

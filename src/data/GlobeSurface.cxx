@@ -106,6 +106,20 @@ GlobeHit<double> GlobeSurface::Trace(const glm::dvec3& origin, const glm::dvec3&
 }
 
 //------------------------------------------------------------------------------
+GlobeHit<double> GlobeSurface::TraceSeen(const glm::dvec3& origin, const glm::dvec3& direction,
+  double begin, double end, double exaggeration) const
+{
+  constexpr double pace = 10.0; // metres, as in shaders/vtkTerrainCast.glsl
+  GlobeHit<double> hit = this->Trace(origin, direction, begin, end, exaggeration);
+  while (hit.Found && !hit.Front)
+  {
+    const double on = hit.T + pace / glm::length(direction);
+    hit = this->Trace(origin, direction, on, end, exaggeration);
+  }
+  return hit;
+}
+
+//------------------------------------------------------------------------------
 glm::dvec3 GlobeSurface::PositionAt(
   const glm::ivec2& cell, const glm::dvec2& fraction, double exaggeration, glm::dvec3& normal) const
 {

@@ -41,6 +41,9 @@ public:
   /// The first point of the surface on a ray in geocentric coordinates, from begin to end.
   GlobeHit<double> Trace(const glm::dvec3& origin, const glm::dvec3& direction, double begin,
     double end, double exaggeration) const;
+  /// The first that is seen from above, as drawn: the planet below is opaque.
+  GlobeHit<double> TraceSeen(const glm::dvec3& origin, const glm::dvec3& direction, double begin,
+    double end, double exaggeration) const;
   /// Geocentric position of a point of the surface, and its normal there, of unit length; cells and
   /// the position in them.
   glm::dvec3 PositionAt(const glm::ivec2& cell, const glm::dvec2& fraction, double exaggeration,

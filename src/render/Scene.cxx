@@ -290,8 +290,9 @@ void Scene::SetUniforms(Uniforms& uniforms, vtkActor* actor)
   this->Prepass.SetUniforms(uniforms, this->Surface);
   vtkProperty* property = actor->GetProperty();
   uniforms.Set("terrainLayer", this->Layer);
-  uniforms.Set(
-    "terrainCulled", glm::ivec2(property->GetFrontfaceCulling(), property->GetBackfaceCulling()));
+  // the planet below a globe's heights is not to be seen through
+  const bool isOpaque = this->Globe.IsRound() || property->GetBackfaceCulling();
+  uniforms.Set("terrainCulled", glm::ivec2(property->GetFrontfaceCulling(), isOpaque ? 1 : 0));
   uniforms.Set("terrainFlat", property->GetInterpolation() == VTK_FLAT ? 1 : 0);
 }
 
