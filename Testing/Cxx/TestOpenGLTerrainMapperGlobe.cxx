@@ -7,6 +7,8 @@
 
 #include "core/globe/GlobeReference.h"
 #include "data/GlobeData.h"
+#include "data/GlobeSurface.h"
+#include "render/Globe.h"
 #include "vtkTerrainGlobe.h"
 #include "vtkTerrainPicker.h"
 
@@ -304,6 +306,54 @@ TEST(OpenGLTerrainMapperGlobe, ShowsWhatLiesBehindItsUnderside)
     const double ground = globe.Ground(8.0, 46.0);
     globe.Look({ 8.0, 46.0, ground - 30.0 }, { 8.06, 46.03, ground + 300.0 });
     expectAgreement(globe, 100);
+  }
+}
+
+// A grid that has not changed is not read again for each frame.
+TEST(OpenGLTerrainMapperGlobe, ReadsItsGridOnce)
+{
+  const auto heights = makeWorld(10.0);
+  terrain::Globe globe;
+  EXPECT_EQ(globe.SetImage(heights), "");
+  EXPECT_EQ(globe.SetImage(heights), "");
+  EXPECT_EQ(globe.GetNumberOfScans(), 1);
+  heights->Modified();
+  EXPECT_EQ(globe.SetImage(heights), "");
+  EXPECT_EQ(globe.GetNumberOfScans(), 2);
+  heights->GetFieldData()->GetArray("GlobeLatitudes")->SetNumberOfTuples(5);
+  heights->Modified();
+  EXPECT_NE(globe.SetImage(heights), "");
+  EXPECT_NE(globe.SetImage(heights), "");
+  EXPECT_EQ(globe.SetImage(nullptr), "");
+  EXPECT_FALSE(globe.IsRound());
+}
+
+// Places on the border of a raster, rounded to either side, lie on it.
+TEST(OpenGLTerrainMapperGlobe, HasHeightsOnItsBorder)
+{
+  for (const double west : { 170.0, -180.0, 0.1 })
+  {
+    const auto heights = layOnGlobe(makeHeights(west, -15.3, 0.1, 61, 61, hills));
+    terrain::GlobeSurface surface;
+    ASSERT_TRUE(surface.SetImage(heights));
+    const double east = west + 6.0;
+    for (const double side : { -1e3, 1e3 })
+    {
+      for (const double longitude : { west, west - 360.0, east, east + 360.0 })
+      {
+        EXPECT_FALSE(std::isnan(surface.HeightAt(std::nextafter(longitude, side), -13.0)))
+          << longitude;
+      }
+      for (const double latitude : { -15.3, -9.3 })
+      {
+        EXPECT_FALSE(std::isnan(surface.HeightAt(west + 1.0, std::nextafter(latitude, side))))
+          << latitude;
+      }
+    }
+    EXPECT_TRUE(std::isnan(surface.HeightAt(west - 1e-6, -13.0)));
+    EXPECT_TRUE(std::isnan(surface.HeightAt(east + 1e-6, -13.0)));
+    EXPECT_TRUE(std::isnan(surface.HeightAt(west + 1.0, -15.3 - 1e-6)));
+    EXPECT_TRUE(std::isnan(surface.HeightAt(terrain::kNaN, -13.0)));
   }
 }
 

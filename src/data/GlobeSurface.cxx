@@ -11,6 +11,12 @@
 
 namespace terrain
 {
+namespace
+{
+/// Parts of a cell by which a place on the border of a globe may be rounded.
+constexpr double kBorder = 1e-7;
+}
+
 //------------------------------------------------------------------------------
 bool GlobeSurface::SetImage(vtkImageData* image)
 {
@@ -68,14 +74,18 @@ glm::dvec4 GlobeSurface::CellHeights(const glm::ivec2& cell) const
 double GlobeSurface::HeightAt(double longitude, double latitude) const
 {
   const GlobeGrid& grid = *this->Grid;
-  double column = (longitude * kDegree - grid.West) / grid.Step;
-  column -= std::floor(column * grid.Step / kTurn) * kTurn / grid.Step;
-  const double north = latitude * kDegree;
   const std::vector<double>& rows = grid.Latitudes;
-  if (!(column <= grid.Cells().x) || !(north >= rows.front()) || !(north <= rows.back()))
+  // a place on the border may be rounded to either side of it
+  const double turn = kTurn / grid.Step;
+  double column = (longitude * kDegree - grid.West) / grid.Step;
+  column -= std::floor((column + kBorder) / turn) * turn;
+  const double last = grid.Cells().x;
+  const double north = std::clamp(latitude * kDegree, rows.front(), rows.back());
+  if (!(column <= last + kBorder) || !(std::abs(north - latitude * kDegree) <= kBorder * grid.Step))
   {
     return kNaN;
   }
+  column = std::clamp(column, 0.0, last);
   const auto row =
     static_cast<int>(std::upper_bound(rows.begin(), rows.end() - 1, north) - rows.begin() - 1);
   const glm::ivec2 cell(

@@ -42,21 +42,32 @@ glm::dvec3 lookedAt(const Ellipsoid& body, const glm::dvec3& eye, const glm::dve
 //------------------------------------------------------------------------------
 std::string Globe::SetImage(vtkImageData* image)
 {
+  const vtkMTimeType time = image ? image->GetMTime() : 0;
+  if (this->Image == image && this->ImageTime == time)
+  {
+    return this->WhyNot;
+  }
+  this->Image = image;
+  this->ImageTime = time;
+  this->WhyNot.clear();
+  this->Curves.clear();
   this->Grid = GlobeData::Get(image);
   if (!this->Grid)
   {
     return {};
   }
-  std::string why = this->Grid->WhyNot();
-  if (why.empty() && static_cast<int>(this->Grid->Latitudes.size()) != image->GetDimensions()[1])
+  ++this->NumberOfScans;
+  this->WhyNot = this->Grid->WhyNot();
+  if (this->WhyNot.empty() &&
+    static_cast<int>(this->Grid->Latitudes.size()) != image->GetDimensions()[1])
   {
-    why = "the latitudes of the globe's heights are not those of their rows";
+    this->WhyNot = "the latitudes of the globe's heights are not those of their rows";
   }
-  if (why.empty())
+  if (this->WhyNot.empty())
   {
     this->Curves = GlobeCurves(*this->Grid);
   }
-  return why;
+  return this->WhyNot;
 }
 
 //------------------------------------------------------------------------------

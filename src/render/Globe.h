@@ -16,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkTextureObject.h"
+#include "vtkWeakPointer.h"
 
 #include <memory>
 #include <string>
@@ -33,9 +34,14 @@ class Uniforms;
 class Globe
 {
 public:
-  /// Takes over the grid of an image of heights, if it is a globe's. Empty, or one sentence that
-  /// says why it cannot be used.
+  /// Takes over the grid of an image of heights, if it is a globe's and has changed since the last
+  /// call. Empty, or one sentence that says why it cannot be used.
   std::string SetImage(vtkImageData* image);
+  /// How often a grid was taken over.
+  int GetNumberOfScans() const
+  {
+    return this->NumberOfScans;
+  }
   bool IsRound() const
   {
     return this->Grid != nullptr;
@@ -61,6 +67,10 @@ public:
 private:
   bool Upload(vtkOpenGLRenderWindow* window);
 
+  vtkWeakPointer<vtkImageData> Image;
+  vtkMTimeType ImageTime = 0;
+  std::string WhyNot;
+  int NumberOfScans = 0;
   std::unique_ptr<GlobeGrid> Grid;
   std::vector<glm::dvec4> Curves;
   GlobeRange Range;

@@ -83,9 +83,8 @@ void Proxy::Update(const GridGeometry& geometry, const HeightCodes& codes, const
 }
 
 //------------------------------------------------------------------------------
-void Proxy::Update(const BoxGC& boxMC, const BoxGC& bounds)
+void Proxy::Update(const BoxGC& boxMC)
 {
-  this->Bounds = bounds;
   if (this->CornersMC != boxMC)
   {
     this->CornersMC = boxMC;

@@ -34,8 +34,9 @@ public:
   /// that.
   void Update(const GridGeometry& geometry, const HeightCodes& codes, const glm::ivec2& size,
     double lowestHeight);
-  /// Makes the box of a globe, in model coordinates, whose bounds a view has in other axes.
-  void Update(const BoxGC& boxMC, const BoxGC& bounds);
+  /// Makes a box in model coordinates, that of a globe, whose bounds follow the view's anchor
+  /// (Globe::GetAnchoredBounds()).
+  void Update(const BoxGC& boxMC);
   /// Empties the box.
   void Clear();
 
@@ -43,7 +44,7 @@ public:
   {
     return this->Box;
   }
-  /// The box with its margin, cells and height codes.
+  /// The box of a flat surface with its margin, cells and height codes.
   const BoxGC& GetBounds() const
   {
     return this->Bounds;

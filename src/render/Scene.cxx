@@ -85,7 +85,7 @@ bool Scene::Update(vtkImageData* heights, vtkImageData* detail)
   if (this->Globe.IsRound())
   {
     this->Globe.SetHeights(codes, this->Look->GetVerticalExaggeration());
-    this->Proxy.Update(this->Globe.GetBounds(), this->Globe.GetAnchoredBounds());
+    this->Proxy.Update(this->Globe.GetBounds());
     return true;
   }
   this->Proxy.Update(this->Surface.GetGeometry(), codes, this->Surface.GetSize(),

@@ -18,8 +18,6 @@
 
 namespace terrain
 {
-/// Cells of a globe must not be wider, radians: what the fit in a cell is made for.
-constexpr double kWidestGlobeCell = 0.0176;
 /// Beyond any distance.
 constexpr float kGlobeNever = 1e30f;
 
