@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <vector>
 
@@ -383,6 +384,29 @@ TEST_F(TerrainAnalyze, NeverReplacesItsRaster)
     EXPECT_EQ(this->ListFiles(), files);
   }
   EXPECT_EQ(this->Analyze({ "slope", ramp, "--output", "again.tif" }).Status, 0);
+}
+
+TEST_F(TerrainAnalyze, NeverReplacesWhatElseItReads)
+{
+  const std::string ramp = this->WriteRamp();
+  const std::string people = R"({"type":"Point","coordinates":[9.001,45.1525]})";
+  this->WriteText("people.geojson", people);
+  std::filesystem::create_symlink("people.geojson", this->Path("link.geojson"));
+  const std::string crs = "+proj=utm +zone=32 +datum=WGS84\n";
+  this->WriteText("utm.prj", crs);
+  const std::vector<std::string> files = this->ListFiles();
+  const std::vector<std::string> looks{ "viewshed", ramp, "--observers", "people.geojson" };
+  for (const char* output : { "people.geojson", "link.geojson" })
+  {
+    std::vector<std::string> arguments = looks;
+    arguments.insert(arguments.end(), { "--output", output });
+    ExpectRefused(this->Analyze(arguments), 1, output);
+  }
+  ExpectRefused(
+    this->Analyze({ "slope", ramp, "--crs", "utm.prj", "--output", "utm.prj" }), 1, "utm.prj");
+  EXPECT_EQ(this->ReadText("people.geojson"), people);
+  EXPECT_EQ(this->ReadText("utm.prj"), crs);
+  EXPECT_EQ(this->ListFiles(), files);
 }
 
 TEST_F(TerrainAnalyze, RefusesInOneLineAndLeavesNothing)

@@ -202,3 +202,19 @@ TEST_F(TerrainPrepareMesh, NeverReplacesItsRaster)
   EXPECT_EQ(result.Status, 2);
   EXPECT_EQ(this->Bytes("hill.vtp"), before);
 }
+
+TEST_F(TerrainPrepareMesh, NeverReplacesWhatElseItReads)
+{
+  const std::string hill = this->WriteHill();
+  ASSERT_EQ(this->Run({ hill, "--size", "32x24", "--output", "photo.png" }).Status, 0);
+  std::filesystem::create_hard_link(this->Path("photo.png"), this->Path("photo.glb"));
+  const std::string photo = this->Bytes("photo.png");
+  const std::string crs = "+proj=utm +zone=32 +datum=WGS84\n";
+  this->WriteText("utm.stl", crs);
+  this->ExpectPrepareRefused(
+    { hill, "--mesh", "photo.glb", "--texture", "photo.png" }, 2, "--texture");
+  this->ExpectPrepareRefused({ hill, "--crs", "utm.stl", "--mesh", "utm.stl" }, 2, "--crs");
+  this->ExpectPrepareRefused({ hill, "utm.stl", "--crs", "utm.stl" }, 2, "--crs");
+  EXPECT_EQ(this->Bytes("photo.glb"), photo);
+  EXPECT_EQ(this->Bytes("utm.stl"), crs);
+}

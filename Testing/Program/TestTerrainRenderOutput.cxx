@@ -367,18 +367,30 @@ TEST_F(TerrainRenderOutput, InputsAndOutputsAreNeverReplaced)
   const std::string hill = this->WriteHill();
   const std::string content = this->ReadText("hill.tif");
   std::filesystem::create_symlink("hill.tif", this->Path("link.tif"));
+  const std::string colors = "0 red 100 red\n";
+  this->WriteText("red.cpt", colors);
+  std::filesystem::create_hard_link(this->Path("red.cpt"), this->Path("same.cpt"));
+  const std::string crs = "+proj=utm +zone=45 +datum=WGS84\n";
+  this->WriteText("utm.prj", crs);
   const std::vector<std::vector<std::string>> lines{ { hill, "--output", "./hill.tif" },
     { hill, "--output", "link.tif" }, { "link.tif", "--output", "hill.tif" },
     { hill, "--depth", "hill.tif" }, { hill, "--stats", "link.tif" },
     { "--track", hill, "--output", "link.tif" }, { "--drape", hill, "--output", "link.tif" },
     { "--detail", "link.tif", "--output", hill }, { "--stats", "./terrain.png" },
+    { "--colors", "red.cpt", "--output", "red.cpt" },
+    { hill, "--colors", "red.cpt", "--depth", "same.cpt" },
+    { hill, "--colors", "same.cpt", "--stats", "./red.cpt" },
+    { hill, "--crs", "utm.prj", "--output", "utm.prj" },
     { "--depth", "depth.tif", "--stats", "./depth.tif" } };
   for (const std::vector<std::string>& line : lines)
   {
     ExpectRefused(this->Run(line), 2, line[line.size() - 2]);
   }
   EXPECT_EQ(this->ReadText("hill.tif"), content);
-  EXPECT_EQ(this->ListFiles(), (std::vector<std::string>{ "hill.tif", "link.tif" }));
+  EXPECT_EQ(this->ReadText("red.cpt"), colors);
+  EXPECT_EQ(this->ReadText("utm.prj"), crs);
+  EXPECT_EQ(this->ListFiles(),
+    (std::vector<std::string>{ "hill.tif", "link.tif", "red.cpt", "same.cpt", "utm.prj" }));
 }
 
 TEST_F(TerrainRenderOutput, LinksAreFollowed)

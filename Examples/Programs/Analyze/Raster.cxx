@@ -45,6 +45,16 @@ double AvailableMemory()
   return std::numeric_limits<double>::infinity();
 }
 
+void AddInputs(vtkTerrainOutputFile* file, const RasterOptions& options)
+{
+  file->AddInput(options.Heights);
+  file->AddInput(options.Input.CoordinateSystem);
+  for (const std::string& input : options.Inputs)
+  {
+    file->AddInput(input);
+  }
+}
+
 std::string GetText(vtkImageData* image, const char* name)
 {
   auto* array = vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray(name));
@@ -143,9 +153,21 @@ vtkSmartPointer<vtkImageData> ReadHeights(const RasterOptions& options, double b
 }
 
 //------------------------------------------------------------------------------
+void CheckOutput(const RasterOptions& options)
+{
+  vtkNew<vtkTerrainOutputFile> file;
+  AddInputs(file, options);
+  const std::string input = file->FindInput(options.Output);
+  if (!input.empty())
+  {
+    throw Failure(options.Output, "the input '" + input + "' is read from it");
+  }
+}
+
+//------------------------------------------------------------------------------
 void OpenOutput(vtkTerrainOutputFile* file, const RasterOptions& options)
 {
-  file->AddInput(options.Heights);
+  AddInputs(file, options);
   if (!file->Open(options.Output))
   {
     throw Failure(file->GetErrorMessage());

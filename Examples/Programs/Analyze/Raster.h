@@ -44,6 +44,8 @@ struct RasterOptions
 {
   std::string Heights;
   std::string Output;
+  /// All other files that the command reads; the output never replaces one.
+  std::vector<std::string> Inputs;
   HeightOptions Input;
   std::string Compression = "NONE";
   bool Quiet = false;
@@ -80,7 +82,10 @@ private:
   vtkNew<vtkTerrainOutputFile> File;
 };
 
-/// Opens the output, which must not be a file that the heights are read from. Throws Failure.
+/// Throws Failure if the output is a file that the command reads, which would be lost.
+void CheckOutput(const RasterOptions& options);
+
+/// Opens the output, which must not be a file that the command reads. Throws Failure.
 void OpenOutput(vtkTerrainOutputFile* file, const RasterOptions& options);
 
 /// Numbers of a field array of an image; empty if there is none.

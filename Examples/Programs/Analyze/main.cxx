@@ -61,8 +61,10 @@ public:
     }
     return true;
   }
-  void Run() const
+  void Run()
   {
+    this->Raster.Inputs = this->Viewshed.Observers.Files;
+    CheckOutput(this->Raster); // before the work
     this->Chosen();
   }
 

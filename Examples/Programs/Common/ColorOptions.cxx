@@ -63,6 +63,13 @@ void ColorOptions::Declare(CLI::App& app)
 }
 
 //------------------------------------------------------------------------------
+std::string ColorOptions::GetFileName() const
+{
+  const vtkNew<vtkTerrainColors> colors;
+  return colors->SetScheme(this->Colors) ? std::string() : this->Colors;
+}
+
+//------------------------------------------------------------------------------
 bool ColorOptions::IsGiven() const
 {
   return !this->Colors.empty() || !this->Range.empty() || this->Reverse || this->BelowSea != "auto";

@@ -30,6 +30,9 @@ struct ColorOptions
   /// Adds the options to a command line, which fills this object and refuses what is no value.
   void Declare(CLI::App& app);
 
+  /// The file that Colors names; empty for a scheme, or none.
+  std::string GetFileName() const;
+
   /// True if anything is asked for.
   bool IsGiven() const;
 

@@ -19,7 +19,7 @@ class App;
 
 struct HeightOptions
 {
-  /// CRS in place of the file's; empty for its own.
+  /// CRS in place of the file's, or the name of a file that has one; empty for its own.
   std::string CoordinateSystem;
   /// Number of a band, from 1 on; 0: chosen by the reader.
   int Band = 0;

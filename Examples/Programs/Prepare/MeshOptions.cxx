@@ -147,6 +147,7 @@ void PrepareMesh(
   vtkNew<vtkTerrainOutputFile> file;
   file->AddInput(heights);
   file->AddInput(options.Look.Texture);
+  file->AddInput(input.CoordinateSystem);
   if (!file->Open(options.Path))
   {
     throw std::runtime_error(file->GetErrorMessage());

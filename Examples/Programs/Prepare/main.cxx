@@ -33,6 +33,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -237,14 +238,23 @@ int Prepare(
   return 0;
 }
 
-/// OUT must be no file that HEIGHTS is read from, which would be lost.
-void CheckOutput(const std::string& heights, const std::string& out)
+/// The output must be no file that is read, which would be lost.
+void CheckOutput(const std::string& heights, const HeightOptions& input, const MeshOptions& mesh,
+  const std::string& out)
 {
-  vtkNew<vtkTerrainOutputFile> file;
-  file->AddInput(heights);
-  if (!file->FindInput(out).empty())
+  const bool isMesh = !mesh.Path.empty();
+  const std::string& output = isMesh ? mesh.Path : out;
+  const std::vector<std::pair<const char*, std::string>> inputs = { { "HEIGHTS", heights },
+    { "--crs", input.CoordinateSystem }, { "--texture", mesh.Look.Texture } };
+  for (const auto& [name, path] : inputs)
   {
-    throw CLI::ValidationError("OUT", "'" + out + "' is a file that HEIGHTS is read from");
+    vtkNew<vtkTerrainOutputFile> file;
+    file->AddInput(path);
+    if (!file->FindInput(output).empty())
+    {
+      throw CLI::ValidationError(
+        isMesh ? "--mesh" : "OUT", "'" + output + "' is a file that " + name + " is read from");
+    }
   }
 }
 
@@ -280,7 +290,7 @@ int Run(int argc, char** argv)
     {
       throw CLI::ValidationError("--mesh", why);
     }
-    CheckOutput(heights, mesh.Path.empty() ? out : mesh.Path);
+    CheckOutput(heights, input, mesh, out);
   }
   catch (const CLI::ParseError& error)
   {

@@ -329,6 +329,16 @@ std::string CanonicalPath(const std::string& name)
     : std::filesystem::weakly_canonical(std::filesystem::absolute(name), error).string();
 }
 
+/// All files that the options have read.
+std::vector<std::string> InputFiles(const Options& options)
+{
+  std::vector<std::string> inputs = { options.Heights, options.Input.CoordinateSystem,
+    options.Colors.GetFileName(), options.Place.Drape, options.Place.GetGeoidFile(),
+    options.Detail.File };
+  inputs.insert(inputs.end(), options.Place.Tracks.begin(), options.Place.Tracks.end());
+  return inputs;
+}
+
 /// No output may be a file that an input is read from, which would be lost, or another output.
 void CheckFiles(const Options& options)
 {
@@ -336,8 +346,7 @@ void CheckFiles(const Options& options)
   {
     Refuse("--output", "needs the name of a file");
   }
-  std::vector<std::string> inputs = { options.Heights, options.Place.Drape, options.Detail.File };
-  inputs.insert(inputs.end(), options.Place.Tracks.begin(), options.Place.Tracks.end());
+  const std::vector<std::string> inputs = InputFiles(options);
   const vtkNew<vtkTerrainOutputFile> files;
   std::vector<std::string> paths;
   for (const std::string& input : inputs)

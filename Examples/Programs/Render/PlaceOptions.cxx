@@ -5,6 +5,7 @@
 #include "Arguments.h"
 
 #include "vtkNew.h"
+#include "vtkTerrainGeoid.h"
 #include "vtkTerrainViewpoint.h"
 
 #include <CLI/CLI.hpp>
@@ -102,6 +103,21 @@ void CheckView(const PlaceOptions& options)
     }
   }
 }
+}
+
+//------------------------------------------------------------------------------
+std::string PlaceOptions::GetGeoidFile() const
+{
+  if (this->Vertical == HeightType::AsIs && this->Geoid.empty())
+  {
+    return {};
+  }
+  const vtkNew<vtkTerrainGeoid> geoid;
+  if (!this->Geoid.empty())
+  {
+    geoid->SetModel(this->Geoid);
+  }
+  return geoid->GetFileName();
 }
 
 //------------------------------------------------------------------------------

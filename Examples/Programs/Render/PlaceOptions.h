@@ -57,6 +57,9 @@ struct PlaceOptions
   bool ScaleBar = false;
   bool NorthArrow = false;
 
+  /// The file of the geoid data; empty where no heights are converted, or where there are none.
+  std::string GetGeoidFile() const;
+
   /// The first option that needs to know where on earth the heights are; null if there is none.
   const char* FirstThatNeedsPlaces() const;
 };

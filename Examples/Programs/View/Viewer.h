@@ -39,6 +39,12 @@ public:
   /// Of heights that have a surface, read from the file `name`, which no picture replaces.
   Viewer(vtkImageData* heights, const std::string& name, int width, int height);
 
+  /// Names another file that is read, which no picture replaces.
+  void KeepFile(const std::string& name)
+  {
+    this->Picture->AddInput(name);
+  }
+
   vtkTerrainActor* GetTerrain()
   {
     return this->Terrain;

@@ -102,6 +102,8 @@ void Show(const Options& options)
   source->Update();
   ThrowOnError(name);
   Viewer viewer(source->GetOutput(), name, options.Width, options.Height);
+  viewer.KeepFile(options.Input.CoordinateSystem);
+  viewer.KeepFile(options.Colors.GetFileName());
   if (!viewer.GetTerrain()->HasSurface())
   {
     throw Failure(name, "no four neighbouring samples all have heights");
