@@ -409,6 +409,35 @@ TEST_F(TerrainAnalyze, NeverReplacesWhatElseItReads)
   EXPECT_EQ(this->ListFiles(), files);
 }
 
+TEST_F(TerrainAnalyze, RefusesWhatIsNoNumber)
+{
+  const std::string ramp = this->WriteRamp();
+  const std::vector<std::string> before = this->ListFiles();
+  const std::vector<std::vector<std::string>> wrong{ { "horizon", "--eye-height" },
+    { "horizon", "--refraction" }, { "skyview", "--radius" },
+    { "sunlight", "--date", "2024-06-21", "--time-step" },
+    { "sunlight", "--date", "2024-06-21", "--turbidity" },
+    { "line-of-sight", "--from", "9,45", "--to", "9,45", "--refraction" },
+    { "viewshed", "--eye-height" }, { "viewshed", "--target-height" }, { "viewshed", "--distance" },
+    { "viewshed", "--nearest" }, { "viewshed", "--observer-spacing" }, { "viewshed", "--radius" },
+    { "viewshed", "--refraction" }, { "viewshed", "--observer" }, { "viewshed", "--azimuth" },
+    { "viewshed", "--elevation" } };
+  for (std::vector<std::string> arguments : wrong)
+  {
+    const std::string option = arguments.back();
+    const bool isPair = option == "--observer" || option == "--azimuth" || option == "--elevation";
+    arguments.insert(arguments.begin() + 1, ramp);
+    arguments.emplace_back(isPair ? "0,nan" : "nan");
+    if (arguments[0] != "line-of-sight")
+    {
+      arguments.insert(arguments.end(), { "--output", "map.tif" });
+    }
+    SCOPED_TRACE(arguments[0] + " " + option);
+    ExpectRefused(this->Analyze(arguments), 2, option);
+  }
+  EXPECT_EQ(this->ListFiles(), before);
+}
+
 TEST_F(TerrainAnalyze, RefusesInOneLineAndLeavesNothing)
 {
   const std::string ramp = this->WriteRamp();

@@ -4,6 +4,7 @@
 #include "TerrainRenderFixture.h"
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -99,7 +100,8 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--sun-angle", "91" }, "--sun-angle" }, { { "--sky-light=-1" }, "--sky-light" },
   { { "--contours", "0" }, "--contours" }, { { "--block", "-5" }, "--block" },
   { { "--block", "100", "--technique", "mesh" }, "pyramid" },
-  { { "--hillshade", "--shadows" }, "--hillshade" } };
+  { { "--hillshade", "--shadows" }, "--hillshade" }, { { "--contours", "nan" }, "--contours" }, { { "--block", "NaN" }, "--block" },
+  { { "--sun-angle", "-nan" }, "--sun-angle" }, { { "--sky-light=nan" }, "--sky-light" } };
 }
 
 TEST_F(TerrainRenderOptions, WrongOnesAreRefused)
@@ -111,6 +113,14 @@ TEST_F(TerrainRenderOptions, WrongOnesAreRefused)
     ExpectRefused(result, 2, wrong.Mention);
   }
   EXPECT_TRUE(this->ListFiles().empty());
+}
+
+// Where no number is wanted it is a word like others.
+TEST_F(TerrainRenderOptions, NanIsAName)
+{
+  ASSERT_TRUE(std::filesystem::copy_file(this->WriteHill(), this->Path("nan")));
+  const RunResult result = this->Run({ "nan", "--size", "32x32", "--legend=nan" });
+  EXPECT_EQ(result.Status, 0) << result.Errors;
 }
 
 TEST_F(TerrainRenderOptions, HelpAndVersionAreNoErrors)

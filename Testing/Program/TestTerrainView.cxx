@@ -217,6 +217,10 @@ TEST_F(TerrainView, RefusesWhatItCannotShow)
   ExpectRefused(run({ hill }), 1, "DISPLAY");
   ExpectRefused(run({ "--exaggeration", "-1" }), 2, "--exaggeration");
   ExpectRefused(run({ "--nonsense" }), 2, "--nonsense");
+  for (const char* option : { "--exaggeration", "--sun-angle", "--contours", "--block" })
+  {
+    ExpectRefused(run({ option, "nan" }), 2, option);
+  }
   EXPECT_EQ(run({ "--help" }).Status, 0);
   setenv("DISPLAY", ":no-display", 1);
   ExpectRefused(run({ hill }), 1, ":no-display");

@@ -7,6 +7,7 @@
 #include "Derivatives.h"
 #include "Ending.h"
 #include "Light.h"
+#include "NotNumbers.h"
 #include "Raster.h"
 #include "Sight.h"
 
@@ -17,7 +18,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
-#include <memory>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -53,10 +54,17 @@ public:
     try
     {
       this->App.parse(argc, argv);
+      RefuseNotANumber(this->App);
     }
     catch (const CLI::ParseError& error)
     {
-      status = this->App.exit(error) == 0 ? 0 : 2;
+      if (error.get_exit_code() == 0)
+      {
+        status = this->App.exit(error); // --help
+        return false;
+      }
+      std::cerr << "terrain-analyze: " << error.what() << '\n';
+      status = 2;
       return false;
     }
     return true;

@@ -6,6 +6,7 @@
 #include "Ending.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "NotNumbers.h"
 #include "Sections.h"
 #include "Stage.h"
 
@@ -156,6 +157,7 @@ int RunCommandLine(int argc, char** argv)
   try
   {
     app.parse(argc, argv);
+    RefuseNotANumber(app);
   }
   catch (const CLI::ParseError& error)
   {

@@ -9,6 +9,7 @@
 #include "Ending.h"
 #include "HeightOptions.h"
 #include "MeshOptions.h"
+#include "NotNumbers.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -278,6 +279,7 @@ int Run(int argc, char** argv)
   try
   {
     app.parse(argc, argv);
+    RefuseNotANumber(app);
     const bool writes = !out.empty() || !mesh.Path.empty();
     if (check == writes || (!out.empty() && !mesh.Path.empty()))
     {

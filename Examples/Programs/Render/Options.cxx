@@ -4,12 +4,12 @@
 
 #include "Arguments.h"
 #include "Day.h"
-
-#include "vtkNew.h"
-#include "vtkTerrainOutputFile.h"
+#include "NotNumbers.h"
+#include "Outputs.h"
 
 #include "vtkNew.h"
 #include "vtkTerrainGeoreference.h"
+#include "vtkTerrainOutputFile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -408,6 +408,7 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
   {
     Declare(app, options, texts);
     app.parse(argc, argv);
+    RefuseNotANumber(app);
     Interpret(texts, options);
     CheckFiles(options);
     CheckTechnique(options);

@@ -11,6 +11,7 @@
 #include "HeightOptions.h"
 #include "LightOptions.h"
 #include "Messages.h"
+#include "NotNumbers.h"
 #include "SurfaceOptions.h"
 #include "Viewer.h"
 
@@ -154,6 +155,7 @@ std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
   try
   {
     app.parse(argc, argv);
+    RefuseNotANumber(app);
   }
   catch (const CLI::ParseError& error)
   {
