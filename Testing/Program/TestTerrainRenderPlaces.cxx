@@ -305,7 +305,11 @@ TEST_F(TerrainRenderPlaces, DegreesAreAGlobe)
   this->ExpectDrawn(
     this->Draw(path, { "--graticule", "degrees", "--sun", "2024-06-21T12:00Z" }), 500);
   this->ExpectRefusal(path, { "--frame", "globe", "--technique", "linear" }, "leave it at pyramid");
+  this->ExpectRefusal(path, { "--frame", "globe", "--technique", "strips" }, "--technique");
   this->ExpectRefusal(path, { "--frame", "globe", "--scale-bar" }, "--frame map");
+  this->ExpectRefusal(path, { "--block", "1000" }, "--block: does not go with --frame globe");
+  this->ExpectRefusal(path, { "--cubic" }, "--cubic: does not go with --frame globe");
+  this->ExpectRefusal(path, { "--frame", "globe", "--cell", "9000" }, "--cell");
 
   half.CoordinateSystem = "+proj=longlat +a=3396190 +b=3376200 +no_defs";
   const std::string mars = this->WriteRaster("mars.tif", half);

@@ -117,10 +117,12 @@ void RefuseOnGlobe(const Options& options)
   refuse(options.Search != vtkTerrainLook::Techniques::Pyramid, "--technique",
     "leave it at pyramid, or choose --frame map");
   refuse(!options.Detail.File.empty(), "--detail", "choose --frame map");
-  refuse(wanted.Cell > 0.0 || wanted.Cubic, "--cell", "heights are drawn as they are");
+  refuse(wanted.Cell > 0.0, "--cell", "heights are drawn as they are");
+  refuse(wanted.Cubic, "--cubic", "heights are drawn as they are, or choose --frame map");
   refuse(wanted.Vertical != HeightType::AsIs, "--vertical", "heights count from the ellipsoid");
   refuse(!wanted.Drape.empty(), "--drape", "choose --frame map");
   refuse(!wanted.Tracks.empty(), "--track", "choose --frame map");
+  refuse(options.Surface.Block > 0.0, "--block", "choose --frame map");
   refuse(options.Light.Shadows, "--shadows", "choose --frame map");
   refuse(options.Light.SkyLight > 0.0, "--sky-light", "choose --frame map");
   refuse(!options.Light.Sun.empty() && !options.Light.NeedsPlace(), "--sun",
