@@ -83,9 +83,9 @@ std::string StandObservers(const View& view, const terrain::ObserverPlaces& plac
   return observers.empty() ? "there are no observers" : std::string();
 }
 
-/// NaN where there is no height.
+/// NaN where there is no height, and where no rise would do.
 template <typename View>
-void MarkNoData(const View& view, float* values)
+void MarkNoRise(const View& view, float* values)
 {
   terrain::SMPParallelFor(view.Height,
     [&](std::int64_t begin, std::int64_t end)
@@ -95,7 +95,7 @@ void MarkNoData(const View& view, float* values)
         for (std::int64_t i = 0; i < view.Width; ++i)
         {
           float& value = values[i + view.Width * j];
-          value = std::isnan(static_cast<double>(view.At(i, j)))
+          value = std::isinf(value) || std::isnan(static_cast<double>(view.At(i, j)))
             ? std::numeric_limits<float>::quiet_NaN()
             : value;
         }
@@ -205,7 +205,7 @@ std::string vtkTerrainViewshed::LookAround(
       }
       if (lowest)
       {
-        MarkNoData(view, lowest);
+        MarkNoRise(view, lowest);
       }
     });
   return whyNot;
@@ -246,6 +246,7 @@ int vtkTerrainViewshed::RequestData(
   output->GetPointData()->AddArray(counts);
   if (this->OutputRise)
   {
+    terrain::ImageHeights::ArrangeRows(heights, rises->GetPointer(0), size[0], size[1]);
     output->GetPointData()->AddArray(rises);
   }
   return 1;

@@ -14,8 +14,9 @@
  * | Observers | unsigned int: how many see the point TargetHeight above the sample |
  * | RiseToBeSeen | float, if OutputRise is on: metres that point must rise to be seen by one |
  *
- * Observers is 0 where there is no height. RiseToBeSeen is 0 where somebody sees the point,
- * infinity where no rise would do within the limits, and NaN where there is no height.
+ * Observers is 0 where there is no height. RiseToBeSeen is 0 where somebody sees the point, and NaN
+ * where no rise would do within the limits of distance, azimuth and elevation, or where there is no
+ * height.
  *
  * Exact for the bilinear surface, but for float arithmetic (core/rays/Viewshed.h). What there are
  * no data for hides nothing, or everything behind it: NoDataBlocks. An observer outside the

@@ -185,7 +185,8 @@ protected:
     for (vtkIdType k = 0; k < a->GetNumberOfTuples(); ++k)
     {
       const double value = a->GetComponent(k, 0);
-      ASSERT_TRUE(value == turned->GetComponent(k, 0) || std::isnan(value)) << name << " " << k;
+      const double other = turned->GetComponent(k, 0);
+      ASSERT_TRUE(value == other || (std::isnan(value) && std::isnan(other))) << name << " " << k;
     }
   }
 
@@ -266,6 +267,13 @@ TEST_P(RowsFromNorth, AreSeenTheSame)
   observers->SetPoints(points);
   this->ExpectSameArrayOf<vtkTerrainViewshed>(
     "Observers", [&](vtkTerrainViewshed* filter) { filter->SetInputData(1, observers); });
+  this->ExpectSameArrayOf<vtkTerrainViewshed>("RiseToBeSeen",
+    [&](vtkTerrainViewshed* filter)
+    {
+      filter->SetInputData(1, observers);
+      filter->SetOutputRise(true);
+      filter->SetDistanceRange(0.0, 250.0); // NaN beyond
+    });
   this->ExpectSameArrayOf<vtkTerrainHorizon>(
     "Horizon", [](vtkTerrainHorizon* filter) { filter->SetNumberOfDirections(5); });
   this->ExpectSameArrayOf<vtkTerrainHorizon>("SkyView", [](vtkTerrainHorizon*) {});

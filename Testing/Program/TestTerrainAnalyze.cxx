@@ -348,9 +348,11 @@ TEST_F(TerrainAnalyze, ViewshedOfARoadAnAreaAndAFile)
     << R"({"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
     << R"([[9.00133,45.15275],[9.00209,45.15275]]}})";
   const Bands file = this->Map({ "viewshed", path, "--observers", this->Path("road.geojson"),
-    "--azimuth", "180,360", "--nearest", "30" });
+    "--azimuth", "180,360", "--nearest", "30", "--rise" });
   EXPECT_GE(file.At(1, 2, 20), 6.0f);
   EXPECT_EQ(file.At(1, 28, 20), 0.0f); // east
+  EXPECT_EQ(file.At(2, 2, 20), 0.0f);
+  EXPECT_TRUE(std::isnan(file.At(2, 28, 20))); // no rise brings it to the west
   const std::vector<std::string> before = this->ListFiles();
   const auto refuse = [&](std::vector<std::string> arguments, const std::string& mention)
   {

@@ -187,8 +187,8 @@ private:
       ->expected(2);
     command->add_flag(
       "--nodata-blocks", viewshed.NoDataBlocks, "Nobody sees across what there are no data for");
-    command->add_flag(
-      "--rise", viewshed.Rise, "Band 2: metres by which a target would have to rise to be seen");
+    command->add_flag("--rise", viewshed.Rise,
+      "Band 2: metres by which a target would have to rise to be seen, NoData where none would do");
     command->add_flag("--curvature", viewshed.Curvature, "The planet is round");
     command->add_option("--refraction", viewshed.Refraction, "Share of the curvature, 0 to 1")
       ->check(CLI::Range(0.0, 1.0));
