@@ -11,6 +11,7 @@
 // such; TERRAIN_READ_SIGHTINGS if a compute shader has cast the rays (vtkTerrainSighting.glsl).
 
 uniform int terrainFlat; // 1 for the normals of single patches, not of differences across them
+uniform int terrainRowsFromNorth; // 1 if the image's first row is the last one here
 
 struct TerrainSurface
 {
@@ -73,20 +74,22 @@ ivec2 terrainArraySize()
 #endif
 }
 
-// Number of the cell in the grid of the heights.
+// Number of the cell in the image of the heights.
 int terrainCellId(TerrainSurface surface)
 {
   vec2 fraction;
   ivec2 cell = terrainArrayCell(surface, fraction);
+  cell.y = terrainRowsFromNorth == 1 ? terrainArraySize().y - 2 - cell.y : cell.y;
   return cell.x + (terrainArraySize().x - 1) * cell.y;
 }
 
-// Number of the nearest sample in the grid of the heights.
+// Number of the nearest sample in the image of the heights.
 int terrainSampleId(TerrainSurface surface)
 {
   vec2 fraction;
   ivec2 nearest = terrainArrayCell(surface, fraction);
   nearest += ivec2(floor(fraction + 0.5));
+  nearest.y = terrainRowsFromNorth == 1 ? terrainArraySize().y - 1 - nearest.y : nearest.y;
   return nearest.x + terrainArraySize().x * nearest.y;
 }
 

@@ -19,6 +19,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMultiBlockDataSet.h"
@@ -389,6 +390,61 @@ TEST_P(RowsFromNorth, ArePickedTheSame)
       }
     },
     vtkOpenGLTerrainMapper::Techniques::Pyramid, this->South);
+}
+
+namespace
+{
+/// Numbers of the cells or samples that the pixels of a picture show, -1 for none.
+std::vector<vtkIdType> SelectIds(vtkImageData* heights, bool cells)
+{
+  std::vector<vtkIdType> ids;
+  vtkTerrainTesting::DrawScene(
+    [&](TerrainScene& scene, const TerrainProp&)
+    {
+      vtkTerrainTesting::Render(scene.Window);
+      const int* size = scene.Window->GetSize();
+      const auto width = static_cast<unsigned int>(size[0]);
+      const auto height = static_cast<unsigned int>(size[1]);
+      vtkNew<vtkHardwareSelector> selector;
+      selector->SetRenderer(scene.Renderer);
+      selector->SetArea(0, 0, width - 1, height - 1);
+      selector->SetFieldAssociation(
+        cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS);
+      ASSERT_TRUE(selector->CaptureBuffers());
+      for (unsigned int y = 0; y < height; y += 3)
+      {
+        for (unsigned int x = 0; x < width; x += 3)
+        {
+          const unsigned int at[2] = { x, y };
+          const auto found = selector->GetPixelInformation(at);
+          ids.push_back(found.Valid ? found.AttributeID : -1);
+        }
+      }
+    },
+    vtkOpenGLTerrainMapper::Techniques::Pyramid, heights);
+  return ids;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST_P(RowsFromNorth, AreSelectedByTheirOwnNumbers)
+{
+  for (const bool cells : { true, false })
+  {
+    const vtkIdType columns = cells ? 40 : 41;
+    const vtkIdType rows = cells ? 32 : 33;
+    const std::vector<vtkIdType> south = SelectIds(this->South, cells);
+    const std::vector<vtkIdType> north = SelectIds(this->North, cells);
+    ASSERT_EQ(south.size(), north.size());
+    int selected = 0;
+    for (std::size_t k = 0; k < south.size(); ++k)
+    {
+      const vtkIdType id = south[k];
+      selected += id >= 0 ? 1 : 0;
+      ASSERT_EQ(north[k], id < 0 ? id : id % columns + columns * (rows - 1 - id / columns));
+    }
+    EXPECT_GT(selected, 500) << cells;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Types, RowsFromNorth, testing::Bool(),

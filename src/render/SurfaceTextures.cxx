@@ -392,6 +392,7 @@ void SurfaceTextures::SetUniforms(
   Uniforms& uniforms, const GridGeometry& geometry, const vtkTerrainLook* look)
 {
   uniforms.Set("terrainSize", this->Sum.Size);
+  uniforms.Set("terrainRowsFromNorth", ImageHeights::AreRowsFromNorth(this->Image) ? 1 : 0);
   uniforms.Set("terrainBias", static_cast<float>(this->Codes.Bias));
   uniforms.Set("terrainMaximumCode", static_cast<float>(this->Sum.Codes.MaximumCode));
   if (this->HasTiles())
