@@ -5,6 +5,7 @@
 
 #include "core/strips/HierarchyFile.h"
 #include "data/FieldData.h"
+#include "data/HiddenSamples.h"
 #include "data/Setting.h"
 #include "raster/GDALTable.h"
 #include "raster/MemoryLimit.h"
@@ -89,6 +90,13 @@ terrain::RasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* samp
     default:
       return read(0.0);
   }
+}
+
+/// The smallest type that has NaN and every value of another.
+int FloatingTypeOf(int type)
+{
+  const bool isWide = type == VTK_INT || type == VTK_UNSIGNED_INT || type == VTK_DOUBLE;
+  return isWide ? VTK_DOUBLE : VTK_FLOAT;
 }
 
 void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
@@ -299,6 +307,7 @@ void vtkTerrainRasterReader::Complete(vtkTerrainRasterPlan& plan) const
   {
     plan.Name = terrain::kDefaultName; // the bands' descriptions are of their times
   }
+  plan.ScalarType = this->NoDataAsNaN ? FloatingTypeOf(plan.ScalarType) : plan.ScalarType;
   this->ChooseLevel(plan);
   terrain::PlaceSamples(plan);
   this->PlaceLevel(plan);
@@ -455,6 +464,7 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
     image->SetSpacing(plan.Spacing[0], plan.Spacing[1], 1.0);
     image->GetPointData()->GetScalars()->SetName(plan.Name.c_str());
     plan.Level > 0 ? this->ReadTiles(plan, image) : this->Read(plan, image);
+    terrain::FillHidden(image);
     this->AddFieldData(plan, image);
   }
   catch (const std::bad_alloc&)
@@ -575,6 +585,7 @@ void vtkTerrainRasterReader::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NoDataValue: " << this->NoDataValue << "\n"
      << indent << "UseNoDataValue: " << this->UseNoDataValue << "\n"
      << indent << "DetectNoData: " << this->DetectNoData << "\n"
+     << indent << "NoDataAsNaN: " << this->NoDataAsNaN << "\n"
      << indent << "UseLevels: " << this->UseLevels << "\n"
      << indent << "UseCache: " << this->UseCache << "\n"
      << indent << "MemoryBudget: " << this->MemoryBudget << "\n"

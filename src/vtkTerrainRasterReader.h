@@ -30,8 +30,12 @@
  * turned too: x is east, y north. Describe tells what was taken from where. What contradicts or was
  * guessed is a warning that names the remedy.
  *
- * No data are NaN in floating-point scalars. In integers they are 0, and HIDDENPOINT is set in the
- * point array vtkGhostType, which exists only if there is such a point. These have no data:
+ * No data are NaN in floating-point scalars. In integers HIDDENPOINT is set for them in the point
+ * array vtkGhostType, which exists only if there is such a point. They then hold the lowest height
+ * of what was read, so that ranges and logarithms are those of the heights, and 0 where all are
+ * hidden. Most filters of VTK do not look at vtkGhostType: contours, thresholds, probes and cuts
+ * take the filler for ground. With NoDataAsNaN they are NaN whatever the file has. These have no
+ * data:
  *   - the values that the band declares, and NoDataValue if it is used;
  *   - NaN, infinities, magnitudes from 1e30 on;
  *   - what a mask or an alpha band hides (0);
@@ -71,7 +75,8 @@
  *
  * Reading less: Band, Window, and MaximumSize or MaximumNumberOfSamples. Reduced samples are means
  * over their area (of what has data, where half of it has), taken from the smallest overview that
- * is fine enough. The pipeline's pieces read only their part of the file, and equal the whole.
+ * is fine enough. The pipeline's pieces read only their part of the file, and equal the whole, but
+ * for what integers hold where there is no data.
  *
  * Errors: one line that names the file and the reason, also in GetErrorMessage; the output is empty
  * then, as it is after AbortExecute. GDAL itself prints nothing.
@@ -224,6 +229,15 @@ public:
   ///@}
 
   ///@{
+  /// Whether integers become floating-point numbers, of 32 bits for integers of 8 and 16 and of 64
+  /// for those of 32, whose places without a height are NaN: for filters, which leave NaN out.
+  /// Default off: terrain is drawn from integers in half the memory.
+  vtkSetMacro(NoDataAsNaN, bool);
+  vtkGetMacro(NoDataAsNaN, bool);
+  vtkBooleanMacro(NoDataAsNaN, bool);
+  ///@}
+
+  ///@{
   /// Whether a raster that exceeds MaximumSize or MaximumNumberOfSamples is read at a level: the
   /// finest one that both and MemoryBudget allow. Level k has every 2^k-th sample along both axes,
   /// from the south-western one on, and each is the average of the samples around it, within the
@@ -347,6 +361,7 @@ private:
   double NoDataValue = -32768.0;
   bool UseNoDataValue = false;
   bool DetectNoData = true;
+  bool NoDataAsNaN = false;
   bool UseLevels = false;
   bool UseCache = true;
   bool WarnOfLevels = true;

@@ -179,9 +179,12 @@ TEST_F(RasterLevels, PiecesEqualTheWhole)
   {
     for (int i = extent[0]; i <= extent[1]; ++i)
     {
-      ASSERT_EQ(part->GetOutput()->GetScalarComponentAsDouble(i, j, 0, 0),
-        whole->GetOutput()->GetScalarComponentAsDouble(i, j, 0, 0));
       ASSERT_EQ(IsHidden(part->GetOutput(), i, j), IsHidden(whole->GetOutput(), i, j));
+      if (!IsHidden(whole->GetOutput(), i, j))
+      {
+        ASSERT_EQ(part->GetOutput()->GetScalarComponentAsDouble(i, j, 0, 0),
+          whole->GetOutput()->GetScalarComponentAsDouble(i, j, 0, 0));
+      }
       holes += IsHidden(whole->GetOutput(), i, j) ? 1 : 0;
     }
   }

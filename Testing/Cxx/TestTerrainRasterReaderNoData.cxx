@@ -14,8 +14,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 using vtkTerrainTesting::RasterFile;
@@ -62,7 +64,7 @@ RasterFile MakeRow(GDALDataType type, const std::vector<double>& values)
   return file;
 }
 
-std::string WriteWithNoData(const RasterFile& file, const char* name, double noData)
+std::string WriteWithNoData(const RasterFile& file, const std::string& name, double noData)
 {
   std::string path = vtkTerrainTesting::TemporaryFile(name);
   GDALDatasetH dataset = file.Create(path);
@@ -88,8 +90,52 @@ TEST_F(TerrainRasterReaderNoData, DeclaredValueHidesIntegers)
     WriteWithNoData(MakeRow(GDT_Int16, { 5, -99, 7, -32768 }), "declared.tif", -99));
   // What is declared is believed: the usual fill value is a height then.
   ExpectHeights(this->Reader, { 5, kNaN, 7, -32768 });
-  EXPECT_EQ(this->Reader->GetOutput()->GetPointData()->GetScalars()->GetTuple1(1), 0.0);
   EXPECT_STREQ(this->Reader->GetWarningMessage(), "");
+}
+
+// 0 lies neither between the heights of mountains nor between those of the sea floor.
+TEST_F(TerrainRasterReaderNoData, HiddenIntegersAreInTheRangeOfTheHeights)
+{
+  const struct
+  {
+    GDALDataType Type;
+    double Sign;
+  } cases[] = { { GDT_Int16, 1.0 }, { GDT_Int16, -1.0 }, { GDT_UInt16, 1.0 }, { GDT_Byte, 1.0 },
+    { GDT_Int32, -1.0 } };
+  for (const auto& [type, sign] : cases)
+  {
+    this->Reader->SetFileName(
+      WriteWithNoData(MakeRow(type, { 70 * sign, 1, 60 * sign, 1, 90 * sign }),
+        "range" + std::to_string(type) + std::to_string(sign < 0.0) + ".tif", 1));
+    ExpectHeights(this->Reader, { 70 * sign, kNaN, 60 * sign, kNaN, 90 * sign });
+    double range[2];
+    this->Reader->GetOutput()->GetScalarRange(range);
+    EXPECT_EQ(range[0], std::min(60 * sign, 90 * sign)) << type;
+    EXPECT_EQ(range[1], std::max(60 * sign, 90 * sign)) << type;
+  }
+}
+
+TEST_F(TerrainRasterReaderNoData, IntegersBecomeNaNWhereFiltersAskForIt)
+{
+  const struct
+  {
+    GDALDataType Type;
+    int Scalars;
+    double Highest;
+  } cases[] = { { GDT_Byte, VTK_FLOAT, 255 }, { GDT_Int16, VTK_FLOAT, 32767 },
+    { GDT_UInt16, VTK_FLOAT, 65535 }, { GDT_Int32, VTK_DOUBLE, 2147483647 },
+    { GDT_UInt32, VTK_DOUBLE, 4294967295 }, { GDT_Float32, VTK_FLOAT, 0.1F },
+    { GDT_Float64, VTK_DOUBLE, 0.1 } };
+  this->Reader->NoDataAsNaNOn();
+  for (const auto& [type, scalars, highest] : cases)
+  {
+    this->Reader->SetFileName(WriteWithNoData(
+      MakeRow(type, { 5, 1, highest }), "filters" + std::to_string(type) + ".tif", 1));
+    ExpectHeights(this->Reader, { 5, kNaN, highest });
+    vtkImageData* image = this->Reader->GetOutput();
+    EXPECT_EQ(image->GetScalarType(), scalars) << type;
+    EXPECT_EQ(image->GetPointGhostArray(), nullptr) << type;
+  }
 }
 
 TEST_F(TerrainRasterReaderNoData, DeclaredValueBecomesNaN)

@@ -4,6 +4,7 @@
 
 #include "core/grid/Constants.h"
 #include "data/FieldData.h"
+#include "data/HiddenSamples.h"
 #include "data/ImageHeights.h"
 #include "raster/CoordinateSystem.h"
 
@@ -278,5 +279,6 @@ void FillGlobe(vtkImageData* heights, const GlobePlan& plan, double offset, vtkI
           }
         });
     });
+  FillHidden(output);
 }
 }
