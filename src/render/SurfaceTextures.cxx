@@ -312,6 +312,9 @@ std::string SurfaceTextures::Upload(vtkOpenGLRenderWindow* window, bool withPyra
   {
     std::visit([&](auto& pyramid) { this->UploadPart(pyramid, part); }, this->Pyramid);
   }
+  while (glGetError() != GL_NO_ERROR) // of others: an upload is judged by its own
+  {
+  }
   bool done = this->Parts.empty() || this->Slopes.Upload(window);
   this->Parts.clear();
   const bool nodes = withPyramid && this->PyramidTime != this->WholeTime;

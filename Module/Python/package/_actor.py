@@ -1,12 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A terrain with the attributes that PyVista's actors have."""
+import numbers
 import weakref
 
 import numpy as np
 import pyvista
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_DOUBLE, VTK_FLOAT
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 
-from .heights import heights_from_array
+from .heights import array_from_heights, heights_from_array
 from .vtkTerrain import vtkTerrainActor
 
 
@@ -24,10 +28,20 @@ class SurfaceMapper:
         """The surface as ``pyvista.PolyData``, see ``vtkTerrainActor.GetSurface``."""
         return self._terrain().surface
 
+    def __setattr__(self, name, value):
+        if not name.startswith("_") and not hasattr(type(self), name):
+            raise AttributeError(f"a terrain's mapper has no attribute {name!r} to set; it has lookup_table and "
+                                 "scalar_range")
+        super().__setattr__(name, value)
+
     @property
     def lookup_table(self):
         """The colours in use."""
         return self._terrain().GetLookupTable()
+
+    @lookup_table.setter
+    def lookup_table(self, table):
+        self._terrain().SetLookupTable(table)
 
     @property
     def scalar_range(self):
@@ -63,6 +77,7 @@ class Terrain(vtkTerrainActor):
         self._mapper = SurfaceMapper(self)
         self._name = None
         self._surface = None
+        self._file = None
         prop = pyvista.Property(interpolation="Gouraud", ambient=0.0, diffuse=1.0, specular=0.0)
         self.SetProperty(prop)
         self._prop = prop
@@ -130,8 +145,8 @@ class Terrain(vtkTerrainActor):
 
     @exaggeration.setter
     def exaggeration(self, factor):
-        if not 0.0 < factor < np.inf:
-            raise ValueError(f"exaggeration must be a number above 0, not {factor}")
+        if not isinstance(factor, numbers.Real) or not 0.0 < factor < np.inf:
+            raise ValueError(f"exaggeration must be a number above 0, not {factor!r}")
         self.SetVerticalExaggeration(factor)
 
     @property
@@ -162,6 +177,38 @@ class Terrain(vtkTerrainActor):
         self.SetPickable(bool(pickable))
 
     @property
+    def use_bounds(self):
+        """Whether its bounds count for those of the renderer."""
+        return bool(self.GetUseBounds())
+
+    @use_bounds.setter
+    def use_bounds(self, use):
+        self.SetUseBounds(bool(use))
+
+    @property
+    def texture(self):
+        """The picture that spans it, None for none."""
+        return self.GetTexture()
+
+    @texture.setter
+    def texture(self, texture):
+        self.SetTexture(texture)
+
+    @property
+    def backface_prop(self):
+        """The property of its lower side, None for that of the upper."""
+        return self.GetBackfaceProperty()
+
+    @backface_prop.setter
+    def backface_prop(self, prop):
+        self.SetBackfaceProperty(prop)
+
+    @property
+    def memory_address(self):
+        """Of the object in VTK."""
+        return self.GetAddressAsString("")
+
+    @property
     def position(self):
         """Shift of the whole, x, y, z."""
         return self.GetPosition()
@@ -187,6 +234,35 @@ class Terrain(vtkTerrainActor):
     @orientation.setter
     def orientation(self, orientation):
         self.SetOrientation(*orientation)
+
+    @property
+    def origin(self):
+        """Point that it is scaled and turned round."""
+        return self.GetOrigin()
+
+    @origin.setter
+    def origin(self, origin):
+        self.SetOrigin(*origin)
+
+    def rotate_x(self, angle):
+        """Turns it round x by degrees more, as ``pyvista.Actor`` does."""
+        self.RotateX(angle)
+
+    def rotate_y(self, angle):
+        """Turns it round y by degrees more."""
+        self.RotateY(angle)
+
+    def rotate_z(self, angle):
+        """Turns it round z by degrees more."""
+        self.RotateZ(angle)
+
+    def transform(self, trans, multiply_mode="post", *, inplace=False):
+        """Multiplies the user matrix, after it or before ("pre"); of a copy unless ``inplace``."""
+        changed = self if inplace else self.copy()
+        old = np.eye(4) if self.user_matrix is None else self.user_matrix
+        new = np.asarray(pyvista.Transform(trans).matrix if hasattr(pyvista, "Transform") else trans, dtype=float)
+        changed.user_matrix = new @ old if multiply_mode == "post" else old @ new
+        return changed
 
     @property
     def user_matrix(self):
@@ -215,15 +291,78 @@ class Terrain(vtkTerrainActor):
         return self.GetLength()
 
     @property
-    def heights(self):
-        """The ``pyvista.ImageData`` that is drawn; None for strips of a prepared file alone."""
-        heights = self.GetHeights()
-        return None if heights is None else pyvista.wrap(heights)
+    def bounds_size(self):
+        """Lengths of the bounds along x, y, z."""
+        return tuple(np.reshape(self.GetBounds(), (3, 2)) @ (-1.0, 1.0))
 
-    def set_heights(self, heights):
+    @property
+    def axes_ranges(self):
+        """What axes round it should say: its bounds in x and y, and true heights, without exaggeration.
+
+        ``plotter.show_bounds(mesh=terrain, axes_ranges=terrain.axes_ranges)``. It is that of the heights
+        themselves: position, scale and matrix are not in it.
+        """
+        self.GetBounds()
+        low_high = [0.0, 0.0]
+        self.GetHeightRange(low_high)
+        bounds = self.GetHeights().GetBounds() if self.GetHeights() else self.GetBounds()
+        return (*bounds[:4], *(bounds[4] + height for height in low_high))
+
+    @property
+    def heights(self):
+        """The ``pyvista.ImageData`` that is drawn; None for strips of a prepared file alone.
+
+        Integers with places without a height come as floats with NaN there, as filters want them; all
+        else shares the memory of what is drawn.
+        """
+        heights = self.GetHeights()
+        if heights is None:
+            return None
+        scalars = heights.GetPointData().GetScalars()
+        if heights.GetPointGhostArray() is None or scalars.GetDataType() in (VTK_FLOAT, VTK_DOUBLE):
+            return pyvista.wrap(heights)
+        image = pyvista.ImageData()
+        image.ShallowCopy(heights)
+        samples = array_from_heights(heights)
+        if heights.GetDirectionMatrix().GetElement(1, 1) < 0:
+            samples = samples[::-1]
+        image.point_data.set_array(np.ascontiguousarray(samples).ravel(), scalars.GetName())
+        image.set_active_scalars(scalars.GetName())
+        image.GetPointData().RemoveArray(vtkDataSetAttributes.GhostArrayName())
+        return image
+
+    def copy(self, deep=True):
+        """Another terrain of the same heights, place and look; not ``deep`` it shares mapper and property."""
+        other = type(self)()
+        if not deep:
+            other.ShallowCopy(self)
+            other._prop = self._prop
+            return other
+        if self._file:
+            other.SetFileName(self._file)
+            other._file = self._file
+        elif self.GetHeights() is not None:
+            other.SetInputConnection(self.GetTerrainMapper().GetInputConnection(1, 0))
+        other.CopyLook(self)
+        _copy_colors(self, other)
+        other.prop = self.prop.copy()
+        other.own_surface()
+        for name in ("position", "orientation", "scale", "origin", "user_matrix", "visibility", "pickable", "texture",
+                     "backface_prop"):
+            setattr(other, name, getattr(self, name))
+        return other
+
+    def plot(self, **options):
+        """Shows it in a plotter of its own; ``options`` are those of ``pyvista.Plotter.show``."""
+        plotter = pyvista.Plotter()
+        plotter.add_actor(self)
+        return plotter.show(**options)
+
+    def set_heights(self, heights, *, follow=False):
         """Takes other heights of the same rows and columns, for loops; place and look stay.
 
-        An array with rows from the south, and columns. Colours keep their range.
+        An array with rows from the south, and columns. Colours keep their range, or ``follow`` the
+        heights from the lowest to the highest, with their bar.
         """
         old = self.GetHeights()
         if np.shape(heights) != old.GetDimensions()[1::-1]:
@@ -233,4 +372,42 @@ class Terrain(vtkTerrainActor):
         image = heights_from_array(heights, old.GetSpacing()[:2], (bounds[0], bounds[2], bounds[4]), nodata="none",
                                    name=old.GetPointData().GetScalars().GetName())
         image.GetFieldData().ShallowCopy(old.GetFieldData())
+        _keep_arrays(old, image)
         self.SetInputData(image)
+        if follow:
+            low_high = [0.0, 0.0]
+            self.GetHeightRange(low_high)
+            self.mapper.scalar_range = low_high
+
+
+def _keep_arrays(old, image):
+    """Gives an image the point arrays of another beside the heights, whichever way the rows of each run."""
+    columns, rows, _ = image.GetDimensions()
+    steps = {of.GetDirectionMatrix().GetElement(1, 1) for of in (old, image)}
+    left_out = (old.GetPointData().GetScalars().GetName(), vtkDataSetAttributes.GhostArrayName())
+    for k in range(old.GetPointData().GetNumberOfArrays()):
+        array = old.GetPointData().GetArray(k)
+        if array is None or array.GetName() in left_out:
+            continue
+        if len(steps) > 1:
+            turned = vtk_to_numpy(array).reshape(rows, columns, -1)[::-1].reshape(rows * columns, -1)
+            turned = numpy_to_vtk(np.ascontiguousarray(turned), deep=True)
+            turned.SetName(array.GetName())
+            array = turned
+        image.GetPointData().AddArray(array)
+
+
+def _copy_colors(terrain, other):
+    """What CopyLook leaves out."""
+    other.SetColorByHeight(terrain.GetColorByHeight())
+    table = terrain.GetLookupTable()
+    if isinstance(table, pyvista.LookupTable):
+        copied = pyvista.LookupTable()
+        copied.DeepCopy(table)
+        other.SetLookupTable(copied)
+    mapper, copied = terrain.GetTerrainMapper(), other.GetTerrainMapper()
+    copied.SetScalarMode(mapper.GetScalarMode())
+    copied.SetColorMode(mapper.GetColorMode())
+    if mapper.GetArrayName():
+        copied.SelectColorArray(mapper.GetArrayName())
+    copied.SetColorSource(mapper.GetColorSource())

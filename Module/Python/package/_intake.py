@@ -71,8 +71,11 @@ def make_reader(source, *, crs=None, band=None, part=None, nodata=None, height_u
     reader.SetFlip(bool(flip))
     reader.SetDetectNoData(nodata is None)
     if nodata is not None and nodata != "none":
+        try:
+            reader.SetNoDataValue(float(nodata))
+        except (TypeError, ValueError) as error:
+            raise ValueError(f'nodata must be a number or "none", not {nodata!r}') from error
         reader.SetUseNoDataValue(True)
-        reader.SetNoDataValue(float(nodata))
     return reader
 
 

@@ -7,6 +7,8 @@ import os
 import numpy as np
 import pyvista
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._intake import _run
 from .heights import array_from_heights
@@ -18,7 +20,9 @@ _SOURCES = vtkTerrainLook.ColorSources
 _OF_THE_SURFACE = {"slope": (_SOURCES.Slope, "Slope (degrees)", (0.0, 60.0)),
                    "aspect": (_SOURCES.Aspect, "Aspect (degrees)", (0.0, 360.0))}
 _PROPERTY = ("lighting", "ambient", "diffuse", "specular", "specular_power", "style", "culling", "line_width",
-             "point_size", "show_edges", "edge_color")
+             "point_size", "show_edges", "edge_color", "edge_opacity", "metallic", "roughness")
+# What has edges to show.
+_WITH_EDGES = (vtkTerrainLook.Techniques.Mesh, vtkTerrainLook.Techniques.Strips)
 
 
 def check_clim(clim):
@@ -47,22 +51,22 @@ def _range(values, visible=None):
     return (low, high) if low < high else (low, low + 1.0)
 
 
-def _attach(terrain, scalars):
+def _attach(terrain, scalars, name="scalars"):
     """Adds an array of the heights' shape, rows from the south, to them; returns its name."""
     heights = terrain.GetHeights()
     rows, columns = (0, 0) if heights is None else heights.GetDimensions()[1::-1]
     if scalars.shape[:2] != (rows, columns) or scalars.ndim not in (2, 3):
-        raise ValueError(f"scalars must have the shape of the heights as drawn, {rows} x {columns}, "
+        raise ValueError(f"{name} must have the shape of the heights as drawn, {rows} x {columns}, "
                          f"not {' x '.join(map(str, scalars.shape))}")
     if heights.GetDirectionMatrix().GetElement(1, 1) < 0:
         scalars = scalars[::-1]
     array = numpy_to_vtk(np.ascontiguousarray(scalars).reshape(rows * columns, -1))
-    array.SetName("scalars")
+    array.SetName(name)
     image = heights.NewInstance()
     image.ShallowCopy(heights)  # the caller's image stays as it is
     image.GetPointData().AddArray(array)
     terrain.SetInputData(image)
-    return "scalars"
+    return name
 
 
 class Scalars:
@@ -74,8 +78,13 @@ class Scalars:
     def __init__(self, terrain, scalars=None, *, component=None, rgb=False):
         self.title = "Elevation"
         self.is_color = bool(rgb)
+        if rgb and scalars is None:
+            raise ValueError("rgb needs scalars: an array of 3 or 4 bytes a sample, or the name of one")
+        self.name, self.values, self.is_of_points = None, None, True
         mapper = terrain.GetTerrainMapper()
         if scalars is None:
+            if component is not None:
+                raise ValueError("component needs scalars: heights have one")
             self.clim = tuple(terrain.GetLookupTable().GetRange())
             return
         if isinstance(scalars, str) and scalars in _OF_THE_SURFACE:
@@ -96,17 +105,25 @@ class Scalars:
         mapper.SelectColorArray(name)
         mapper.SetColorSource(_SOURCES.Array)
         if self.is_color:
+            chosen = array if of_cells is None else of_cells
+            if chosen.GetNumberOfComponents() not in (3, 4) or chosen.GetDataType() != VTK_UNSIGNED_CHAR:
+                raise ValueError(f"rgb needs 3 or 4 bytes (uint8) a sample, the array {name!r} has "
+                                 f"{chosen.GetNumberOfComponents()} of {chosen.GetDataTypeAsString()}")
             mapper.SetColorModeToDirectScalars()
             self.clim = (0.0, 255.0)
             return
         self.component = component
+        self.name, self.is_of_points = name, of_cells is None
         self.clim = self._find_range(array if of_cells is None else of_cells, terrain, of_cells is None, component)
 
-    @staticmethod
-    def _find_range(array, terrain, is_of_points, component):
+    def _find_range(self, array, terrain, is_of_points, component):
         values = vtk_to_numpy(array)
+        count = array.GetNumberOfComponents()
+        if component is not None and not (isinstance(component, numbers.Integral) and 0 <= component < count):
+            raise ValueError(f"component must be 0 to {count - 1} of the array {array.GetName()!r}, not {component!r}")
         if values.ndim > 1:
             values = np.linalg.norm(values.astype(float), axis=1) if component is None else values[:, component]
+        self.values = values
         if not is_of_points:
             return _range(values)
         heights = terrain.GetHeights()
@@ -116,10 +133,35 @@ class Scalars:
         return _range(values, visible.ravel())
 
 
-def make_table(terrain, scalars, *, cmap=None, clim=None, n_colors=_NUMBER_OF_COLORS, flip_scalars=False,
-               log_scale=False, nan_color=None, nan_opacity=1.0, above_color=None, below_color=None, opacity=None):
-    """The ``pyvista.LookupTable`` of a terrain's colours; a relief map's for heights without a cmap."""
+def _number_of_categories(terrain, scalars, categories):
+    if categories is not True:
+        return int(categories)
+    values = scalars.values
+    if values is None and scalars.title != "Elevation":
+        raise ValueError("categories are those of the heights or of an array, not of a slope or an aspect")
+    if values is None:
+        values = array_from_heights(terrain.GetHeights())
+    return len(np.unique(values[np.isfinite(values)]))
+
+
+def _check_colors(n_colors):
+    if not isinstance(n_colors, numbers.Integral) or not 0 < n_colors <= 65536:
+        raise ValueError(f"n_colors must be a whole number from 1 to 65536, not {n_colors!r}")
+
+
+def make_table(terrain, scalars, theme, *, cmap=None, clim=None, n_colors=_NUMBER_OF_COLORS, flip_scalars=False,
+               log_scale=False, nan_color=None, nan_opacity=1.0, above_color=None, below_color=None, opacity=None,
+               categories=False, annotations=None):
+    """The ``pyvista.LookupTable`` of a terrain's colours; a relief map's for heights without a cmap.
+
+    A theme whose cmap is not PyVista's own one gives its cmap to heights, too.
+    """
     clim = scalars.clim if clim is None else check_clim(clim)
+    _check_colors(n_colors)
+    if categories:
+        n_colors = _number_of_categories(terrain, scalars, categories)
+    if cmap is None and theme.cmap != type(pyvista.global_theme)().cmap:
+        cmap = theme.cmap
     if log_scale and not clim[0] > 0.0:
         raise ValueError(f"log_scale needs values above 0, these begin at {clim[0]:g}: give clim")
     if cmap is None and scalars.title == "Elevation":
@@ -130,12 +172,13 @@ def make_table(terrain, scalars, *, cmap=None, clim=None, n_colors=_NUMBER_OF_CO
         if flip_scalars:
             table.values = table.values[::-1]
     else:
-        table = pyvista.LookupTable(pyvista.global_theme.cmap if cmap is None else cmap, n_values=n_colors,
+        table = pyvista.LookupTable(theme.cmap if cmap is None else cmap, n_values=n_colors,
                                     flip=flip_scalars)
     table.scalar_range = clim
     table.log_scale = bool(log_scale)
-    if nan_color is not None:
-        table.nan_color = pyvista.Color(nan_color, opacity=nan_opacity)
+    table.nan_color = pyvista.Color(theme.nan_color if nan_color is None else nan_color, opacity=nan_opacity)
+    if annotations is not None:
+        table.annotations = annotations
     if above_color is not None:
         table.above_range_color = above_color
     if below_color is not None:
@@ -146,6 +189,71 @@ def make_table(terrain, scalars, *, cmap=None, clim=None, n_colors=_NUMBER_OF_CO
     if component is not None:
         table.SetVectorModeToComponent()
         table.SetVectorComponent(component)
+    return table
+
+
+def is_of_samples(opacity, terrain):
+    """Whether an opacity is one of samples: the name of an array of the heights, or an array of their shape."""
+    if isinstance(opacity, str):
+        heights = terrain.GetHeights()
+        return heights is not None and heights.GetPointData().HasArray(opacity) > 0
+    return np.ndim(opacity) > 1
+
+
+def apply_opacity(terrain, scalars, table, opacity):
+    """Gives each sample the colour of the table and an opacity of its own, 0 to 1."""
+    if scalars.is_color or not scalars.is_of_points or (scalars.name is None and scalars.title != "Elevation"):
+        raise ValueError("an opacity of samples needs colours of the heights or of a point array")
+    heights = terrain.GetHeights()
+    if isinstance(opacity, str):
+        alpha = vtk_to_numpy(heights.GetPointData().GetArray(opacity)).astype(float)
+        shape = heights.GetDimensions()[1::-1]
+        alpha = alpha.reshape(shape) if alpha.ndim == 1 else None
+        if alpha is not None and heights.GetDirectionMatrix().GetElement(1, 1) < 0:
+            alpha = alpha[::-1]
+    else:
+        alpha = np.asarray(opacity, dtype=float)
+    if alpha is not None and alpha.shape != heights.GetDimensions()[1::-1]:
+        raise ValueError(f"opacity must have the shape of the heights as drawn, {heights.GetDimensions()[1]} x "
+                         f"{heights.GetDimensions()[0]}, not {' x '.join(map(str, alpha.shape))}")
+    if alpha is None or not (np.nanmin(alpha) >= 0.0 and np.nanmax(alpha) <= 1.0):
+        raise ValueError("an opacity of samples must be one number each, from 0 to 1")
+    array = heights.GetPointData().GetArray(scalars.name) if scalars.name else heights.GetPointData().GetScalars()
+    component = getattr(scalars, "component", None)
+    colors = vtk_to_numpy(table.MapScalars(array, 0, -1 if component is None else component)).reshape(*alpha.shape, 4)
+    if heights.GetDirectionMatrix().GetElement(1, 1) < 0:
+        colors = colors[::-1]
+    colors = np.concatenate([colors[..., :3], np.rint(255 * np.nan_to_num(alpha))[..., None].astype(np.uint8)], axis=2)
+    name = _attach(terrain, colors, "opacity")
+    mapper = terrain.GetTerrainMapper()
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray(name)
+    mapper.SetColorSource(_SOURCES.Array)
+    mapper.SetColorModeToDirectScalars()
+    terrain.prop.opacity = 1.0
+    terrain.ForceTranslucentOn()
+
+
+def color_terrain(terrain, scalars, theme, color, texture, opacity, options):
+    """Sets the colours; returns their table, or None where they are no table's (``scalars`` is None then)."""
+    opacity = 1.0 if opacity is None else opacity
+    is_number = isinstance(opacity, numbers.Real)
+    table = None
+    terrain.SetColorByHeight(scalars is not None)
+    if scalars is not None:
+        is_own = not is_number and is_of_samples(opacity, terrain)
+        table = make_table(terrain, scalars, theme, opacity=None if is_number or is_own else opacity, **options)
+        terrain.SetLookupTable(table)
+        if is_own:
+            apply_opacity(terrain, scalars, table, opacity)
+    elif not is_number:
+        raise ValueError(f"opacity must be a number where there is a color or a texture, not {opacity!r}")
+    if is_number:
+        terrain.opacity = opacity
+    if color is not None:
+        terrain.prop.color = color
+    if texture is not None:
+        terrain.SetTexture(texture)
     return table
 
 
@@ -194,9 +302,17 @@ def _set_drape(terrain, drape, scene):
     terrain.GetTerrainMapper().SetDrape(warp.GetOutput())
 
 
+def _check_facets(terrain, smooth_shading, show_edges):
+    if smooth_shading is not None and not smooth_shading:
+        raise ValueError("smooth_shading=False is not to be had: terrain has the normals of its surface, not of facets")
+    if show_edges and terrain.GetTechnique() not in _WITH_EDGES:
+        raise ValueError('show_edges needs technique="mesh", which has all cells, or "strips": rays have no edges')
+
+
 def apply(terrain, scene, *, contours=None, hillshade=None, block=None, drape=None, extract=None, detail=None,
-          user_matrix=None, lighting=None, **properties):
+          user_matrix=None, lighting=None, smooth_shading=None, pbr=False, **properties):
     """Sets what is given; raises an error that names the option."""
+    _check_facets(terrain, smooth_shading, properties.get("show_edges"))
     unknown = [name for name in properties if name not in _PROPERTY]
     if unknown:
         raise TypeError(f"add_terrain has no option {', '.join(unknown)}")
@@ -216,10 +332,20 @@ def apply(terrain, scene, *, contours=None, hillshade=None, block=None, drape=No
         _set_hillshade(mapper, hillshade)
     if drape is not None:
         _set_drape(terrain, drape, scene)
+    if pbr:
+        terrain.prop.interpolation = "Physically based rendering"
     if extract is not None:
-        (west, east), (south, north) = extract
+        try:
+            (west, east), (south, north) = extract
+        except (TypeError, ValueError) as error:
+            raise ValueError("extract must be ((first, last) column, (first, last) row), "
+                             f"not {extract!r}") from error
         mapper.SetExtract((west, south), (east, north))
     if detail is not None:
+        if not isinstance(detail, vtkImageData):
+            raise TypeError(f"detail must be an image of vtkTerrainDetailSource, not {type(detail).__name__}")
         mapper.SetDetailData(detail)
     if user_matrix is not None:
+        if not hasattr(user_matrix, "GetElement") and np.shape(user_matrix) not in ((3, 3), (4, 4)):
+            raise ValueError(f"user_matrix must be 4 x 4 or 3 x 3 numbers, not {user_matrix!r}")
         terrain.user_matrix = user_matrix

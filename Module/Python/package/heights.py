@@ -36,11 +36,20 @@ def _to_vtk_type(samples):
     return samples.astype(target, copy=False)
 
 
+def _numbers(values):
+    """As an array of floats; empty where they are none."""
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        return np.empty(0)
+
+
 def _check_place(spacing, origin):
-    if len(spacing) != 2 or not all(np.isfinite(step) and step > 0 for step in spacing):
-        raise ValueError(f"spacing must be two numbers above 0, not {spacing}")
-    if len(origin) not in (2, 3) or not np.isfinite(origin).all():
-        raise ValueError(f"origin must be two or three finite numbers, not {origin}")
+    steps, start = _numbers(spacing), _numbers(origin)
+    if steps.shape != (2,) or not (np.isfinite(steps) & (steps > 0)).all():
+        raise ValueError(f"spacing must be two numbers above 0, not {spacing!r}")
+    if start.shape not in ((2,), (3,)) or not np.isfinite(start).all():
+        raise ValueError(f"origin must be two or three finite numbers, not {origin!r}")
 
 
 def _is_from_north(samples):

@@ -18,12 +18,15 @@ import warnings
 
 import numpy as np
 import pyvista
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData
 
 from ._actor import Terrain
+from ._bars import add_bar
+from ._ground import add_clip_plane, add_places, add_track, track_on  # noqa: F401
 from ._intake import _run, join_as_it_is, lay_on_globe, lay_out, make_reader, read, tell_of_apart
-from ._looks import Scalars, make_table
+from ._looks import Scalars, color_terrain
 from ._looks import apply as apply_look
+from ._shapes import check_plotter, take_coordinates, to_heights
 from .heights import heights_from_array
 from .vtkTerrain import vtkTerrainGeoreference, vtkTerrainHierarchy, vtkTerrainPicker
 
@@ -49,27 +52,6 @@ def _is_large(heights):
     return reader.GetLevel() > 0
 
 
-def _take_coordinates(place):
-    """Puts x and y, even coordinates of columns and rows, in the words of ``heights_from_array``."""
-    given = [place.pop(axis, None) for axis in "xy"]
-    if all(coordinates is None for coordinates in given):
-        return
-    origin, spacing = [0.0, 0.0], [1.0, 1.0]
-    for k, coordinates in enumerate(given):
-        if coordinates is None:
-            continue
-        values = np.asarray(coordinates, dtype=float)
-        steps = np.diff(values)
-        if values.ndim != 1 or not steps.size or not np.allclose(steps, steps[0], rtol=1e-3) or steps[0] == 0:
-            raise ValueError(f"{'xy'[k]} must be evenly spaced coordinates of the {('columns', 'rows')[k]}")
-        if k == 0 and steps[0] < 0:
-            raise ValueError("x must rise: turn the columns round")
-        origin[k], spacing[k] = values.min(), abs(steps[0])
-        if k == 1 and steps[0] < 0:
-            place["first_row"] = "north"
-    place.update(origin=origin, spacing=spacing)
-
-
 def heights_from(heights, *, scene=None, **place):
     """Heights as a ``vtkImageData``, from all that ``add_terrain`` takes.
 
@@ -77,17 +59,19 @@ def heights_from(heights, *, scene=None, **place):
     those of ``heights_from_array``, which only plain arrays have.
     """
     is_file = isinstance(heights, (str, os.PathLike))
-    is_array = not (is_file or isinstance(heights, vtkImageData) or hasattr(heights, "dims"))
+    is_grid = isinstance(heights, vtkDataSet)
+    is_array = not (is_file or is_grid or hasattr(heights, "dims"))
     wrong = [name for name in place if (name in _OF_ARRAYS and not is_array)
-             or (name in _OF_FILES and not is_file) or isinstance(heights, vtkImageData)]
+             or (name in _OF_FILES and not is_file) or is_grid]
     if wrong:
         kind = "plain arrays" if wrong[0] in _OF_ARRAYS else "files and arrays"
         raise TypeError(f"{', '.join(wrong)} can only be given for {kind}: "
                         f"{type(heights).__name__} tells where it lies")
+    heights = to_heights(heights)
     if is_array:
         if "crs" in place:
             place.setdefault("coordinate_system", place.pop("crs"))
-        _take_coordinates(place)
+        take_coordinates(place)
         return lay_out(heights_from_array(heights, **place), scene)
     if isinstance(heights, vtkImageData):
         return lay_out(heights, scene)
@@ -125,32 +109,55 @@ def _open(actor, path):
 def _to_texture(texture):
     if isinstance(texture, (str, os.PathLike)):
         return pyvista.read_texture(texture)
-    return texture if isinstance(texture, pyvista.Texture) else pyvista.Texture(np.asarray(texture))
+    if isinstance(texture, pyvista.Texture):
+        return texture
+    picture = np.asarray(texture)
+    if picture.ndim != 3 or picture.shape[2] not in (3, 4):
+        raise ValueError("texture must be a file, a pyvista.Texture or an array of rows, columns and 3 or 4 colours, "
+                         f"not of shape {picture.shape}")
+    return pyvista.Texture(picture)
 
 
-def _add_scalar_bar(plotter, table, title, options):
-    mapper = pyvista.DataSetMapper()
-    mapper.lookup_table = table
-    mapper.scalar_range = table.scalar_range
-    plotter.add_scalar_bar(**{"title": title, "fmt": "%.6g", **(options or {}), "mapper": mapper})
+def _check_words(scalar_bar_args, name, sun_angle, sky_light, scene):
+    """What would else fail in other people's words."""
+    if scalar_bar_args is not None and not isinstance(scalar_bar_args, dict):
+        raise TypeError(f"scalar_bar_args must be a dict, as {{'title': 'Height'}}, not {scalar_bar_args!r}")
+    if name is not None and not isinstance(name, str):
+        raise TypeError(f"name must be a text, not {name!r}")
+    if scene is not None and not isinstance(scene, vtkTerrainGeoreference):
+        raise TypeError(f"scene must be a vtkTerrainGeoreference, not {type(scene).__name__}")
+    for what, value, highest in (("sun_angle", sun_angle, 90), ("sky_light", sky_light, np.inf)):
+        if not (isinstance(value, numbers.Real) and 0 <= value <= highest and np.isfinite(value)):
+            raise ValueError(f"{what} must be a number from 0 to {highest}, not {value!r}")
+
+
+def _check_size(heights):
+    """Arrays are drawn whole or not at all."""
+    columns, rows, _ = heights.GetDimensions()
+    if max(columns, rows) > _LARGEST_TEXTURE:
+        raise ValueError(f"{rows} x {columns} samples are more than the {_LARGEST_TEXTURE} a side that drivers take: "
+                         "write them to a file and give its name, which is drawn from tiles, or every second one")
 
 
 def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scalars=None, cmap=None, clim=None,
                 color=None, texture=None, opacity=1.0, show_scalar_bar=None, scalar_bar_args=None, name=None,
                 reset_camera=None, pickable=True, render=True, label=None, scene=None, frame=None, shadows=False,
                 sun_angle=0.53, sky_light=0.0, component=None, rgb=False, n_colors=256, flip_scalars=False,
-                log_scale=False, nan_color=None, nan_opacity=1.0, above_color=None, below_color=None, **options):
+                log_scale=False, nan_color=None, nan_opacity=1.0, above_color=None, below_color=None,
+                categories=False, annotations=None, silhouette=None, **options):
     """Adds a heightfield to a plotter; returns the ``vtkterrain.plotting.Terrain``, a ``vtkTerrainActor``.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         What draws it.
-    heights : array_like, pyvista.ImageData, xarray.DataArray, str or path
+    heights : array_like, pyvista.ImageData or other regular grid, xarray.DataArray, str or path
         Heights: an array of rows, from the south, and columns; an image of W x H x 1 points with one
-        scalar each; a DataArray (see ``vtkterrain.xarrays``); or the name of any raster that GDAL
-        opens, of any size, or of a file of terrain-prepare. A raster of more than 16384 samples a side
-        is drawn from tiles, as far as a view needs them, after one pass over the file on first use.
+        scalar each; a RectilinearGrid that is evenly spaced, whose scalars are heights, or a
+        StructuredGrid on a regular grid, whose z are; a DataArray (see ``vtkterrain.xarrays``); or the
+        name of any raster that GDAL opens, of any size, or of a file of terrain-prepare. A raster of more
+        than 16384 samples a side is drawn from tiles, as far as a view needs them, after one pass over
+        the file on first use.
     technique : {"pyramid", "linear", "exponential", "equidistant", "mesh", "strips"}
         How the surface is found. "pyramid" is exact; "mesh" draws all cells as triangles, "strips"
         as few as the view needs. Of a prepared file, "strips" reads no more than it draws.
@@ -160,21 +167,25 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         What the colours show instead of the heights: "slope" or "aspect", the name of an array of the
         heights' image, or an array of the heights' shape, rows from the south.
     cmap : str, list or matplotlib colormap, optional
-        Colours of the heights; those of a relief map by default, from the lowest to the highest. For
-        other scalars the theme's.
+        Colours of the heights; those of a relief map by default, from the lowest to the highest, or
+        those of a theme that has another cmap than PyVista's own. For other scalars the theme's.
     clim : (float, float) or float, optional
         Values of the first and last colour; the lowest and the highest that are seen by default.
-    n_colors, flip_scalars, log_scale, nan_color, nan_opacity, above_color, below_color, component, rgb
-        As those of ``pyvista.Plotter.add_mesh``.
+    n_colors, flip_scalars, log_scale, nan_color, nan_opacity, above_color, below_color, component, rgb, \
+    categories, annotations, silhouette
+        As those of ``pyvista.Plotter.add_mesh``. A silhouette is that of the mesh ``surface``.
     color : ColorLike, optional
         One colour for all, instead of colours of the heights.
     texture : pyvista.Texture, array_like, str or path, optional
         A picture that spans the terrain, its upper edge in the north, instead of colours of the
         heights. One that knows its place is a ``drape``.
     opacity : float, str or array_like
-        1 is opaque, 0 not seen; a name or an array is the opacity of the colours, as in ``add_mesh``.
+        1 is opaque, 0 not seen; the name of a transfer function or a list is the opacity of the colours,
+        as in ``add_mesh``; an array of the heights' shape, or the name of one of the image's arrays, is
+        that of each sample, 0 to 1.
     show_scalar_bar : bool, optional
-        Whether to show the colours of the heights; the theme's setting by default.
+        Whether to show a bar of the colours; the theme's setting by default. The bar is this terrain's
+        alone and goes with it. Where its title is taken, it has the terrain's name or a number beside it.
     scalar_bar_args : dict, optional
         Options of ``pyvista.Plotter.add_scalar_bar``.
     name, reset_camera, pickable, render, label
@@ -198,20 +209,22 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         picture that knows its place, brought there by GDAL), ``extract`` (((first, last) column,
         (first, last) row)), ``detail`` (an image of ``vtkTerrainDetailSource``), ``user_matrix``, and
         those of ``pyvista.Property``: ``lighting``, ``ambient``, ``diffuse``, ``specular``,
-        ``specular_power``, ``style``, ``culling``, ``line_width``, ``point_size``.
+        ``specular_power``, ``style``, ``culling``, ``line_width``, ``point_size``, ``show_edges``,
+        ``edge_color``, ``edge_opacity`` (with "mesh" or "strips"), ``pbr``, ``metallic``, ``roughness``.
         Of the place, what the heights do not say, or say wrongly: ``crs``, ``nodata`` (a value, or
         "none"), ``height_unit`` ("ft", "-m", 0.3048), ``flip``, of files also ``band`` and ``part``. For
         a plain array: ``spacing``, ``origin``, ``first_row``, ``coordinate_system``, as
-        ``vtkterrain.heights_from_array`` takes them, or ``x`` and ``y``, even coordinates.
+        ``vtkterrain.heights_from_array`` takes them, or ``x`` and ``y``, even coordinates, one a column
+        and a row or as ``numpy.meshgrid`` gives them.
     """
+    check_plotter(plotter)
+    _check_words(scalar_bar_args, name, sun_angle, sky_light, scene)
     actor = Terrain()
     techniques = {key.lower(): value for key, value in vars(type(actor.GetTechnique())).items()
                   if key[0] != "_"}
     if technique not in techniques:
         raise ValueError(f"technique must be one of {', '.join(techniques)}, not {technique!r}")
     actor.exaggeration = exaggeration
-    if not 0 <= sun_angle <= 90 or not 0 <= sky_light < np.inf:
-        raise ValueError(f"sun_angle must be 0 to 90 and sky_light 0 or more, not {sun_angle} and {sky_light}")
     actor.SetTechnique(techniques[technique])
     place = {key: options.pop(key) for key in tuple(options) if key in _OF_PLACE}
     if frame not in (None, "globe"):
@@ -224,8 +237,12 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         actor.SetInputData(lay_on_globe(heights_from(heights, scene=scene, **place)))
     elif not is_drawn_as_it_is:
         actor.SetInputData(heights_from(heights, scene=scene, **place))
-    elif not _open(actor, os.fspath(heights)):
+    elif _open(actor, os.fspath(heights)):
+        actor._file = os.fspath(heights)
+    else:
         raise OSError(actor.GetErrorMessage())
+    if actor.GetHeights() is not None and technique not in ("mesh", "strips"):
+        _check_size(actor.GetHeights())
     if not actor.HasSurface():
         raise ValueError("there is no surface to draw: no four neighbouring samples all have heights")
     if is_drawn_as_it_is:
@@ -234,27 +251,21 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     actor.SetSunAngle(sun_angle)
     actor.SetSkyLight(sky_light)
     actor.own_surface()
-    has_colors = color is None and texture is None
-    actor.SetColorByHeight(has_colors)
-    is_of_colors = not isinstance(opacity, numbers.Real)
-    shown = Scalars(actor, scalars, component=component, rgb=rgb) if has_colors else None
+    colors = {"cmap": cmap, "clim": clim, "n_colors": n_colors, "flip_scalars": flip_scalars, "log_scale": log_scale,
+              "nan_color": nan_color, "nan_opacity": nan_opacity, "above_color": above_color,
+              "below_color": below_color, "categories": categories, "annotations": annotations}
+    texture = texture if texture is None else _to_texture(texture)
+    shown = Scalars(actor, scalars, component=component, rgb=rgb) if color is None and texture is None else None
     apply_look(actor, scene, **options)
-    if has_colors:
-        table = make_table(actor, shown, cmap=cmap, clim=clim, n_colors=n_colors, flip_scalars=flip_scalars,
-                           log_scale=log_scale, nan_color=nan_color, nan_opacity=nan_opacity, above_color=above_color,
-                           below_color=below_color, opacity=opacity if is_of_colors else None)
-        actor.SetLookupTable(table)
-    if not is_of_colors:
-        actor.opacity = opacity
-    if color is not None:
-        actor.prop.color = color
-    if texture is not None:
-        actor.SetTexture(_to_texture(texture))
+    table = color_terrain(actor, shown, plotter.theme, color, texture, opacity, colors)
     plotter.add_actor(actor, name=name, reset_camera=reset_camera, pickable=pickable, render=False)
     if show_scalar_bar is None:
         show_scalar_bar = plotter.theme.show_scalar_bar
-    if has_colors and show_scalar_bar and not shown.is_color:
-        _add_scalar_bar(plotter, table, shown.title, scalar_bar_args)
+    if table is not None and show_scalar_bar and not shown.is_color:
+        add_bar(plotter, actor, table, shown.title, name, scalar_bar_args)
+    plotter.mapper = actor.mapper
+    if silhouette:
+        plotter.add_silhouette(actor.surface, **({} if silhouette is True else silhouette))
     if label is not None:
         plotter.renderer._labels[actor.GetAddressAsString("")] = (
             pyvista.Rectangle(), label, pyvista.Color(color or "tan"))

@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bars of colours that belong to one terrain each."""
+import itertools
+import weakref
+
+import numpy as np
+
+
+def label_format(low, high):
+    """A printf format that tells five labels of a range apart, without digits that say nothing."""
+    decimals = 1 - int(np.floor(np.log10(max(high - low, 1e-30) / 4.0)))
+    size = max(abs(low), abs(high))
+    if size >= 1e7 or size < 1e-4:
+        return "%.3g"
+    return f"%.{min(max(decimals if high - low < 40.0 else 0, 0), 9)}f"
+
+
+def _free_title(plotter, title, name):
+    """The title itself, or one that tells this terrain's bar from another's, which has it."""
+    of_others = plotter.scalar_bars.keys()
+    if title in of_others and name:
+        title = f"{title} of {name}"
+    titles = itertools.chain([title], (f"{title} {number}" for number in itertools.count(2)))
+    return next(free for free in titles if free not in of_others)
+
+
+def _remove_with(terrain, plotter, title):
+    """Lets a bar go when its terrain is no longer in the renderer.
+
+    PyVista looks at the first bar alone when it removes an actor.
+    """
+    plotter, renderer, terrain = (weakref.ref(member) for member in (plotter, plotter.renderer, terrain))
+    props = renderer().GetViewProps()
+    observed = []
+
+    def look(*_):
+        here, drawn = renderer(), terrain()
+        if not observed or (here is not None and drawn is not None and here.HasViewProp(drawn)):
+            return
+        props.RemoveObserver(observed.pop())
+        bars = plotter() and plotter().scalar_bars
+        if drawn is not None and bars and drawn.mapper in bars._scalar_bar_mappers.get(title, ()):
+            plotter().remove_scalar_bar(title, render=False)
+
+    observed.append(props.AddObserver("ModifiedEvent", look))
+
+
+def add_bar(plotter, terrain, table, title, name, options):
+    """Adds the bar of a terrain that is in the plotter already; ``name`` is that of the terrain or None."""
+    options = dict(options or {})
+    title = _free_title(plotter, options.pop("title", title), name)
+    options.setdefault("fmt", label_format(*table.scalar_range))
+    bar = plotter.add_scalar_bar(**{**options, "title": title, "mapper": terrain.mapper})
+    if not bar.GetOrientation() and not title.endswith("\n"):
+        bar.SetTitle(title + "\n")  # keeps the title off the numbers
+    _remove_with(terrain, plotter, title)
