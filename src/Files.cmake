@@ -22,6 +22,7 @@ set(classes
   vtkTerrainMesh
   vtkTerrainMinMaxPyramid
   vtkTerrainOutputFile
+  vtkTerrainPeaks
   vtkTerrainPicker
   vtkTerrainRasterReader
   vtkTerrainReproject
@@ -42,6 +43,7 @@ set(private_sources
   data/ObserverPlaces
   data/StripsOutput
   parts/ActorInput
+  parts/ActorRelief
   parts/ActorSurface
   parts/RasterReaderLevels
   place/GeoreferencePrepare
@@ -152,6 +154,7 @@ set(core
   globe/GlobeGrid
   globe/GlobeReference
   grid/HeightUnits
+  grid/Relief
   grid/RoundNumbers
   landscape/DetailNoise
   landscape/ProceduralTerrain
@@ -194,6 +197,7 @@ set(core
   surface/LevelSamples
   surface/MemoryTiles
   surface/MinMaxPyramid
+  surface/Peaks
   surface/PreparedTiles
   surface/RepeatedTiles
   surface/TileFile

@@ -179,6 +179,8 @@ class TestActor(LooksTest):
         _, terrain = self.draw()
         with self.assertRaisesRegex(AttributeError, "no attribute 'opasity'.*opacity"):
             terrain.opasity = 0.2
+        terrain.exaggeration = "auto"
+        self.assertEqual(terrain.exaggeration, terrain.SuggestExaggeration(terrain.GetHeights()))
         with self.assertRaisesRegex(ValueError, "exaggeration"):
             terrain.exaggeration = -1.0
 

@@ -140,13 +140,15 @@ class Terrain(vtkTerrainActor):
 
     @property
     def exaggeration(self):
-        """Drawn height over true height, above 0."""
+        """Drawn height over true height, above 0; set "auto" to choose it so that relief is seen."""
         return self.GetVerticalExaggeration()
 
     @exaggeration.setter
     def exaggeration(self, factor):
+        if isinstance(factor, str) and factor == "auto":
+            factor = self.SuggestExaggeration(self.GetHeights())
         if not isinstance(factor, numbers.Real) or not 0.0 < factor < np.inf:
-            raise ValueError(f"exaggeration must be a number above 0, not {factor!r}")
+            raise ValueError(f"exaggeration must be 'auto' or a number above 0, not {factor!r}")
         self.SetVerticalExaggeration(factor)
 
     @property

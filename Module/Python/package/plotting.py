@@ -161,8 +161,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     technique : {"pyramid", "linear", "exponential", "equidistant", "mesh", "strips"}
         How the surface is found. "pyramid" is exact; "mesh" draws all cells as triangles, "strips"
         as few as the view needs. Of a prepared file, "strips" reads no more than it draws.
-    exaggeration : float
-        Drawn height over true height, above 0.
+    exaggeration : float or "auto"
+        Drawn height over true height, above 0; "auto" chooses it so that a view of all shows the relief.
     scalars : str or array_like, optional
         What the colours show instead of the heights: "slope" or "aspect", the name of an array of the
         heights' image, or an array of the heights' shape, rows from the south.
@@ -224,7 +224,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
                   if key[0] != "_"}
     if technique not in techniques:
         raise ValueError(f"technique must be one of {', '.join(techniques)}, not {technique!r}")
-    actor.exaggeration = exaggeration
+    is_auto = isinstance(exaggeration, str) and exaggeration == "auto"
+    actor.exaggeration = 1.0 if is_auto else exaggeration
     actor.SetTechnique(techniques[technique])
     place = {key: options.pop(key) for key in tuple(options) if key in _OF_PLACE}
     if frame not in (None, "globe"):
@@ -247,6 +248,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         raise ValueError("there is no surface to draw: no four neighbouring samples all have heights")
     if is_drawn_as_it_is:
         join_as_it_is(scene, actor, os.fspath(heights))
+    if is_auto:
+        actor.exaggeration = "auto"
     actor.SetSunShadows(bool(shadows))
     actor.SetSunAngle(sun_angle)
     actor.SetSkyLight(sky_light)

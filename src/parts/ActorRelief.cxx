@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of vtkTerrainActor that judges how high a terrain is for its extent.
+#include "vtkTerrainActor.h"
+
+#include "core/grid/Relief.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+/// Samples that are looked at, at most about.
+constexpr vtkIdType kMostOfRelief = 1000000;
+
+std::vector<double> SomeHeights(vtkImageData* heights)
+{
+  std::vector<double> samples;
+  vtkDataArray* scalars = heights->GetPointData()->GetScalars();
+  vtkUnsignedCharArray* ghosts = heights->GetPointGhostArray();
+  const vtkIdType count = scalars ? scalars->GetNumberOfTuples() : 0;
+  // odd, so that it does not stay in some columns of a raster of even width
+  const vtkIdType step = count / kMostOfRelief | 1;
+  samples.reserve(static_cast<std::size_t>(count / step + 1));
+  for (vtkIdType k = 0; k < count; k += step)
+  {
+    if (!ghosts || (ghosts->GetValue(k) & vtkDataSetAttributes::HIDDENPOINT) == 0)
+    {
+      samples.push_back(scalars->GetComponent(k, 0));
+    }
+  }
+  return samples;
+}
+
+double ExtentOf(vtkImageData* heights)
+{
+  const int* dimensions = heights->GetDimensions();
+  const double* spacing = heights->GetSpacing();
+  return std::sqrt(std::abs(spacing[0] * (dimensions[0] - 1) * spacing[1] * (dimensions[1] - 1)));
+}
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainActor::GetReliefShare(vtkImageData* heights)
+{
+  const double extent = heights ? ExtentOf(heights) : 0.0;
+  if (!(extent > 0.0))
+  {
+    return 0.0;
+  }
+  std::vector<double> samples = SomeHeights(heights);
+  return terrain::ReliefOf(samples) / extent;
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainActor::SuggestExaggeration(vtkImageData* heights, bool onGlobe)
+{
+  // all the world is as wide as the way round it, 3.1 diameters
+  constexpr double kOfGlobe = 2.0;
+  return terrain::SuggestExaggeration(GetReliefShare(heights), onGlobe ? 1.0 / kOfGlobe : 1.0);
+}
