@@ -100,6 +100,12 @@ void Warn(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+void Tell(const std::string& text)
+{
+  std::cerr << Program << ": " << text << '\n';
+}
+
+//------------------------------------------------------------------------------
 void ThrowOnError(const std::string& what)
 {
   MessageCatcher* catcher = MessageCatcher::SafeDownCast(vtkOutputWindow::GetInstance());

@@ -16,6 +16,9 @@ void CatchMessages(const char* program);
 /// Prints a warning of the program itself on stderr, as one line.
 void Warn(const std::string& text);
 
+/// Prints a line of the program itself on stderr.
+void Tell(const std::string& text);
+
 /// Throws a Failure about `what` if VTK reported an error since the last call; the reason is the
 /// text of the first one, without the place in the source; it stands alone if it names `what`.
 void ThrowOnError(const std::string& what);

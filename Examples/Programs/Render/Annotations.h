@@ -2,24 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is drawn onto and over the terrain: track, graticule, scale bar, north arrow,
- * legend.
+ * What is drawn over the terrain: scale bar, north arrow, legend.
  */
 #ifndef terrain_render_Annotations_h
 #define terrain_render_Annotations_h
 
 #include <string>
 
-class Statistics;
 class vtkRenderer;
 struct Options;
 struct PlacedHeights;
 struct Terrain;
-
-/// Adds the track and the graticule that the options ask for, as the renderer's camera needs them.
-/// Throws a Failure.
-void AddLines(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options,
-  Statistics& statistics);
 
 /// Adds scale bar and north arrow, as they are right at the focal point of the renderer's camera.
 void AddOverlay(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Day.h"
 
+#include "Canvas.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Outputs.h"
@@ -9,7 +10,7 @@
 #include "Progress.h"
 #include "View.h"
 
-#include "vtkRenderWindow.h"
+#include "vtkImageData.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -36,8 +37,8 @@ void TellName(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-void DrawSuns(vtkRenderWindow* window, vtkRenderer* renderer, const PlacedHeights& heights,
-  const Options& options)
+void DrawSuns(
+  Canvas& canvas, vtkRenderer* renderer, const PlacedHeights& heights, const Options& options)
 {
   const std::vector<std::string> suns = options.Light.GetSuns();
   ProgressBar progress;
@@ -46,9 +47,9 @@ void DrawSuns(vtkRenderWindow* window, vtkRenderer* renderer, const PlacedHeight
     const std::string name = PictureName(options.Output, k + 1, suns.size());
     const PendingFile picture(name);
     SetSun(renderer, heights, options, suns[k]);
-    window->Render();
+    const vtkSmartPointer<vtkImageData> drawn = canvas.Draw();
     ThrowOnError("cannot draw");
-    WritePicture(window, picture);
+    WritePicture(drawn, options.Dots, picture);
     ThrowOnError(options.Output);
     picture.Commit();
     TellName(name);

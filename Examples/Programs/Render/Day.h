@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <string>
 
-class vtkRenderWindow;
+class Canvas;
 class vtkRenderer;
 struct Options;
 struct PlacedHeights;
@@ -23,7 +23,7 @@ void TellName(const std::string& file);
 
 /// Draws the pictures of all suns of the options, and tells the name of each that is there. Those
 /// that were drawn before one fails are kept. Throws a Failure.
-void DrawSuns(vtkRenderWindow* window, vtkRenderer* renderer, const PlacedHeights& heights,
-  const Options& options);
+void DrawSuns(
+  Canvas& canvas, vtkRenderer* renderer, const PlacedHeights& heights, const Options& options);
 
 #endif

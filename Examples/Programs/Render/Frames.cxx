@@ -119,9 +119,11 @@ void DrawFrames(vtkRenderWindow* window, vtkRenderer* renderer, int frames, Stat
       }
     }
   }
-  statistics.SetCount("frames", frames);
-  statistics.SetCount("width", window->GetSize()[0]);
-  statistics.SetCount("height", window->GetSize()[1]);
+}
+
+//------------------------------------------------------------------------------
+void TellWindow(vtkRenderWindow* window, Statistics& statistics)
+{
   statistics.SetText("window", window->GetClassName());
   statistics.SetText(
     "renderer", ReportedValue(window->ReportCapabilities(), "OpenGL renderer string:"));

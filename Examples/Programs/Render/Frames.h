@@ -24,6 +24,9 @@ class vtkRenderer;
  */
 void DrawFrames(vtkRenderWindow* window, vtkRenderer* renderer, int frames, Statistics& statistics);
 
+/// Tells which window and which driver drew.
+void TellWindow(vtkRenderWindow* window, Statistics& statistics);
+
 /// Distances along the viewing direction of the terrain alone: float scalars, the lowest row first,
 /// NaN where there is no surface. What the window shows is lost. Throws a Failure.
 vtkSmartPointer<vtkImageData> DrawDepths(

@@ -5,6 +5,7 @@
 
 #include "Options.h"
 #include "Terrain.h"
+#include "TextSize.h"
 
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"
@@ -159,10 +160,10 @@ void AddLegend(vtkRenderer* renderer, const Terrain& terrain, const Options& opt
   {
     const double y = low + length * (number - lowest) / (highest - lowest);
     shapes.Add(tip, y - 0.5, left, y + 0.5, {});
-    AddLegendText(
-      renderer, GroupedNumber(number, step), tip - kGap * height, y, kBarTextSize * height);
+    AddLegendText(renderer, GroupedNumber(number, step), tip - kGap * height, y,
+      TextPixels(kBarTextSize, options));
   }
   shapes.AddTo(renderer);
-  AddLegendText(renderer, options.Legend, right, low + length + 1.2 * kBarTextSize * height,
-    kBarTextSize * height);
+  AddLegendText(renderer, options.Legend, right,
+    low + length + 1.2 * TextPixels(kBarTextSize, options), TextPixels(kBarTextSize, options));
 }

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Misses.h"
 
-#include "Frames.h"
+#include "Canvas.h"
 
 #include "vtkImageData.h"
 #include "vtkOpenGLTerrainMapper.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 
 #include <cmath>
 #include <cstdint>
@@ -48,8 +46,8 @@ Misses Compare(vtkImageData* found, vtkImageData* exact)
 }
 
 //------------------------------------------------------------------------------
-void CountMisses(const Terrain& terrain, const Options& options, vtkRenderWindow* window,
-  vtkRenderer* renderer, Statistics& statistics)
+void CountMisses(
+  const Terrain& terrain, const Options& options, Canvas& canvas, Statistics& statistics)
 {
   const bool steps = options.Search == Technique::Linear ||
     options.Search == Technique::Exponential ||
@@ -60,9 +58,9 @@ void CountMisses(const Terrain& terrain, const Options& options, vtkRenderWindow
   }
   auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(terrain.Actor->GetMapper());
   const auto technique = mapper->GetTechnique();
-  const vtkSmartPointer<vtkImageData> found = DrawDepths(window, renderer, terrain.Actor);
+  const vtkSmartPointer<vtkImageData> found = canvas.DrawDepths(terrain.Actor);
   mapper->SetTechnique(vtkOpenGLTerrainMapper::Techniques::Pyramid);
-  const vtkSmartPointer<vtkImageData> exact = DrawDepths(window, renderer, terrain.Actor);
+  const vtkSmartPointer<vtkImageData> exact = canvas.DrawDepths(terrain.Actor);
   mapper->SetTechnique(technique);
   const Misses misses = Compare(found, exact);
   statistics.SetCount("surface_pixels", misses.Surface);

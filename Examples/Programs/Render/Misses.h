@@ -11,15 +11,14 @@
 #include "Statistics.h"
 #include "Terrain.h"
 
-class vtkRenderer;
-class vtkRenderWindow;
+class Canvas;
 
 /// For searches that can miss the surface (linear, exponential, equidistant with steps of the
 /// user's): draws depths once more with the search and once with the technique pyramid, which is
 /// exact. Adds the pixels of the surface that the search leaves empty or fills wrongly, and those
 /// that it has more than a thousandth of their distance off, to the statistics; and a line to
 /// stderr. Hides all other props.
-void CountMisses(const Terrain& terrain, const Options& options, vtkRenderWindow* window,
-  vtkRenderer* renderer, Statistics& statistics);
+void CountMisses(
+  const Terrain& terrain, const Options& options, Canvas& canvas, Statistics& statistics);
 
 #endif

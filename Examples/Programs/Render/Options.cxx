@@ -6,6 +6,7 @@
 #include "Day.h"
 #include "NotNumbers.h"
 #include "Outputs.h"
+#include "SceneFile.h"
 
 #include "vtkNew.h"
 #include "vtkTerrainGeoreference.h"
@@ -111,10 +112,11 @@ Camera ParseCamera(const std::string& text)
 struct Texts
 {
   std::string Size;
+  std::string Piece;
+  std::string Dots;
   std::string MeshCells;
   std::string Camera;
   std::string ViewAngle;
-  std::string Exaggeration;
   std::string Frames;
   std::string Memory;
   std::string LargestTexture;
@@ -141,6 +143,10 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
     "neither use nor keep the levels of such a raster (~/.cache/vtkterrain)");
   add("--output", options.Output, "FILE", "picture, PNG; default terrain.png");
   add("--size", texts.Size, "WIDTHxHEIGHT", "of the picture in pixels; default 1280x720");
+  add("--piece", texts.Piece, "PIXELS",
+    "largest side that is drawn at once: larger pictures are drawn in pieces; default 4096");
+  add("--dpi", texts.Dots, "DOTS",
+    "per inch, told in the picture; texts then have their size on paper");
   add("--technique", options.Search, "NAME",
     "how the surface is found: pyramid (default, exact), equidistant, exponential, linear, "
     "strips, mesh")
@@ -157,7 +163,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
     "eye, focal point and up in world coordinates, z exaggerated; default: all of the terrain in "
     "view, from the south");
   add("--view-angle", texts.ViewAngle, "DEGREES", "vertical field of view; default 30");
-  add("--exaggeration", texts.Exaggeration, "FACTOR", "drawn height over true height; default 1");
+  options.Exaggeration.Declare(app);
   add("--pixel-tolerance,--tolerance", texts.PixelTolerance, "PIXELS",
     "by how much the techniques pyramid (default 0, exact) and strips (default 1) may be off");
   app.add_flag("--wireframe", options.Wireframe, "draw the technique strips as lines");
@@ -177,6 +183,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   options.Colors.Declare(app);
   options.Light.Declare(app, true);
   options.Surface.Declare(app);
+  options.Flight.Declare(app);
   app.add_flag("--legend{Height in metres}", options.Legend,
     "the colours of heights with numbers; --legend='Depth in metres' for another title");
   texts.Place.Declare(app, options.Place);
@@ -229,6 +236,14 @@ void Interpret(const Texts& texts, Options& options)
   {
     options.Size = ParseSize(texts.Size);
   }
+  if (!texts.Piece.empty())
+  {
+    options.Piece = ParseInteger("--piece", texts.Piece, 256, kLargestPiece);
+  }
+  if (!texts.Dots.empty())
+  {
+    options.Dots = ParseNumber("--dpi", texts.Dots, 10.0, 10000.0);
+  }
   if (!texts.MeshCells.empty())
   {
     options.MeshCells = ParseInteger("--mesh-cells", texts.MeshCells, 1, 65536);
@@ -240,10 +255,6 @@ void Interpret(const Texts& texts, Options& options)
   if (!texts.ViewAngle.empty())
   {
     options.ViewAngle = ParseNumber("--view-angle", texts.ViewAngle, 0.01, 170.0);
-  }
-  if (!texts.Exaggeration.empty())
-  {
-    options.Exaggeration = ParseNumber("--exaggeration", texts.Exaggeration, 1e-3, 1e3);
   }
   if (!texts.Frames.empty())
   {
@@ -262,6 +273,14 @@ void Interpret(const Texts& texts, Options& options)
   if (!options.Input.CoordinateSystem.empty())
   {
     CheckCoordinateSystem(options.Input.CoordinateSystem);
+  }
+  if (options.Flight.IsWanted() && options.Light.GetSuns().size() > 1)
+  {
+    Refuse("--flight", "goes by one sun: name one time by --sun");
+  }
+  if (options.Flight.IsWanted() && !options.Depth.empty())
+  {
+    Refuse("--depth", "is of one picture, and a flight has many");
   }
   if (options.Describe && options.Heights.empty())
   {
@@ -296,6 +315,12 @@ void CheckTechnique(const Options& options)
   if (strips && options.PixelTolerance && *options.PixelTolerance == 0.0)
   {
     Refuse("--pixel-tolerance", "must not be 0 for the technique strips");
+  }
+  if (strips && std::max(options.Size[0], options.Size[1]) > options.Piece)
+  {
+    Refuse("--size",
+      "the technique strips refines for one window: draw at most " + std::to_string(options.Piece) +
+        " pixels a side (--piece), or by the technique pyramid");
   }
   if (options.Surface.Block > 0.0 && options.Search != Technique::Pyramid)
   {
@@ -334,7 +359,8 @@ std::vector<std::string> InputFiles(const Options& options)
 {
   std::vector<std::string> inputs = { options.Heights, options.Input.CoordinateSystem,
     options.Colors.GetFileName(), options.Place.Drape, options.Place.GetGeoidFile(),
-    options.Detail.File };
+    options.Detail.File, options.Scene,
+    options.Flight.IsFile() ? options.Flight.Flight : std::string() };
   inputs.insert(inputs.end(), options.Place.Tracks.begin(), options.Place.Tracks.end());
   return inputs;
 }
@@ -355,7 +381,8 @@ void CheckFiles(const Options& options)
     paths.push_back(CanonicalPath(input));
   }
   std::vector<std::pair<const char*, std::string>> outputs = { { "--output", options.Output },
-    { "--depth", options.Depth }, { "--stats", options.Stats } };
+    { "--depth", options.Depth }, { "--stats", options.Stats },
+    { "--save-scene", options.SaveScene } };
   const std::size_t pictures = options.Light.GetSuns().size();
   for (std::size_t k = 1; pictures > 1 && k <= pictures; ++k)
   {
@@ -377,6 +404,16 @@ void CheckFiles(const Options& options)
     }
     paths.push_back(path);
   }
+}
+
+SceneNames NamesOfScene()
+{
+  SceneNames names;
+  names.Files = { "heights", "drape", "track", "output", "depth", "stats" };
+  names.FilesOrWords = { "colors", "detail", "flight" };
+  names.Others = { "help", "version", "describe" };
+  names.Rivals = { { "camera", "look-from" }, { "camera", "look-at" } };
+  return names;
 }
 }
 
@@ -404,12 +441,24 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
 {
   CLI::App app("Draws a file of heights as terrain.", "terrain-render");
   Texts texts;
+  SceneFile scene;
   try
   {
     Declare(app, options, texts);
+    scene.Declare(app, NamesOfScene());
     app.parse(argc, argv);
     RefuseNotANumber(app);
+    options.Scene = scene.GetInput();
+    options.SaveScene = scene.GetOutput();
+    options.SceneText = options.SaveScene.empty() ? "" : scene.ToText(options.SaveScene);
     Interpret(texts, options);
+    if (options.Flight.IsWanted() && app.get_option("--output")->empty())
+    {
+      options.Output = "terrain-flight";
+    }
+    options.Flight.Check(options.Output);
+    options.Flight.Scene = scene.ToText(
+      FramesFolder(options.Output) + "/scene.toml", { "output", "stats", "save-scene", "frames" });
     CheckFiles(options);
     CheckTechnique(options);
   }
@@ -419,7 +468,7 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
     {
       return app.exit(error);
     }
-    std::cerr << "terrain-render: " << error.what() << '\n';
+    std::cerr << "terrain-render: " << scene.Explain(error.what()) << '\n';
     return kWrongCommandLine;
   }
   return std::nullopt;

@@ -9,6 +9,8 @@
 
 #include "ColorOptions.h"
 #include "Detail.h"
+#include "ExaggerationOption.h"
+#include "FlightOptions.h"
 #include "HeightOptions.h"
 #include "LightOptions.h"
 #include "PlaceOptions.h"
@@ -71,6 +73,10 @@ struct Options
   std::string Output = "terrain.png";
   /// Width and height of the picture, in pixels, 1 to kMaximumSize.
   std::array<int, 2> Size{ 1280, 720 };
+  /// Largest side of what is drawn at once, in pixels, 256 to kLargestPiece.
+  int Piece = 4096;
+  /// Dots per inch; 0: the file tells none.
+  double Dots = 0.0;
   Technique Search = Technique::Pyramid;
   /// Cells along the side of a quad of the technique mesh, >= 1; 0: 1.
   int MeshCells = 0;
@@ -78,8 +84,7 @@ struct Options
   std::optional<Camera> View;
   /// Vertical field of view, in degrees.
   double ViewAngle = 30.0;
-  /// Drawn height over true height.
-  double Exaggeration = 1.0;
+  ExaggerationOption Exaggeration;
   /// Pixels by which the technique pyramid (else 0: exact) or strips (else 1) may be off.
   std::optional<double> PixelTolerance;
   /// True to draw the edges of the technique strips, or the depths of its hierarchy in colours.
@@ -100,14 +105,21 @@ struct Options
   SurfaceOptions Surface;
   /// Title of the legend of colours; empty for none.
   std::string Legend;
+  /// Scene that options came from, and one to write, with its text; empty for none.
+  std::string Scene;
+  std::string SaveScene;
+  std::string SceneText;
   /// True to tell what the heights are, and to draw nothing.
   bool Describe = false;
   PlaceOptions Place;
+  FlightOptions Flight;
   DetailOptions Detail;
 };
 
 /// Largest width and height of a picture, in pixels.
-constexpr int kMaximumSize = 16384;
+constexpr int kMaximumSize = 32768;
+/// Side of a window that every graphics driver has, in pixels.
+constexpr int kLargestPiece = 16384;
 /// Samples a side that every graphics driver takes in a texture.
 constexpr int kLargestTexture = 16384;
 /// Largest budget of memory, in MiB: 1 TiB.

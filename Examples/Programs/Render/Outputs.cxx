@@ -16,12 +16,58 @@
 #include <cpl_vsi.h>
 #include <gdal.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace
 {
+/// Bytes of a PNG before the first chunk that may follow its header.
+constexpr std::size_t kBeforeDots = 33;
+
+void AppendNumber(std::vector<unsigned char>& bytes, std::uint32_t number)
+{
+  for (int shift = 24; shift >= 0; shift -= 8)
+  {
+    bytes.push_back(static_cast<unsigned char>(number >> shift));
+  }
+}
+
+/// Checksum of PNG (ISO 3309) of all bytes from the given one on.
+std::uint32_t ChecksumFrom(const std::vector<unsigned char>& bytes, std::size_t first)
+{
+  constexpr std::uint32_t kPolynomial = 0xEDB88320U;
+  std::uint32_t sum = 0xFFFFFFFFU;
+  for (std::size_t k = first; k < bytes.size(); ++k)
+  {
+    sum ^= bytes[k];
+    for (int bit = 0; bit < 8; ++bit)
+    {
+      sum = (sum >> 1) ^ ((sum & 1U) != 0 ? kPolynomial : 0U);
+    }
+  }
+  return ~sum;
+}
+
+/// The chunk pHYs, which has pixels per metre.
+std::vector<unsigned char> DotsChunk(double dots)
+{
+  constexpr double kMetresPerInch = 0.0254;
+  constexpr std::uint32_t kDotsLength = 9;
+  const auto perMetre = static_cast<std::uint32_t>(std::lround(dots / kMetresPerInch));
+  std::vector<unsigned char> chunk;
+  AppendNumber(chunk, kDotsLength);
+  chunk.insert(chunk.end(), { 'p', 'H', 'Y', 's' });
+  AppendNumber(chunk, perMetre);
+  AppendNumber(chunk, perMetre);
+  chunk.push_back(1);
+  AppendNumber(chunk, ChecksumFrom(chunk, sizeof(std::uint32_t)));
+  return chunk;
+}
 
 /// The rows of the image from the top down, into the band.
 CPLErr WriteRows(GDALRasterBandH band, vtkImageData* depths)
@@ -74,23 +120,39 @@ void PendingFile::Commit() const
 }
 
 //------------------------------------------------------------------------------
-void WritePicture(vtkRenderWindow* window, const PendingFile& file)
+vtkSmartPointer<vtkImageData> CapturePicture(vtkRenderWindow* window)
 {
   const vtkNew<vtkWindowToImageFilter> capture;
   capture->SetInput(window);
   capture->SetInputBufferTypeToRGB();
   capture->ReadFrontBufferOff();
   capture->ShouldRerenderOff();
+  capture->Update();
+  return capture->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+void WritePicture(vtkImageData* picture, double dots, const PendingFile& file, PictureUse use)
+{
   const vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(capture->GetOutputPort());
+  writer->SetInputData(picture);
   writer->WriteToMemoryOn();
+  writer->SetCompressionLevel(use == PictureUse::Passing ? 1 : 5);
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
   if (!bytes || bytes->GetNumberOfValues() == 0)
   {
     file.Fail("the picture could not be encoded");
   }
-  file.Write(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
+  const auto size = static_cast<std::size_t>(bytes->GetNumberOfValues());
+  const std::size_t head = dots > 0.0 ? std::min(kBeforeDots, size) : 0;
+  file.Write(bytes->GetPointer(0), head);
+  if (dots > 0.0)
+  {
+    const std::vector<unsigned char> chunk = DotsChunk(dots);
+    file.Write(chunk.data(), chunk.size());
+  }
+  file.Write(bytes->GetPointer(0) + head, size - head);
 }
 
 //------------------------------------------------------------------------------

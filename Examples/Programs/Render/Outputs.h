@@ -8,6 +8,7 @@
 #define terrain_render_Outputs_h
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkTerrainOutputFile.h"
 
 #include <cstddef>
@@ -45,8 +46,19 @@ private:
   vtkNew<vtkTerrainOutputFile> File;
 };
 
-/// Writes the colours of the window as PNG. Throws a Failure.
-void WritePicture(vtkRenderWindow* window, const PendingFile& file);
+/// The colours of the window, as it was drawn: bytes, three components.
+vtkSmartPointer<vtkImageData> CapturePicture(vtkRenderWindow* window);
+
+/// Whether a picture is to be small, or written fast.
+enum class PictureUse
+{
+  Lasting,
+  Passing
+};
+
+/// Writes a picture of bytes as PNG; dots per inch of 0 are not told. Throws a Failure.
+void WritePicture(vtkImageData* picture, double dots, const PendingFile& file,
+  PictureUse use = PictureUse::Lasting);
 
 /// Writes an image of float scalars, its lowest row first, as a GeoTIFF of float32 whose row 0 is
 /// on top and whose NoData value is NaN. Throws a Failure.

@@ -5,6 +5,7 @@
 
 #include "Options.h"
 #include "Placing.h"
+#include "TextSize.h"
 
 #include "vtkActor2D.h"
 #include "vtkCamera.h"
@@ -126,7 +127,7 @@ void AddOverlay(vtkRenderer* renderer, const PlacedHeights& heights, const Optio
   {
     AddShape(renderer, bar->GetOutputPort(0), margin, margin);
     AddText(renderer, bar->GetLabel(), margin + 0.5 * bar->GetLength() / metres,
-      margin + 1.5 * kThickness * height, kTextSize * height);
+      margin + 1.5 * kThickness * height, TextPixels(kTextSize, options));
   }
   if (options.Place.NorthArrow)
   {
@@ -136,7 +137,7 @@ void AddOverlay(vtkRenderer* renderer, const PlacedHeights& heights, const Optio
     const double length = std::hypot(north[0], north[1]);
     const double beyond = 1.2 * kArrowLength * height / (length > 0.0 ? length : 1.0);
     AddText(renderer, "N", x + beyond * north[0],
-      y + (length > 0.0 ? beyond * north[1] : beyond) - 0.5 * kTextSize * height,
-      kTextSize * height);
+      y + (length > 0.0 ? beyond * north[1] : beyond) - 0.5 * TextPixels(kTextSize, options),
+      TextPixels(kTextSize, options));
   }
 }

@@ -176,8 +176,11 @@ PlacedHeights PlaceHeights(
   const PlaceOptions& wanted = options.Place;
   PlacedHeights placed;
   placed.Image = read;
-  placed.Exaggeration = options.Exaggeration;
-  if (DrawsFileAlone(options))
+  const bool isAlone = DrawsFileAlone(options);
+  placed.Factor = options.Exaggeration.Choose(read, !isAlone && IsGlobe(read, options));
+  placed.Exaggeration = placed.Factor;
+  statistics.SetNumber("exaggeration", placed.Factor);
+  if (isAlone)
   {
     placed.Georeference = vtkSmartPointer<vtkTerrainGeoreference>::New();
     placed.WhyNoPlaces = "its samples are not read";
@@ -210,7 +213,7 @@ PlacedHeights PlaceHeights(
   if (placed.Georeference->GetFrame() == FrameType::Local)
   {
     // heights alone, not the earth's curve
-    placed.Georeference->SetVerticalExaggeration(options.Exaggeration);
+    placed.Georeference->SetVerticalExaggeration(placed.Factor);
     placed.Exaggeration = 1.0;
   }
   if (placed.Georeference->GetFrame() != FrameType::Grid || wanted.Cell > 0.0 ||

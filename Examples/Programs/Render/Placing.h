@@ -29,6 +29,8 @@ struct PlacedHeights
   std::string WhyNoPlaces;
   /// What the terrain still has to be exaggerated by: 1 where its heights are exaggerated already.
   double Exaggeration = 1.0;
+  /// Drawn height over true height, with whatever was exaggerated already.
+  double Factor = 1.0;
 
   bool IsGlobe() const
   {

@@ -66,6 +66,12 @@ void Statistics::SetList(const std::string& name, const std::vector<std::int64_t
 }
 
 //------------------------------------------------------------------------------
+void Statistics::SetNumber(const std::string& name, double number)
+{
+  this->SingleNumbers[name] = number;
+}
+
+//------------------------------------------------------------------------------
 void Statistics::SetNumbers(const std::string& name, const std::vector<double>& numbers)
 {
   this->Numbers[name] = numbers;
@@ -108,6 +114,10 @@ std::string Statistics::ToJson() const
     {
       list.append(static_cast<Json::Int64>(count));
     }
+  }
+  for (const auto& [name, number] : this->SingleNumbers)
+  {
+    root[name] = number;
   }
   for (const auto& [name, numbers] : this->Numbers)
   {

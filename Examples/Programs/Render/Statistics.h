@@ -24,6 +24,7 @@ public:
   void SetCount(const std::string& name, std::int64_t count);
   /// Counts under one name, such as those of a histogram: entry k tells how many had k.
   void SetList(const std::string& name, const std::vector<std::int64_t>& counts);
+  void SetNumber(const std::string& name, double number);
   /// Numbers under one name.
   void SetNumbers(const std::string& name, const std::vector<double>& numbers);
   /// Texts under one name.
@@ -39,6 +40,7 @@ private:
   std::map<std::string, std::string> Texts;
   std::map<std::string, std::int64_t> Counts;
   std::map<std::string, std::vector<std::int64_t>> Lists;
+  std::map<std::string, double> SingleNumbers;
   std::map<std::string, std::vector<double>> Numbers;
   std::map<std::string, std::vector<std::string>> ManyTexts;
   std::map<std::string, std::vector<double>> Times;

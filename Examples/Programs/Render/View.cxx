@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View.h"
 
+#include "Canvas.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "Options.h"
@@ -135,7 +136,9 @@ void LightGlobe(vtkCamera* camera, vtkLight* sun)
     kFrom[0] * right[2] + kFrom[1] * up[2] + kFrom[2] * back[2]);
 }
 
-/// From as near as the contract of the near plane allows to beyond the farthest corner.
+}
+
+//------------------------------------------------------------------------------
 void SetClippingRange(vtkCamera* camera, const vtkBoundingBox& box)
 {
   double nearest = VTK_DOUBLE_MAX;
@@ -157,6 +160,9 @@ void SetClippingRange(vtkCamera* camera, const vtkBoundingBox& box)
   const double nearPlane = std::max((1.0 - kSlack) * nearest, kNearPlane * box.GetDiagonalLength());
   camera->SetClippingRange(nearPlane, std::max((1.0 + kSlack) * farthest, 2.0 * nearPlane));
 }
+
+namespace
+{
 
 /// Throws a Failure about an option if there is a reason.
 void ThrowIf(const std::string& option, const std::string& why)
@@ -250,7 +256,7 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options)
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
-  window->SetSize(options.Size[0], options.Size[1]);
+  window->SetSize(PieceSize(options).data());
   return window;
 }
 

@@ -6,11 +6,12 @@
  * is 0, 2 for a wrong command line, 1 otherwise, with one line on stderr and no output left behind.
  */
 #include "Annotations.h"
+#include "Canvas.h"
 #include "Day.h"
 #include "Draping.h"
 #include "Ending.h"
 #include "Failure.h"
-#include "Frames.h"
+#include "Flight.h"
 #include "Messages.h"
 #include "Misses.h"
 #include "Options.h"
@@ -20,6 +21,7 @@
 #include "Statistics.h"
 #include "Terrain.h"
 #include "View.h"
+#include "ViewMarks.h"
 
 #include "vtkImageData.h"
 #include "vtkRenderWindow.h"
@@ -30,28 +32,124 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <utility>
 
 namespace
 {
-/// From the options to the files they ask for.
-void Render(const Options& options)
+/// Reads the heights and brings them into the scene, with the tiles of which they are a level.
+std::pair<ReadHeightsResult, PlacedHeights> ReadAndPlace(
+  Options& options, ProgressBar& progress, Statistics& statistics)
 {
-  const Stopwatch watch;
-  Statistics statistics;
-  const bool severalSuns = options.Light.GetSuns().size() > 1;
-  PendingFile picture(severalSuns ? std::string() : options.Output);
-  PendingFile depth(options.Depth);
-  PendingFile stats(options.Stats);
-
-  auto progress = std::make_unique<ProgressBar>();
-  ReadHeightsResult read = ReadHeights(options, CanDrawTiles(options), *progress, statistics);
-  PlacedHeights heights = PlaceHeights(read.Image, options, *progress, statistics);
+  ReadHeightsResult read = ReadHeights(options, CanDrawTiles(options), progress, statistics);
+  PlacedHeights heights = PlaceHeights(read.Image, options, progress, statistics);
+  if (!options.View && options.Place.LookFrom.empty() && !heights.IsGlobe())
+  {
+    options.Exaggeration.TellIfOdd(read.Image, heights.Factor);
+  }
+  options.Exaggeration.Text = FactorText(heights.Factor); // chosen and told once
+  if (heights.Factor != 1.0 && !options.Legend.empty())
+  {
+    options.Legend += " (drawn \xC3\x97 " + FactorText(heights.Factor) + ")"; // the sign for times
+  }
   if (read.Tiles && heights.Image != read.Image)
   {
     // resampled: tiles lie elsewhere, and the finest level that fits is drawn
-    read = ReadHeights(options, false, *progress, statistics);
-    heights = PlaceHeights(read.Image, options, *progress, statistics);
+    read = ReadHeights(options, false, progress, statistics);
+    heights = PlaceHeights(read.Image, options, progress, statistics);
   }
+  return { read, heights };
+}
+
+/// What cannot be written is said before the work, not after it.
+void CheckOutputs(const Options& options)
+{
+  const bool isOne = options.Light.GetSuns().size() <= 1 && !options.Flight.IsWanted();
+  const std::string film = IsFilm(options.Output) ? options.Output : std::string();
+  for (const std::string& path :
+    { isOne ? options.Output : film, options.Depth, options.Stats, options.SaveScene })
+  {
+    const PendingFile file(path);
+  }
+}
+
+/// The scene as it is drawn.
+struct Stage
+{
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  const Terrain& Ground;
+  const PlacedHeights& Heights;
+};
+
+/// Draws the numbers and depths that are asked for beside a picture.
+void WriteMeasures(const Stage& stage, Canvas& canvas, const Options& options,
+  const PendingFile& depth, const PendingFile& stats, Statistics& statistics)
+{
+  CountMisses(stage.Ground, options, canvas, statistics);
+  if (depth.IsWanted())
+  {
+    WriteDepths(canvas.DrawDepths(stage.Ground.Actor), depth);
+  }
+  if (stats.IsWanted())
+  {
+    if (!canvas.IsTiled())
+    {
+      CountCrossings(stage.Ground, stage.Window, statistics);
+    }
+    WriteText(statistics.ToJson(), stats);
+  }
+}
+
+/// Draws the picture or the pictures, and all other outputs.
+void DrawOutputs(const Stage& stage, ViewMarks& marks, const Options& options,
+  const Stopwatch& watch, Statistics& statistics)
+{
+  const bool severalSuns = options.Light.GetSuns().size() > 1;
+  const bool isOne = !severalSuns && !options.Flight.IsWanted();
+  const PendingFile picture(isOne ? options.Output : std::string());
+  const PendingFile depth(options.Depth);
+  const PendingFile stats(options.Stats);
+  const PendingFile scene(options.SaveScene);
+  Canvas canvas(stage.Window, stage.Renderer, options);
+  const vtkSmartPointer<vtkImageData> drawn = canvas.DrawFrames(statistics);
+  if (options.Flight.IsWanted())
+  {
+    DrawFlight({ stage.Renderer, canvas, marks, stage.Ground, stage.Heights }, options, statistics);
+  }
+  DescribeTerrain(stage.Ground, stage.Heights.Image, statistics);
+  statistics.AddTime("total", watch.GetMilliseconds());
+  if (severalSuns)
+  {
+    DrawSuns(canvas, stage.Renderer, stage.Heights, options);
+  }
+  else if (isOne)
+  {
+    WritePicture(drawn, options.Dots, picture);
+  }
+  WriteMeasures(stage, canvas, options, depth, stats, statistics);
+  if (scene.IsWanted())
+  {
+    WriteText(options.SceneText, scene);
+  }
+  ThrowOnError(options.Output);
+  for (const PendingFile* file : { &depth, &stats, &scene, &picture })
+  {
+    file->Commit();
+  }
+  if (isOne)
+  {
+    TellName(options.Output);
+  }
+}
+
+/// From the options to the files they ask for.
+void Render(Options options)
+{
+  const Stopwatch watch;
+  Statistics statistics;
+  CheckOutputs(options);
+  auto progress = std::make_unique<ProgressBar>();
+  const auto [read, heights] = ReadAndPlace(options, *progress, statistics);
   const Terrain terrain = PrepareTerrain(
     { heights.Image, read.Tiles }, heights.Exaggeration, options, *progress, statistics);
   DrapePicture(terrain, heights, options, statistics);
@@ -60,41 +158,12 @@ void Render(const Options& options)
   const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(options);
   const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(terrain, heights, options);
   window->AddRenderer(renderer);
-  AddLines(renderer, heights, options, statistics);
-  AddOverlay(renderer, heights, options);
+  ViewMarks marks(renderer, heights, options);
+  marks.Read(statistics);
   AddLegend(renderer, terrain, options);
+  marks.Refresh();
   RefineTerrain(terrain, renderer, options, statistics);
-  DrawFrames(window, renderer, options.Frames, statistics);
-  DescribeTerrain(terrain, heights.Image, statistics);
-  statistics.AddTime("total", watch.GetMilliseconds());
-
-  if (severalSuns)
-  {
-    DrawSuns(window, renderer, heights, options);
-  }
-  else
-  {
-    WritePicture(window, picture);
-  }
-  CountMisses(terrain, options, window, renderer, statistics);
-  if (depth.IsWanted())
-  {
-    WriteDepths(DrawDepths(window, renderer, terrain.Actor), depth);
-  }
-  if (stats.IsWanted())
-  {
-    CountCrossings(terrain, window, statistics);
-    WriteText(statistics.ToJson(), stats);
-  }
-  ThrowOnError(options.Output);
-  for (PendingFile* file : { &depth, &stats, &picture })
-  {
-    file->Commit();
-  }
-  if (!severalSuns)
-  {
-    TellName(options.Output);
-  }
+  DrawOutputs({ window, renderer, terrain, heights }, marks, options, watch, statistics);
 }
 }
 
@@ -114,7 +183,7 @@ int main(int argc, char* argv[])
       DescribeFile(options);
       return EXIT_SUCCESS;
     }
-    Render(options);
+    Render(std::move(options));
     return EXIT_SUCCESS;
   }
   catch (const Failure& failure)

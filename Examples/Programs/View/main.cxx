@@ -7,6 +7,7 @@
  */
 #include "ColorOptions.h"
 #include "Ending.h"
+#include "ExaggerationOption.h"
 #include "Failure.h"
 #include "HeightOptions.h"
 #include "LightOptions.h"
@@ -44,7 +45,7 @@ struct Options
   ColorOptions Colors;
   LightOptions Light;
   SurfaceOptions Surface;
-  double Exaggeration = 1.0;
+  ExaggerationOption Exaggeration;
   int Width = 1280;
   int Height = 720;
 };
@@ -113,7 +114,9 @@ void Show(const Options& options)
   {
     viewer.GetTerrain()->GetTerrainMapper()->SetTileSource(reader->GetTileSource());
   }
-  viewer.GetTerrain()->SetVerticalExaggeration(options.Exaggeration);
+  const double factor = options.Exaggeration.Choose(source->GetOutput(), false);
+  options.Exaggeration.TellIfOdd(source->GetOutput(), factor);
+  viewer.GetTerrain()->SetVerticalExaggeration(factor);
   viewer.SetLight(options.Light);
   double range[2];
   viewer.GetTerrain()->GetTerrainMapper()->GetHeightRange(range);
@@ -141,9 +144,7 @@ std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
   app.set_version_flag("--version", TERRAIN_VIEW_VERSION);
   app.add_option("HEIGHTS", options.Heights,
     "any raster that GDAL opens, or a file of terrain-prepare; the built-in landscape without it");
-  app
-    .add_option("--exaggeration", options.Exaggeration, "drawn height over true height, default 1")
-    ->check(CLI::Range(1e-3, 1e3));
+  options.Exaggeration.Declare(app);
   options.Input.Declare(app);
   options.Colors.Declare(app);
   options.Light.Declare(app, false);

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where the camera of a flight stands in each frame.
+ */
+#ifndef terrain_render_FlightPath_h
+#define terrain_render_FlightPath_h
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+using Place3 = std::array<double, 3>;
+
+/// Eye and focal point, in the scene.
+struct FlightView
+{
+  Place3 Eye{};
+  Place3 Focus{};
+};
+
+/// A view at a time, in seconds.
+struct FlightKey
+{
+  double Time = 0.0;
+  FlightView View;
+};
+
+/// Number of frames, at least 2, of so many seconds.
+std::size_t CountFrames(double seconds, double rate);
+
+/// Once round the vertical through the focus of a view: at steady speed, the last frame one step
+/// before the first; or eased, from rest to rest, the last frame as the first.
+std::vector<FlightView> FlyRound(const FlightView& view, std::size_t frames, bool isEased);
+
+/// From key to key, two or more whose times rise, through all of them (a cubic of Hermite in each
+/// interval, with the slope between the neighbours), from rest to rest.
+std::vector<FlightView> FlyThrough(const std::vector<FlightKey>& keys, std::size_t frames);
+
+/// Behind and above a track on the ground, so far behind and so far above the ground, from rest to
+/// rest; the focus is a little ahead on the track. The track is smoothed over the distance behind.
+/// Two or more points that are not all the same.
+std::vector<FlightView> FlyAlong(
+  const std::vector<Place3>& track, double behind, double above, std::size_t frames);
+
+/// Raises eyes that are less than a clearance above the ground, and their neighbours before and
+/// after, over so many frames, so that the way stays smooth. `ground` returns z at x, y, or NaN.
+/// Returns the least height of an eye above the ground; infinity where there is none.
+double StayAbove(std::vector<FlightView>& views,
+  const std::function<double(double x, double y)>& ground, double clearance, std::size_t smooth);
+
+#endif

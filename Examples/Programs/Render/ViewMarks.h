@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is drawn onto and over the terrain and depends on where the camera stands.
+ */
+#ifndef terrain_render_ViewMarks_h
+#define terrain_render_ViewMarks_h
+
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+#include <vector>
+
+class Statistics;
+struct Options;
+struct PlacedHeights;
+
+/**
+ * Track, graticule, scale bar, north arrow. Lines and points are drawn nearer than they are, so
+ * that the ground beside them does not hide them; their place in the picture stays the same. Texts
+ * stand where the eye sees their points. All of it is brought up to date by Refresh() after the
+ * camera of the renderer was set.
+ */
+class ViewMarks
+{
+public:
+  ViewMarks(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options);
+  ViewMarks(const ViewMarks&) = delete;
+  ViewMarks& operator=(const ViewMarks&) = delete;
+
+  /// Reads what the options ask for. Throws a Failure.
+  void Read(Statistics& statistics);
+
+  /// For the camera as it is.
+  void Refresh();
+
+private:
+  /// Lines and points as they are, and as they are drawn.
+  struct Nearer
+  {
+    vtkSmartPointer<vtkPoints> Points;
+    vtkSmartPointer<vtkPoints> Drawn;
+  };
+
+  void AddLines(vtkPolyData* lines, const double color[3], double width, double pointSize);
+  void ReadGraticule();
+  /// Returns the number of points as drawn.
+  vtkIdType ReadTrack(const std::string& path);
+  void AddGraticuleLabels();
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  const PlacedHeights& Heights;
+  const Options& Wanted;
+  std::vector<Nearer> Lines;
+  /// Of the graticule; null for none.
+  vtkSmartPointer<vtkPolyData> GraticuleLabels;
+  /// What is made anew for each view.
+  std::vector<vtkSmartPointer<vtkProp>> OfThisView;
+};
+
+/// True for points in front of the eye; the projection would mirror the others into the picture.
+bool IsInFront(vtkCamera* camera, const double point[3]);
+
+#endif

@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Flights: where the camera goes, which frames are drawn, what becomes of them.
+#include "TerrainRenderFixture.h"
+
+#include "vtk_jsoncpp.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+using Numbers = std::vector<double>;
+
+class TerrainRenderFlights : public TerrainRenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    TerrainRenderFixture::SetUp();
+    this->Hill = this->WriteHill();
+  }
+
+  RunResult Fly(const std::vector<std::string>& more, long fileLimit = 0) const
+  {
+    std::vector<std::string> arguments = { this->Hill, "--size", "64x48", "--stats", "stats.json" };
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return this->Run(arguments, fileLimit);
+  }
+
+  int Statistic(const std::string& key) const
+  {
+    Json::Value root;
+    std::ifstream(this->Path("stats.json")) >> root;
+    return root[key].asInt();
+  }
+
+  /// The rows of flight.csv: time, eye, focal point.
+  std::vector<Numbers> ReadViews(const std::string& folder) const
+  {
+    std::istringstream text(this->ReadText(folder + "/flight.csv"));
+    std::string line;
+    std::getline(text, line);
+    EXPECT_EQ(line, "seconds,x,y,z,look_x,look_y,look_z");
+    std::vector<Numbers> views;
+    while (std::getline(text, line))
+    {
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream cells(line);
+      Numbers row(7);
+      for (double& cell : row)
+      {
+        cells >> cell;
+      }
+      EXPECT_TRUE(cells) << line;
+      views.push_back(row);
+    }
+    return views;
+  }
+
+  int CountFrames(const std::string& folder) const
+  {
+    int frames = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(this->Path(folder)))
+    {
+      frames += entry.path().extension() == ".png" ? 1 : 0;
+    }
+    return frames;
+  }
+
+  /// A program in place of ffmpeg, in a folder of its own, and the words to run with it alone.
+  std::vector<std::string> WithFilmMaker(const std::string& script) const
+  {
+    fs::create_directory(this->Path("bin"));
+    this->WriteText("bin/ffmpeg", "#!/bin/sh\n" + script);
+    fs::permissions(this->Path("bin/ffmpeg"), fs::perms::owner_all);
+    return { "/usr/bin/env", "PATH=" + this->Path("bin") + ":/bin:/usr/bin", Program(), this->Hill,
+      "--size", "64x48", "--flight", "spin:0.5", "--fps", "6" };
+  }
+
+  std::string Hill;
+};
+
+double Height(double x, double y)
+{
+  // of the fixture's hill, whose rows run south: 49 samples of 1 m from y = -0.5 down
+  const double i = x - 0.5;
+  const double j = -y - 0.5;
+  return 20.0 * std::exp(-((i - 32.0) * (i - 32.0) + (j - 24.0) * (j - 24.0)) / 150.0);
+}
+}
+
+TEST_F(TerrainRenderFlights, SpinIsSteadyAndOrbitEased)
+{
+  const RunResult spin = this->Fly({ "--flight", "spin:2", "--fps", "4", "--output", "spin" });
+  EXPECT_EQ(spin.Status, 0) << spin.Errors;
+  EXPECT_EQ(spin.Output, this->Path("spin") + "\n");
+  EXPECT_EQ(this->CountFrames("spin"), 8);
+  EXPECT_EQ(this->Statistic("flight_frames_drawn"), 8);
+  const std::vector<Numbers> steady = this->ReadViews("spin");
+  ASSERT_EQ(steady.size(), 8U);
+  const auto turn = [](const Numbers& a, const Numbers& b)
+  {
+    const double angle =
+      std::atan2(b[2] - b[5], b[1] - b[4]) - std::atan2(a[2] - a[5], a[1] - a[4]);
+    return std::remainder(angle, 8.0 * std::atan(1.0));
+  };
+  for (std::size_t k = 0; k < 8; ++k)
+  {
+    EXPECT_NEAR(turn(steady[k], steady[(k + 1) % 8]), std::atan(1.0), 1e-6) << k;
+    EXPECT_NEAR(std::hypot(steady[k][1] - steady[k][4], steady[k][2] - steady[k][5]),
+      std::hypot(steady[0][1] - steady[0][4], steady[0][2] - steady[0][5]), 1e-6);
+  }
+  EXPECT_EQ(
+    this->Fly({ "--flight", "orbit", "--flight-seconds", "3", "--fps", "7", "--output", "orbit" })
+      .Status,
+    0);
+  const std::vector<Numbers> eased = this->ReadViews("orbit");
+  ASSERT_EQ(eased.size(), 21U);
+  EXPECT_NEAR(turn(eased[0], eased[20]), 0.0, 1e-6);
+  EXPECT_LT(turn(eased[0], eased[1]), 0.4 * turn(eased[9], eased[10]));
+  EXPECT_NEAR(turn(eased[0], eased[1]), turn(eased[19], eased[20]), 1e-6);
+  // each frame is the picture of its camera
+  std::ostringstream camera;
+  for (std::size_t k = 1; k < 7; ++k)
+  {
+    camera << (k > 1 ? "," : "") << steady[3][k];
+  }
+  EXPECT_EQ(this->Fly({ "--camera", camera.str(), "--output", "still.png" }).Status, 0);
+  const Picture still = this->ReadPicture("still.png");
+  const Picture frame = this->ReadPicture("spin/frame-00004.png");
+  int off = 0;
+  for (std::size_t k = 0; k < still.Values.size(); ++k)
+  {
+    off += std::abs(int{ still.Values[k] } - int{ frame.Values[k] }) > 4 ? 1 : 0;
+  }
+  EXPECT_LT(off, 30) << "of " << still.Values.size();
+}
+
+TEST_F(TerrainRenderFlights, NeverBelowGround)
+{
+  // straight through the hill, whose top is at 32.5, -24.5
+  this->WriteText("through.csv", "seconds,x,y,z\n0,2,-24.5,6\n2,32,-24.5,5\n4,63,-24.5,6\n");
+  const RunResult result =
+    this->Fly({ "--flight", "through.csv", "--fps", "10", "--output", "through" });
+  EXPECT_EQ(result.Status, 0) << result.Errors;
+  const std::vector<Numbers> views = this->ReadViews("through");
+  ASSERT_EQ(views.size(), 40U);
+  double least = 1e9;
+  for (std::size_t k = 0; k < views.size(); ++k)
+  {
+    least = std::min(least, views[k][3] - Height(views[k][1], views[k][2]));
+    if (k > 1)
+    {
+      const double bend = views[k][3] - 2.0 * views[k - 1][3] + views[k - 2][3];
+      EXPECT_LT(std::abs(bend), 0.8) << "smoothly over it, frame " << k;
+    }
+  }
+  EXPECT_GT(least, 2.5);
+  EXPECT_NEAR(this->Statistic("flight_least_height"), std::floor(least), 1.0);
+  EXPECT_NEAR(views.front()[1], 2.0, 1e-6);
+  EXPECT_NEAR(views.back()[1], 63.0, 1e-6);
+  EXPECT_LT(views[1][1] - views[0][1], 0.2 * (views[11][1] - views[10][1])) << "eased";
+}
+
+TEST_F(TerrainRenderFlights, GoesOnWhereItStopped)
+{
+  const std::vector<std::string> flight = { "--flight", "spin:1", "--fps", "6", "--output",
+    "spin" };
+  EXPECT_EQ(this->Fly(flight).Status, 0);
+  const std::string last = this->ReadText("spin/frame-00006.png");
+  const std::string kept = "kept";
+  this->WriteText("spin/frame-00001.png", kept);
+  fs::remove(this->Path("spin/frame-00006.png"));
+  EXPECT_EQ(this->Fly(flight).Status, 0);
+  EXPECT_EQ(this->Statistic("flight_frames"), 6);
+  EXPECT_EQ(this->Statistic("flight_frames_drawn"), 1);
+  EXPECT_EQ(this->ReadText("spin/frame-00006.png"), last);
+  EXPECT_EQ(this->ReadText("spin/frame-00001.png"), kept);
+  // another flight, or anything else in the folder
+  std::vector<std::string> other = flight;
+  other.insert(other.end(), { "--exaggeration", "2" });
+  ExpectRefused(this->Fly(other), 1, "it holds frames of another flight");
+  EXPECT_EQ(this->CountFrames("spin"), 6);
+  fs::create_directory(this->Path("mine"));
+  this->WriteText("mine/letter.txt", "Dear reader\n");
+  ExpectRefused(
+    this->Fly({ "--flight", "orbit", "--output", "mine" }), 1, "it is not empty, and holds no");
+  // the folder's scene draws the flight again
+  EXPECT_EQ(this->Run({ "--scene", "spin/scene.toml", "--output", "again" }).Status, 0);
+  EXPECT_EQ(this->ReadText("again/frame-00006.png"), last);
+}
+
+TEST_F(TerrainRenderFlights, FullDiskKeepsFramesMade)
+{
+  // the first frame shows the sky alone, and takes less than the disk has; those of the hill more
+  this->WriteText("down.csv",
+    "seconds,x,y,z,look_x,look_y,look_z\n0,32,-90,60,32,-91,200\n2,32,-90,60,32,-24,5\n");
+  const RunResult result = this->Run({ this->Hill, "--size", "200x150", "--flight", "down.csv",
+                                       "--fps", "4", "--output", "down", "--contours", "1" },
+    4000);
+  EXPECT_EQ(result.Status, 1);
+  EXPECT_EQ(std::count(result.Errors.begin(), result.Errors.end(), '\n'), 1) << result.Errors;
+  EXPECT_NE(result.Errors.find("down/frame-0000"), std::string::npos) << result.Errors;
+  const int frames = this->CountFrames("down");
+  EXPECT_GE(frames, 1);
+  EXPECT_LT(frames, 8);
+  for (const fs::directory_entry& entry : fs::directory_iterator(this->Path("down")))
+  {
+    const std::string name = entry.path().filename().string();
+    const bool isWhole = entry.path().extension() != ".png" ||
+      this->ReadPictureSize("down/" + name) == std::vector<int>{ 200, 150 };
+    EXPECT_TRUE(isWhole) << name;
+    EXPECT_TRUE(isWhole && name.find("partial") == std::string::npos) << name;
+  }
+}
+
+TEST_F(TerrainRenderFlights, FilmsAreMadeOfFrames)
+{
+  // takes the words down, and the first bytes of the first frame for a film
+  std::vector<std::string> command =
+    this->WithFilmMaker("echo \"$@\" > \"${0%/*}/words\"\nfor last; do :; done\nhead -c 8 "
+                        "spin-frames/frame-00001.png > "
+                        "\"$last\"\n");
+  command.insert(command.end(), { "--output", "spin.mp4" });
+  const RunResult film = this->RunCommand(command);
+  EXPECT_EQ(film.Status, 0) << film.Errors;
+  EXPECT_EQ(film.Output, this->Path("spin.mp4") + "\n");
+  EXPECT_EQ(this->ReadText("spin.mp4").substr(1, 3), "PNG");
+  EXPECT_EQ(this->CountFrames("spin-frames"), 3);
+  const std::string words = this->ReadText("bin/words");
+  EXPECT_NE(words.find("-framerate 6.0"), std::string::npos) << words;
+  EXPECT_NE(words.find("-i spin-frames/frame-%05d.png"), std::string::npos) << words;
+  EXPECT_NE(words.find("libx264"), std::string::npos) << words;
+  // of the same frames another kind
+  command.back() = "spin.gif";
+  EXPECT_EQ(this->RunCommand(command).Status, 0);
+  EXPECT_NE(this->ReadText("bin/words").find("palettegen"), std::string::npos);
+}
+
+TEST_F(TerrainRenderFlights, FilmsThatCannotBeMade)
+{
+  std::vector<std::string> command = this->WithFilmMaker("echo no codec >&2\nexit 3\n");
+  command.insert(command.end(), { "--output", "spin.webm" });
+  ExpectRefused(this->RunCommand(command), 1, "ffmpeg made no film (no codec); the frames are in");
+  EXPECT_EQ(this->CountFrames("spin-frames"), 3);
+  EXPECT_FALSE(fs::exists(this->Path("spin.webm")));
+  fs::remove(this->Path("bin/ffmpeg"));
+  command[1] = "PATH=" + this->Path("bin");
+  ExpectRefused(this->RunCommand(command), 2, "ffmpeg, which is not on the PATH: install it");
+}
+
+TEST_F(TerrainRenderFlights, TracksAreSeenFromBehind)
+{
+  RasterDescription plain;
+  plain.Width = 91;
+  plain.Height = 81;
+  plain.CoordinateSystem = "EPSG:32645";
+  plain.GeoTransform = { 490000.0, 30.0, 0.0, 3100000.0, 0.0, -30.0 };
+  plain.Sample = [](int i, int j)
+  { return 5.0 * std::sin(0.2 * i) + 5.0 * std::cos(0.2 * j) + 40.0; };
+  this->Hill = this->WriteRaster("plain.tif", plain);
+  // from west to east through the middle
+  this->WriteText("track.geojson",
+    R"({"type":"LineString","coordinates":[[86.9015,28.014],[86.909,28.014],[86.922,28.014]]})");
+  const RunResult result = this->Fly({ "--flight", "track.geojson", "--fps", "5",
+    "--flight-seconds", "2", "--exaggeration", "3", "--output", "along" });
+  EXPECT_EQ(result.Status, 0) << result.Errors;
+  const std::vector<Numbers> views = this->ReadViews("along");
+  ASSERT_EQ(views.size(), 10U);
+  for (const Numbers& view : views)
+  {
+    EXPECT_LT(view[1], view[4]) << "the eye is west of what it sees";
+    EXPECT_NEAR(view[2], view[5], 30.0);
+    EXPECT_GT(view[3], view[6] + 50.0);
+  }
+  EXPECT_GT(views.back()[4] - views.front()[4], 1000.0);
+}
+
+TEST_F(TerrainRenderFlights, WrongFlightsAreOneSentence)
+{
+  const auto refuse =
+    [&](const std::string& text, const std::string& mention, const std::string& name = "f.csv")
+  {
+    this->WriteText(name, text);
+    ExpectRefused(this->Fly({ "--flight", name, "--output", "out" }), 1, mention);
+    EXPECT_FALSE(fs::exists(this->Path("out")));
+  };
+  refuse("", "its first line must name the columns");
+  refuse("time,x,y,z\n0,1,1,1\n", "its first line must name the columns");
+  refuse("seconds,x,y,z\n", "there are none");
+  refuse("seconds,x,y,z\n0,1,1,1\n", "two places or more, there is one");
+  refuse("seconds,x,y,z\n0,1,1,1\n1,2,b,3\n", "f.csv, line 3: 'b' is no y");
+  refuse("seconds,x,y,z\n0,1,1,1\n1,2\n", "f.csv, line 3: '' is no y");
+  refuse("seconds,x,y,z\n0,1,1,1\n0,2,2,3\n", "seconds must rise from line to line");
+  refuse("seconds,lon,lat,height\n0,1,1,1\n1,2,2,3\n", "places need a raster that is somewhere");
+  refuse("<gpx></gpx>", "a track needs a raster that is somewhere", "f.gpx");
+  refuse("seconds,x,y,z\n0,1,1,1\n90000,2,2,3\n", "frames, at most 99999");
+  const auto misuse = [&](const std::vector<std::string>& options, const std::string& mention)
+  { ExpectRefused(this->Fly(options), 2, mention); };
+  misuse({ "--flight", "nowhere.gpx" }, "is neither orbit, spin:SECONDS nor a file");
+  misuse({ "--flight", "spin:0" }, "--flight");
+  misuse({ "--flight", "orbit", "--output", "x.png" }, "a flight makes many pictures");
+  misuse({ "--flight", "orbit", "--depth", "x.tif" }, "--depth");
+  misuse({ "--flight-seconds", "3" }, "needs --flight");
+  misuse({ "--flight", "orbit", "--sun", "2024-06-21T01:30Z/2024-06-21T11:30Z/300" }, "one sun");
+}
