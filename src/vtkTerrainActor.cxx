@@ -63,7 +63,7 @@ vtkTerrainActor::vtkTerrainActor()
   , Strips(vtkSmartPointer<vtkTerrainStrips>::New())
   , ReliefColors(vtkSmartPointer<vtkColorTransferFunction>::New())
 {
-  this->FullMesh->SetSamplesPerQuad(1);
+  this->FullMesh->SetCellsPerQuad(1);
   this->FullMesh->PushUpOff();
   this->SetMapper(this->TerrainMapper);
   this->GetProperty()->SetAmbient(0.0);

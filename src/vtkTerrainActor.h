@@ -100,7 +100,7 @@ public:
 
   /// What draws; the actor keeps its port 0, technique and colours as the methods here say.
   vtkOpenGLTerrainMapper* GetTerrainMapper();
-  /// What makes the coarse mesh when it is needed: set its SamplesPerQuad here.
+  /// What makes the coarse mesh when it is needed: set its CellsPerQuad here.
   vtkTerrainCoarseMesh* GetCoarseMesh();
 
   /// What refines for the technique Strips: set its Tolerance or TriangleBudget here. The actor

@@ -140,6 +140,27 @@ void FillOutput(const terrain::CoarseMeshSurface& surface, const terrain::GridGe
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainCoarseMesh::SetSamplesPerQuad(vtkIdType cells)
+{
+  vtkWarningMacro("SetSamplesPerQuad() is now called SetCellsPerQuad()");
+  this->SetCellsPerQuad(cells);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTerrainCoarseMesh::GetSamplesPerQuad()
+{
+  vtkWarningMacro("GetSamplesPerQuad() is now called GetCellsPerQuad()");
+  return this->CellsPerQuad;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTerrainCoarseMesh::GetEffectiveSamplesPerQuad()
+{
+  vtkWarningMacro("GetEffectiveSamplesPerQuad() is now called GetEffectiveCellsPerQuad()");
+  return this->EffectiveCellsPerQuad;
+}
+
+//------------------------------------------------------------------------------
 int vtkTerrainCoarseMesh::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
@@ -160,7 +181,7 @@ int vtkTerrainCoarseMesh::RequestData(
   }
 
   terrain::CoarseMeshOptions options;
-  options.CellsPerQuad = this->SamplesPerQuad;
+  options.CellsPerQuad = this->CellsPerQuad;
   options.PushUp = this->PushUp;
   terrain::CoarseMesh mesh;
   terrain::ImageHeights::Dispatch(image,
@@ -177,12 +198,12 @@ int vtkTerrainCoarseMesh::RequestData(
     AddPointArrays(surface, image, output);
   }
 
-  this->EffectiveSamplesPerQuad = mesh.CellsPerQuad;
+  this->EffectiveCellsPerQuad = mesh.CellsPerQuad;
   this->LargestGap = mesh.LargestGap;
   this->HeightRange[0] = mesh.MinimumHeight;
   this->HeightRange[1] = mesh.MaximumHeight;
   AddFieldArray(output, "LargestGap", { mesh.LargestGap });
-  AddFieldArray(output, "SamplesPerQuad", { static_cast<double>(mesh.CellsPerQuad) });
+  AddFieldArray(output, "CellsPerQuad", { static_cast<double>(mesh.CellsPerQuad) });
   AddFieldArray(output, "HeightRange", { mesh.MinimumHeight, mesh.MaximumHeight });
   return 1;
 }
@@ -191,12 +212,12 @@ int vtkTerrainCoarseMesh::RequestData(
 void vtkTerrainCoarseMesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SamplesPerQuad: " << this->SamplesPerQuad << "\n";
+  os << indent << "CellsPerQuad: " << this->CellsPerQuad << "\n";
   os << indent << "PushUp: " << (this->PushUp ? "on" : "off") << "\n";
   os << indent << "ClosedHull: " << (this->ClosedHull ? "on" : "off") << "\n";
   os << indent << "PassPointArrays: " << (this->PassPointArrays ? "on" : "off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
-  os << indent << "EffectiveSamplesPerQuad: " << this->EffectiveSamplesPerQuad << "\n";
+  os << indent << "EffectiveCellsPerQuad: " << this->EffectiveCellsPerQuad << "\n";
   os << indent << "LargestGap: " << this->LargestGap << "\n";
   os << indent << "HeightRange: " << this->HeightRange[0] << " " << this->HeightRange[1] << "\n";
 }

@@ -11,7 +11,7 @@
  *   - points in model coordinates: x, y of the samples that are vertices, z = origin.z + height;
  *   - point data "GridCoordinates", float32 of 2 components: column and row of the vertex in cells
  *     from sample (0, 0), exact. Shaders need no large coordinates;
- *   - field data, one tuple each: "LargestGap", "SamplesPerQuad", and "HeightRange" (2 components),
+ *   - field data, one tuple each: "LargestGap", "CellsPerQuad", and "HeightRange" (2 components),
  *     as the methods below.
  *
  * Method: Feher's three steps.
@@ -31,7 +31,7 @@
  * Rays from the side and from below then enter through a front face as well. The hull is a closed
  * manifold without T-junctions. Its mesh comes first, in points and in triangles.
  *
- * With PushUp off and SamplesPerQuad 1 the output is the full mesh: every cell two triangles.
+ * With PushUp off and CellsPerQuad 1 the output is the full mesh: every cell two triangles.
  *
  * The result does not depend on the number of threads (vtkSMPTools). Input with another shape is
  * an error (see the message).
@@ -57,8 +57,15 @@ public:
   ///@{
   /// Cells along a side of a quad, >= 0. 0, the default, chooses the smallest power of two, at
   /// least 4, that leaves at most 128 quads along the longer side.
-  vtkSetClampMacro(SamplesPerQuad, vtkIdType, 0, VTK_ID_MAX);
-  vtkGetMacro(SamplesPerQuad, vtkIdType);
+  vtkSetClampMacro(CellsPerQuad, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(CellsPerQuad, vtkIdType);
+  ///@}
+
+  ///@{
+  /// Old names of CellsPerQuad, with a warning.
+  void SetSamplesPerQuad(vtkIdType cells);
+  vtkIdType GetSamplesPerQuad();
+  vtkIdType GetEffectiveSamplesPerQuad();
   ///@}
 
   ///@{
@@ -92,9 +99,9 @@ public:
   ///@}
 
   /// Cells along a side of a quad in the last output; 0 before the first.
-  vtkIdType GetEffectiveSamplesPerQuad() const
+  vtkIdType GetEffectiveCellsPerQuad() const
   {
-    return this->EffectiveSamplesPerQuad;
+    return this->EffectiveCellsPerQuad;
   }
 
   /// Largest vertical distance between mesh and surface in the last output, in height units.
@@ -120,12 +127,12 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
-  vtkIdType SamplesPerQuad = 0;
+  vtkIdType CellsPerQuad = 0;
   bool PushUp = true;
   bool ClosedHull = true;
   bool PassPointArrays = false;
   int OutputPointsPrecision = DOUBLE_PRECISION;
-  vtkIdType EffectiveSamplesPerQuad = 0;
+  vtkIdType EffectiveCellsPerQuad = 0;
   double LargestGap = 0.0;
   double HeightRange[2] = { 0.0, -1.0 };
 };

@@ -245,6 +245,28 @@ vtkTerrainStrips::vtkTerrainStrips()
 
 vtkTerrainStrips::~vtkTerrainStrips() = default;
 
+void vtkTerrainStrips::SetLevelColors(bool colors)
+{
+  vtkWarningMacro("SetLevelColors() is now called SetDepthColors()");
+  this->SetDepthColors(colors);
+}
+
+bool vtkTerrainStrips::GetLevelColors()
+{
+  vtkWarningMacro("GetLevelColors() is now called GetDepthColors()");
+  return this->DepthColors;
+}
+
+void vtkTerrainStrips::LevelColorsOn()
+{
+  this->SetLevelColors(true);
+}
+
+void vtkTerrainStrips::LevelColorsOff()
+{
+  this->SetLevelColors(false);
+}
+
 void vtkTerrainStrips::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -264,7 +286,7 @@ void vtkTerrainStrips::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "PlainRefinement: " << this->PlainRefinement << "\n"
      << indent << "Normals: " << this->Normals << "\n"
      << indent << "TextureCoordinates: " << this->TextureCoordinates << "\n"
-     << indent << "LevelColors: " << this->LevelColors << "\n"
+     << indent << "DepthColors: " << this->DepthColors << "\n"
      << indent << "HeightScalars: " << this->HeightScalars << "\n"
      << indent << "TriangleOutput: " << this->TriangleOutput << "\n"
      << indent << "Asynchronous: " << this->Asynchronous << "\n"
@@ -548,7 +570,7 @@ bool vtkTerrainStrips::FillOutput(vtkPolyData* output)
   terrain::FillStrips(internals.Mesh, source,
     { this->PointExaggeration > 0.0 ? this->PointExaggeration : internals.MeshJob.View.Exaggeration,
       internals.MeshJob.View.DetailScale, this->Normals, this->TextureCoordinates,
-      this->LevelColors, this->HeightScalars, this->TriangleOutput },
+      this->DepthColors, this->HeightScalars, this->TriangleOutput },
     output);
   const bool isDamaged = internals.MeshJob.Data->IsFile &&
     !terrain::AreHeightsKnown(internals.Mesh, source, internals.MeshJob.View.DetailScale);

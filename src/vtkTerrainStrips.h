@@ -15,7 +15,7 @@
  * filter takes it. Point data, each on request:
  *   Normals              float 3, unit length, from central differences of the heights
  *   TextureCoordinates   float 2, 0 to 1 from the first to the last sample east and north
- *   Depth                unsigned char 3, the depth in the hierarchy as a colour (LevelColors)
+ *   Depth                unsigned char 3, the depth in the hierarchy as a colour (DepthColors)
  *   Height               float, the height, not exaggerated (HeightScalars)
  * Points are double, in model coordinates (those of the heights), z = origin z + exaggeration *
  * height (see Exaggeration, PointExaggeration).
@@ -191,12 +191,19 @@ public:
   ///@}
   ///@{
   /// Adds a colour for the depth of each point as scalars; default off.
-  vtkSetMacro(LevelColors, bool);
-  vtkGetMacro(LevelColors, bool);
-  vtkBooleanMacro(LevelColors, bool);
+  vtkSetMacro(DepthColors, bool);
+  vtkGetMacro(DepthColors, bool);
+  vtkBooleanMacro(DepthColors, bool);
   ///@}
   ///@{
-  /// Adds the height of each point, as scalars unless LevelColors are; default off.
+  /// Old names of DepthColors, with a warning.
+  void SetLevelColors(bool colors);
+  bool GetLevelColors();
+  void LevelColorsOn();
+  void LevelColorsOff();
+  ///@}
+  ///@{
+  /// Adds the height of each point, as scalars unless DepthColors are; default off.
   vtkSetMacro(HeightScalars, bool);
   vtkGetMacro(HeightScalars, bool);
   vtkBooleanMacro(HeightScalars, bool);
@@ -268,7 +275,7 @@ private:
   bool PlainRefinement = false;
   bool Normals = false;
   bool TextureCoordinates = false;
-  bool LevelColors = false;
+  bool DepthColors = false;
   bool TriangleOutput = false;
   bool Asynchronous = false;
   double UsedTolerance = 0.0;

@@ -82,7 +82,7 @@ int main(int argc, char* argv[])
   FillHeights(width, height, image);
   vtkNew<vtkTerrainCoarseMesh> filter;
   filter->SetInputData(image);
-  filter->SetSamplesPerQuad(cellsPerQuad);
+  filter->SetCellsPerQuad(cellsPerQuad);
   Measure(filter, repeats);
   vtkSMPTools::Initialize(1);
   Measure(filter, repeats);

@@ -160,7 +160,7 @@ public:
     if (technique == Techniques::Mesh)
     {
       this->FullMesh->SetInputConnection(reader->GetOutputPort());
-      this->FullMesh->SetSamplesPerQuad(1);
+      this->FullMesh->SetCellsPerQuad(1);
       this->FullMesh->PushUpOff();
       this->Mapper->SetInputConnection(this->FullMesh->GetOutputPort());
     }
@@ -341,7 +341,7 @@ bool Report(const Options& options, const std::string& file)
   std::printf("\n%s: %d x %d, heights %g to %g, %lld cells a quad, largest gap %g\n",
     file.substr(file.find_last_of('/') + 1).c_str(), size[0], size[1],
     coarseMesh->GetHeightRange()[0], coarseMesh->GetHeightRange()[1],
-    static_cast<long long>(coarseMesh->GetEffectiveSamplesPerQuad()), coarseMesh->GetLargestGap());
+    static_cast<long long>(coarseMesh->GetEffectiveCellsPerQuad()), coarseMesh->GetLargestGap());
   std::printf("%-12s %-8s %9s %7s %7s %9s %9s %9s %10s %6s\n", "technique", "view", "agree %",
     "misses", "extras", "hits", "1e-4 %", "1e-3 %", "largest", "off");
   bool done = false;

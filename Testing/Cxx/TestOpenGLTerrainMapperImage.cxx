@@ -119,7 +119,7 @@ TEST(OpenGLTerrainMapperImage, MeshDrawsAsThePyramid)
 {
   Landscape landscape;
   landscape.Mesh->SetPushUp(false);
-  landscape.Mesh->SetSamplesPerQuad(1);
+  landscape.Mesh->SetCellsPerQuad(1);
   landscape.Mapper->SetTechnique(Techniques::Mesh);
   const auto picture = landscape.Draw(ObliqueEye, ObliqueFocus);
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(picture, "TerrainPyramid", { 12, 0.02 }));

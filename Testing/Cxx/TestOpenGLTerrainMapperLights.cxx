@@ -161,7 +161,7 @@ TEST(OpenGLTerrainMapperLights, RidgesOfCoarseMeshesHaveNoDarkRims)
   const TerrainProp terrain = scene.AddTerrain(heights);
   vtkNew<vtkTerrainCoarseMesh> mesh;
   mesh->SetInputData(heights);
-  mesh->SetSamplesPerQuad(5);
+  mesh->SetCellsPerQuad(5);
   mesh->Update();
   terrain.Mapper->SetInputConnection(mesh->GetOutputPort());
   scene.Look({ 320.0, 1100.0, 190.0 }, { 320.0, 320.0, 40.0 });

@@ -244,7 +244,7 @@ TEST(OpenGLTerrainMapperShadows, AreThoseOfEveryTechnique)
   for (const auto technique : { Techniques::Mesh, Techniques::Equidistant, Techniques::Linear })
   {
     Sunlit hills(vtkTerrainTesting::MakeHills(), technique);
-    hills.Mesh->SetSamplesPerQuad(1);
+    hills.Mesh->SetCellsPerQuad(1);
     lookOver(hills);
     hills.Shine(135.0, 8.0);
     const Count count = judgeSun(hills);

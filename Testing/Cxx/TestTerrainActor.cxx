@@ -129,7 +129,7 @@ TEST_F(TerrainActor, DrawsAsThePipelineByHand)
 
     vtkNew<vtkTerrainCoarseMesh> mesh;
     mesh->SetInputData(this->Heights);
-    mesh->SetSamplesPerQuad(technique == Techniques::Mesh ? 1 : 0);
+    mesh->SetCellsPerQuad(technique == Techniques::Mesh ? 1 : 0);
     mesh->SetPushUp(technique != Techniques::Mesh);
     vtkNew<vtkOpenGLTerrainMapper> mapper;
     mapper->SetInputConnection(mesh->GetOutputPort());
@@ -159,7 +159,7 @@ TEST_F(TerrainActor, MakesMeshesOnlyWhereTheyAreNeeded)
   this->Draw();
   EXPECT_EQ(this->Terrain->GetUsedMesh(), nullptr);
   EXPECT_EQ(coarse->GetNumberOfPoints(), 0);
-  this->Terrain->GetCoarseMesh()->SetSamplesPerQuad(16);
+  this->Terrain->GetCoarseMesh()->SetCellsPerQuad(16);
   this->Terrain->SetTechnique(Techniques::Equidistant);
   this->Draw();
   EXPECT_EQ(coarse->GetNumberOfPoints(), 0);
@@ -330,7 +330,7 @@ TEST_F(TerrainActor, SaysWhyPreparedHeightsCannotBeDrawn)
 
 TEST_F(TerrainActor, ShowsTheCoarseMeshAsWireframe)
 {
-  this->Terrain->GetCoarseMesh()->SetSamplesPerQuad(32);
+  this->Terrain->GetCoarseMesh()->SetCellsPerQuad(32);
   const int surface = countDrawn(this->Draw());
   this->Terrain->GetProperty()->SetRepresentationToWireframe();
   const int wires = countDrawn(this->Draw());

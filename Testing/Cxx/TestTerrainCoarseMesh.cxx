@@ -23,6 +23,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 
 namespace
 {
@@ -89,18 +90,18 @@ void ExpectEqualMeshes(vtkPolyData* a, vtkPolyData* b)
 TEST(TerrainCoarseMesh, DescribesItsOutput)
 {
   vtkNew<vtkTerrainCoarseMesh> filter;
-  filter->SetSamplesPerQuad(8);
+  filter->SetCellsPerQuad(8);
   const auto mesh = CoarseMeshOf(MakeHeights(41, 30, 0), filter);
   // 5 x 4 quads, the northern ones of 5 cells: 6 x 5 vertices twice, 18 edges of walls.
   EXPECT_EQ(mesh->GetNumberOfPoints(), 2 * 6 * 5);
   EXPECT_EQ(mesh->GetNumberOfPolys(), 2 * 2 * 20 + 2 * 18);
-  EXPECT_EQ(filter->GetEffectiveSamplesPerQuad(), 8);
+  EXPECT_EQ(filter->GetEffectiveCellsPerQuad(), 8);
   EXPECT_GT(filter->GetLargestGap(), 0.0);
   EXPECT_NEAR(filter->GetHeightRange()[0], 800.0, 5.0);
   EXPECT_NEAR(filter->GetHeightRange()[1], 1200.0, 5.0);
   vtkFieldData* field = mesh->GetFieldData();
   EXPECT_EQ(field->GetArray("LargestGap")->GetTuple1(0), filter->GetLargestGap());
-  EXPECT_EQ(field->GetArray("SamplesPerQuad")->GetTuple1(0), 8.0);
+  EXPECT_EQ(field->GetArray("CellsPerQuad")->GetTuple1(0), 8.0);
   EXPECT_EQ(field->GetArray("HeightRange")->GetTuple2(0)[1], filter->GetHeightRange()[1]);
 
   auto* grid = vtkFloatArray::SafeDownCast(mesh->GetPointData()->GetArray("GridCoordinates"));
@@ -119,12 +120,31 @@ TEST(TerrainCoarseMesh, DescribesItsOutput)
 }
 
 //------------------------------------------------------------------------------
+// Old names do the same, with a warning.
+TEST(TerrainCoarseMesh, KeepsOldNames)
+{
+  vtkNew<vtkTerrainCoarseMesh> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->SetSamplesPerQuad(8);
+  EXPECT_EQ(filter->GetCellsPerQuad(), 8);
+  EXPECT_EQ(filter->GetSamplesPerQuad(), 8);
+  CoarseMeshOf(MakeHeights(41, 30, 0), filter);
+  EXPECT_EQ(filter->GetEffectiveSamplesPerQuad(), 8);
+  for (const char* name :
+    { "SetCellsPerQuad()", "GetCellsPerQuad()", "GetEffectiveCellsPerQuad()" })
+  {
+    EXPECT_NE(observer->GetWarningMessage().find(name), std::string::npos) << name;
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(TerrainCoarseMesh, HullIsClosedAndEnclosesVolume)
 {
   for (const unsigned int missing : { 0U, 2U, 20U, 60U })
   {
     vtkNew<vtkTerrainCoarseMesh> filter;
-    filter->SetSamplesPerQuad(3);
+    filter->SetCellsPerQuad(3);
     const auto mesh = CoarseMeshOf(MakeHeights(50, 37, missing), filter);
     EXPECT_GT(mesh->GetNumberOfPolys(), 0);
     EXPECT_EQ(CountEdges(mesh, true), 0);
@@ -143,7 +163,7 @@ TEST(TerrainCoarseMesh, HullIsClosedAndEnclosesVolume)
 TEST(TerrainCoarseMesh, FullMeshHasEveryCellWithData)
 {
   vtkNew<vtkTerrainCoarseMesh> filter;
-  filter->SetSamplesPerQuad(1);
+  filter->SetCellsPerQuad(1);
   filter->PushUpOff();
   auto image = MakeHeights(20, 10, 0);
   auto* heights = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
@@ -209,7 +229,7 @@ TEST(TerrainCoarseMesh, HiddenPointsHaveNoMesh)
   auto image = MakeHeights(9, 9, 0);
   vtkNew<vtkTerrainCoarseMesh> filter;
   filter->ClosedHullOff();
-  filter->SetSamplesPerQuad(4);
+  filter->SetCellsPerQuad(4);
   image->AllocatePointGhostArray();
   for (int j = 0; j < 9; ++j)
   {

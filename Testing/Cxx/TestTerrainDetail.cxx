@@ -96,7 +96,7 @@ struct Drawing
   explicit Drawing(vtkImageData* heights, vtkImageData* detail = nullptr)
   {
     this->Mesh->SetInputData(heights);
-    this->Mesh->SetSamplesPerQuad(detail ? 4 : 4 * Cells);
+    this->Mesh->SetCellsPerQuad(detail ? 4 : 4 * Cells);
     this->Mapper->SetInputConnection(this->Mesh->GetOutputPort());
     this->Mapper->SetHeightsData(heights);
     if (detail)
@@ -250,7 +250,7 @@ TEST(TerrainDetailLight, IsThatOfTheSum)
 
   // straight down from afar, the heights of the mesh hardly matter
   parts.Mesh->PushUpOff();
-  parts.Mesh->SetSamplesPerQuad(1);
+  parts.Mesh->SetCellsPerQuad(1);
   parts.Mapper->SetTechnique(Techniques::Mesh);
   EXPECT_LE(differentPixels(parts, whole, { 640.0, 640.0, 90000.0 }, { 640.0, 641.0, 0.0 }, 0.2, 8),
     120 * 90 / 100);

@@ -146,7 +146,7 @@ TEST(TerrainStrips, PointsAreSamplesWithTheirAttributes)
   Pipeline pipeline;
   pipeline.Strips->NormalsOn();
   pipeline.Strips->TextureCoordinatesOn();
-  pipeline.Strips->LevelColorsOn();
+  pipeline.Strips->DepthColorsOn();
   pipeline.Strips->SetExaggeration(2.0);
   vtkPolyData* output = pipeline.Update();
   vtkDataArray* normals = output->GetPointData()->GetNormals();
@@ -174,6 +174,20 @@ TEST(TerrainStrips, PointsAreSamplesWithTheirAttributes)
   }
 }
 
+// The old name does the same, with a warning.
+TEST(TerrainStrips, KeepsTheOldNameOfDepthColors)
+{
+  const vtkNew<vtkTerrainStrips> strips;
+  const vtkNew<vtkTest::ErrorObserver> observer;
+  strips->AddObserver(vtkCommand::WarningEvent, observer);
+  strips->LevelColorsOn();
+  EXPECT_TRUE(strips->GetDepthColors());
+  EXPECT_TRUE(observer->GetWarning());
+  EXPECT_NE(observer->GetWarningMessage().find("SetDepthColors()"), std::string::npos);
+  strips->LevelColorsOff();
+  EXPECT_FALSE(strips->GetLevelColors());
+}
+
 TEST(TerrainStrips, WithDetailPointsAreSamplesOfTheSum)
 {
   Pipeline pipeline;
@@ -188,7 +202,7 @@ TEST(TerrainStrips, WithDetailPointsAreSamplesOfTheSum)
   pipeline.Strips->SetTolerance(0.5);
   pipeline.Strips->NormalsOn();
   pipeline.Strips->TextureCoordinatesOn();
-  pipeline.Strips->LevelColorsOn();
+  pipeline.Strips->DepthColorsOn();
   EXPECT_EQ(pipeline.Strips->GetDetail(), detail);
   vtkPolyData* output = pipeline.Update();
   vtkIdType below = 0;

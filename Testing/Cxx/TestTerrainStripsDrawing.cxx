@@ -181,7 +181,7 @@ TEST(TerrainStripsDrawing, MatchesBaselines)
       vtkTerrainTesting::MatchesBaseline(drawn, "TerrainStrips" + std::to_string(tolerance)));
     EXPECT_NEAR(vtkTerrainTesting::DrawnShare(drawn), share, 0.005) << tolerance;
   }
-  picture.Strips->LevelColorsOn();
+  picture.Strips->DepthColorsOn();
   picture.Actor->GetProperty()->EdgeVisibilityOn();
   const auto levels = vtkTerrainTesting::Render(picture.Scene.Window);
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(levels, "TerrainStripsLevels", { 40, 0.01 }));

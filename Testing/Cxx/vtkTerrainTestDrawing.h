@@ -42,7 +42,7 @@ public:
     , Scene(MakeScene(DrawingWidth, DrawingHeight))
   {
     this->Mesh->SetInputData(heights);
-    this->Mesh->SetSamplesPerQuad(8);
+    this->Mesh->SetCellsPerQuad(8);
     this->Mapper->SetInputConnection(this->Mesh->GetOutputPort());
     this->Mapper->SetHeightsData(heights);
     this->Mapper->SetTechnique(technique);

@@ -451,7 +451,7 @@ TerrainProp TerrainScene::AddTerrain(vtkImageData* heights)
   {
     vtkNew<vtkTerrainCoarseMesh> mesh;
     mesh->SetInputData(heights);
-    mesh->SetSamplesPerQuad(8);
+    mesh->SetCellsPerQuad(8);
     terrain.Mapper->SetInputConnection(mesh->GetOutputPort());
   }
   terrain.Actor->SetMapper(terrain.Mapper);

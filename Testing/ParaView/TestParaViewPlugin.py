@@ -284,7 +284,7 @@ class TestPlugin(unittest.TestCase):
         self.assertLess(camera.GetDistance(), 4 * 40960.0)
 
     def test_filters(self):
-        mesh = simple.TerrainCoarseMesh(self.source, SamplesPerQuad=16)
+        mesh = simple.TerrainCoarseMesh(self.source, CellsPerQuad=16)
         mesh.UpdatePipeline()
         self.assertGreater(mesh.GetDataInformation().GetNumberOfCells(), 50)
         reproject = simple.TerrainReproject(self.source, CoordinateSystem="EPSG:32645", Spacing=400.0)

@@ -125,7 +125,10 @@ TEST_F(TerrainRenderOutput, StripsKeepATolerance)
   EXPECT_EQ(triangles({ "--tolerance", "1" }), standard);
   EXPECT_LT(triangles({ "--tolerance", "4" }), standard);
   EXPECT_GT(triangles({ "--tolerance", "0.2" }), standard);
-  EXPECT_EQ(triangles({ "--levels" }), standard);
+  EXPECT_EQ(triangles({ "--depths" }), standard);
+  const RunResult old = this->Draw(hill, { "--technique", "strips", "--levels" });
+  this->ExpectDrawn(old, 1000);
+  EXPECT_NE(old.Errors.find("--levels is now called --depths"), std::string::npos) << old.Errors;
   const int hits = this->ReadDepths().CountHits();
   EXPECT_EQ(triangles({ "--wireframe" }), standard);
   EXPECT_LT(this->ReadDepths().CountHits(), hits);
@@ -201,7 +204,7 @@ TEST_F(TerrainRenderOutput, PreparedFilesAreDrawn)
   }
   // alone, and with the samples that detail needs
   this->ExpectDrawn(
-    this->Draw(prepared, { "--technique", "strips", "--levels", "--scale-bar" }), 5000);
+    this->Draw(prepared, { "--technique", "strips", "--depths", "--scale-bar" }), 5000);
   this->ExpectDrawn(this->Draw(prepared, { "--technique", "strips", "--detail", "builtin" }), 5000);
   std::filesystem::resize_file(prepared, 5000);
   ExpectRefused(this->Draw(prepared), 1, "5000 bytes");

@@ -260,7 +260,7 @@ void FillStrips(const StripMesh& mesh, const StripsSource& source, const StripsO
   {
     AddHeights(mesh, output);
   }
-  if (options.LevelColors)
+  if (options.DepthColors)
   {
     AddDepthColors(mesh, source, output);
   }

@@ -22,7 +22,7 @@ struct StripsOptions
   double DetailScale;
   bool Normals;
   bool TextureCoordinates;
-  bool LevelColors;
+  bool DepthColors;
   bool HeightScalars;
   bool TriangleOutput;
 };

@@ -334,7 +334,7 @@ vtkSmartPointer<vtkActor> MakeActor(const std::string& technique, vtkImageData* 
   {
     mesh->SetInputData(heights);
     mesh->SetPushUp(!full);
-    mesh->SetSamplesPerQuad(full ? 1 : std::max(1, cells / NumberIn(technique)));
+    mesh->SetCellsPerQuad(full ? 1 : std::max(1, cells / NumberIn(technique)));
     mapper->SetInputConnection(mesh->GetOutputPort());
   }
   mapper->SetHeightsData(heights);

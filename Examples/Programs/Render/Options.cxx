@@ -168,7 +168,13 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
     "by how much the techniques pyramid (default 0, exact) and strips (default 1) may be off");
   app.add_flag("--wireframe", options.Wireframe, "draw the technique strips as lines");
   app.add_flag(
-    "--levels", options.Levels, "draw the technique strips in colours of its hierarchy's depths");
+    "--depths", options.Depths, "draw the technique strips in colours of its hierarchy's depths");
+  const auto levels = [&options]()
+  {
+    std::cerr << "terrain-render: warning: --levels is now called --depths\n";
+    options.Depths = true;
+  };
+  app.add_flag_callback("--levels", levels, "")->group(""); // not in the help
   app.add_flag("--crossings", options.Crossings,
     "draw how many nodes or samples each ray takes, blue for none to red for 64 and more");
   add("--depth", options.Depth, "FILE",
@@ -335,13 +341,13 @@ void CheckTechnique(const Options& options)
   {
     Refuse("--wireframe", "is for the technique strips only");
   }
-  if (options.Levels && !strips)
+  if (options.Depths && !strips)
   {
-    Refuse("--levels", "is for the technique strips only");
+    Refuse("--depths", "is for the technique strips only");
   }
-  if ((options.Wireframe || options.Levels) && !options.Place.Drape.empty())
+  if ((options.Wireframe || options.Depths) && !options.Place.Drape.empty())
   {
-    Refuse("--drape", "does not go with --wireframe and --levels");
+    Refuse("--drape", "does not go with --wireframe and --depths");
   }
 }
 

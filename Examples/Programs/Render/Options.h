@@ -89,7 +89,7 @@ struct Options
   std::optional<double> PixelTolerance;
   /// True to draw the edges of the technique strips, or the depths of its hierarchy in colours.
   bool Wireframe = false;
-  bool Levels = false;
+  bool Depths = false;
   /// True to draw the work of each ray in false colours.
   bool Crossings = false;
   /// File of depths; empty for none.

@@ -116,7 +116,7 @@ void ColorByPlaceHeight(vtkTerrainActor* actor, vtkImageData* heights)
 /// The colours that are asked for, over all heights.
 void UseColors(const Terrain& terrain, vtkImageData* heights, const Options& options)
 {
-  if (!options.Colors.IsGiven() || options.Levels)
+  if (!options.Colors.IsGiven() || options.Depths)
   {
     return;
   }
@@ -176,13 +176,13 @@ vtkSmartPointer<vtkTerrainHierarchy> PrepareHierarchy(
 void PrepareStrips(vtkTerrainActor* actor, vtkImageData* heights, const Options& options,
   ProgressBar& progress, const PreparedDetail& detail)
 {
-  const bool alone = options.Levels || options.Wireframe || DrawsFileAlone(options);
+  const bool alone = options.Depths || options.Wireframe || DrawsFileAlone(options);
   actor->SetInputData(alone ? nullptr : heights);
   actor->SetHierarchy(PrepareHierarchy(heights, options, progress));
   vtkTerrainStrips* strips = actor->GetStrips();
   detail.AddTo(strips);
   strips->SetTolerance(options.PixelTolerance.value_or(1.0));
-  strips->SetLevelColors(options.Levels);
+  strips->SetDepthColors(options.Depths);
   if (options.Wireframe)
   {
     actor->GetProperty()->SetRepresentationToWireframe();
@@ -195,10 +195,10 @@ void PrepareMesh(
 {
   if (vtkTerrainCoarseMesh* mesh = actor->GetUsedMesh())
   {
-    mesh->SetSamplesPerQuad(std::max(options.MeshCells, 1));
+    mesh->SetCellsPerQuad(std::max(options.MeshCells, 1));
     progress.Watch(mesh, kMeshShare, "preparing");
     mesh->Update();
-    statistics.SetCount("samples_per_quad", mesh->GetEffectiveSamplesPerQuad());
+    statistics.SetCount("cells_per_quad", mesh->GetEffectiveCellsPerQuad());
     statistics.SetCount("mesh_vertices", mesh->GetOutput()->GetNumberOfPoints());
     statistics.SetCount("mesh_triangles", mesh->GetOutput()->GetNumberOfPolys());
   }
