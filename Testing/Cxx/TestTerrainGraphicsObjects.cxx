@@ -7,11 +7,20 @@
 #include "vtkTerrainTestDrawing.h"
 #include "vtkTerrainTesting.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
 
 #include "render/Driver.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
 
 using namespace vtkTerrainTesting;
 
@@ -42,6 +51,29 @@ void ExpectSame(const GLObjects& now, const GLObjects& before)
   EXPECT_EQ(now.Renderbuffers, before.Renderbuffers);
   EXPECT_EQ(now.VertexArrays, before.VertexArrays);
   EXPECT_EQ(now.Queries, before.Queries);
+}
+
+const unsigned char* PixelsOf(vtkImageData* picture)
+{
+  return static_cast<const unsigned char*>(picture->GetScalarPointer());
+}
+
+/// The largest anisotropy of the filter that a program reads its picture with.
+void FindAnisotropy(vtkObject*, unsigned long, void* found, void* program)
+{
+  const auto handle = static_cast<GLuint>(static_cast<vtkShaderProgram*>(program)->GetHandle());
+  const GLint place = glGetUniformLocation(handle, "terrainDrape");
+  if (place < 0)
+  {
+    return;
+  }
+  GLint unit = 0;
+  GLint before = 0;
+  glGetUniformiv(handle, place, &unit);
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &before);
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLuint>(unit));
+  glGetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<GLfloat*>(found));
+  glActiveTexture(static_cast<GLenum>(before));
 }
 }
 
@@ -91,4 +123,37 @@ TEST(TerrainGraphicsObjects, NoneIsLeftAfter200Cycles)
     }
   }
   ExpectSame(CountGLObjects(scene.Window), before);
+}
+
+// A picture of one colour looks the same; of others llvmpipe's filter takes wrong texels.
+TEST(TerrainGraphicsObjects, DrapesAreFilteredAsTheDriverIsToldTo)
+{
+  const char* words = std::getenv("VTKTERRAIN_DRIVER");
+  const std::string before = words ? words : "";
+  const vtkNew<vtkImageData> picture;
+  picture->SetDimensions(64, 64, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::fill_n(static_cast<unsigned char*>(picture->GetScalarPointer()), 64 * 64 * 3, 180);
+  vtkSmartPointer<vtkImageData> pictures[2];
+  for (const bool anisotropic : { false, true })
+  {
+    setenv("VTKTERRAIN_DRIVER", anisotropic ? "software,anisotropic" : "graphics,isotropic", 1);
+    const Scene scene = MakeScene(48, 32);
+    const vtkNew<vtkTerrainActor> terrain;
+    terrain->SetInputData(MakeHeights(33));
+    const double bounds[4] = { -1e6, 1e6, -1e6, 1e6 };
+    terrain->GetTerrainMapper()->SetDrape(picture, bounds);
+    GLfloat found = 0.0f;
+    const vtkNew<vtkCallbackCommand> find;
+    find->SetCallback(FindAnisotropy);
+    find->SetClientData(&found);
+    terrain->GetTerrainMapper()->AddObserver(vtkCommand::UpdateShaderEvent, find);
+    scene.Renderer->AddActor(terrain);
+    Look(scene.Renderer);
+    pictures[anisotropic ? 1 : 0] = Render(scene.Window);
+    EXPECT_EQ(found, anisotropic ? 16.0f : 1.0f);
+  }
+  before.empty() ? unsetenv("VTKTERRAIN_DRIVER") : setenv("VTKTERRAIN_DRIVER", before.c_str(), 1);
+  EXPECT_TRUE(
+    std::equal(PixelsOf(pictures[0]), PixelsOf(pictures[0]) + 48 * 32 * 3, PixelsOf(pictures[1])));
 }
