@@ -66,6 +66,49 @@ float terrainPassBounds(TerrainPath path, TerrainStep at, TerrainSpan span, vec2
   return terrainHoles == 1 || bounds.x < bounds.y ? 0.0 : down ? before : passed;
 }
 
+// The step in the finest node that is there, and its slot.
+void terrainAscend(TerrainPath path, inout TerrainStep at, inout int slot)
+{
+  while (slot < 0 && at.level < terrainPyramidTop)
+  {
+    ++at.level;
+    slot = terrainTileSlot((at.cell >> at.level) ^ path.mirror, at.level);
+  }
+}
+
+// What becomes of a ray at a node above level 0.
+struct TerrainDescent
+{
+  bool down;        // it comes within the bounds
+  bool small;       // and ends there, within the tolerance
+  float passes;     // as terrainPassBounds() tells
+  TerrainStep next;
+  int nextSlot;     // of the finer node that it goes down into; negative if its tile is not there
+};
+
+// Slot: of the node.
+TerrainDescent terrainDescend(
+  TerrainPath path, TerrainStep at, TerrainSpan span, float side, vec4 tolerance, int slot)
+{
+  TerrainDescent descent;
+  ivec2 node = (at.cell >> at.level) ^ path.mirror;
+  vec2 bounds = terrainSlotBounds(node, slot) - path.anchorCode + vec2(path.slack, -path.slack);
+  descent.down = min(at.z, span.z) <= bounds.x && max(at.z, span.z) >= bounds.y;
+  float bound = path.direction.z < 0.0 ? bounds.x : bounds.y;
+  float s = clamp(at.s + (bound - at.z) * path.inverse.z, at.s, span.s);
+  descent.next = terrainNextStep(path, at, span, descent.down, descent.down ? s : span.s);
+  descent.small = descent.down && terrainIsWithin(tolerance, at.s, at.level, bounds) &&
+    terrainCellValid(terrainSlotCodes(node, slot));
+  descent.nextSlot = slot;
+  if (descent.down && !descent.small)
+  {
+    int finer = max(at.level - 1, 0);
+    descent.nextSlot = terrainTileSlot((descent.next.cell >> finer) ^ path.mirror, finer);
+  }
+  descent.passes = terrainPassBounds(path, at, span, bounds, descent.down, s, side);
+  return descent;
+}
+
 // The first point of the surface on a ray; tolerance: see terrainTracePyramidWithin().
 TerrainHit terrainTraceTiles(TerrainRay ray, vec4 tolerance)
 {
@@ -79,12 +122,7 @@ TerrainHit terrainTraceTiles(TerrainRay ray, vec4 tolerance)
   int slot = terrainTileSlot((at.cell >> at.level) ^ path.mirror, at.level);
   while (!ended)
   {
-    // The step in the finest node that is there.
-    while (slot < 0 && at.level < terrainPyramidTop)
-    {
-      ++at.level;
-      slot = terrainTileSlot((at.cell >> at.level) ^ path.mirror, at.level);
-    }
+    terrainAscend(path, at, slot);
     ++crossings;
     ivec2 node = (at.cell >> at.level) ^ path.mirror;
     TERRAIN_VISIT(node, at.level)
@@ -95,24 +133,14 @@ TerrainHit terrainTraceTiles(TerrainRay ray, vec4 tolerance)
     int nextSlot = slot;
     if (at.level > 0)
     {
-      vec2 bounds =
-        terrainSlotBounds(node, slot) - path.anchorCode + vec2(path.slack, -path.slack);
-      down = min(at.z, span.z) <= bounds.x && max(at.z, span.z) >= bounds.y;
-      float bound = path.direction.z < 0.0 ? bounds.x : bounds.y;
-      float s = clamp(at.s + (bound - at.z) * path.inverse.z, at.s, span.s);
-      next = terrainNextStep(path, at, span, down, down ? s : span.s);
-      bool small = down && terrainIsWithin(tolerance, at.s, at.level, bounds) &&
-        terrainCellValid(terrainSlotCodes(node, slot));
-      if (down && !small)
-      {
-        int finer = max(at.level - 1, 0);
-        nextSlot = terrainTileSlot((next.cell >> finer) ^ path.mirror, finer);
-        byPatch = nextSlot < 0;
-      }
-      float passes = terrainPassBounds(path, at, span, bounds, down, s, side);
-      bool wall = !byPatch && passes * side < 0.0;
-      side = byPatch ? side : passes;
-      if (wall || small)
+      TerrainDescent descent = terrainDescend(path, at, span, side, tolerance, slot);
+      down = descent.down;
+      next = descent.next;
+      nextSlot = descent.nextSlot;
+      byPatch = nextSlot < 0;
+      bool wall = !byPatch && descent.passes * side < 0.0;
+      side = byPatch ? side : descent.passes;
+      if (wall || descent.small)
       {
         hit = terrainMeetBox(path, wall ? at : next);
         ended = true;

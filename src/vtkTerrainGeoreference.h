@@ -256,7 +256,10 @@ protected:
 private:
   class vtkInternals;
   void Prepare();
+  void PrepareUnits();
   void PrepareFrame();
+  std::string WhyNoFrame();
+  std::string PlaceFrame();
   void SetGlobe(double equatorial, double polar);
   std::string WhyNotExtent();
   bool Middle(double place[3]);

@@ -6,7 +6,7 @@
 // as ratios of the three to the first technique named. Frames take turns, so that what else the
 // machine does falls on all alike.
 //
-//   BenchmarkTechniques SAMPLES WIDTH HEIGHT [FRAMES [SAMPLES_PER_QUAD [TECHNIQUE...]]]
+//   BenchmarkTechniques SAMPLES WIDTH HEIGHT [FRAMES [CELLS_PER_QUAD [TECHNIQUE...]]]
 //
 // Techniques: coarse, linear, exponential, equidistant, pyramid (in the fragment shader),
 // compute-linear, compute-exponential, compute-equidistant (in a compute shader), pyramid-alone
@@ -149,7 +149,7 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
     vtkNew<vtkTerrainCoarseMesh> full;
     full->SetInputData(image);
     full->SetPushUp(false);
-    full->SetSamplesPerQuad(1);
+    full->SetCellsPerQuad(1);
     mapper->SetInputConnection(full->GetOutputPort());
   }
   mapper->SetHeightsData(image);
@@ -229,13 +229,71 @@ void print(const char* label, const std::vector<double>& sorted)
   std::cout << "  " << label << " " << std::setw(9) << median(sorted) << " (" << sorted.front()
             << " .. " << sorted.back() << ")";
 }
+
+/// Draws a view with all entries in turn, and prints what they took over the first one.
+void compare(vtkRenderWindow* window, vtkRenderer* renderer, vtkImageData* image, const View& view,
+  std::vector<Entry>& entries, int frames)
+{
+  for (Entry& entry : entries)
+  {
+    entry.Actor->VisibilityOn(); // for the clipping range
+  }
+  look(renderer, image, view);
+  for (Entry& entry : entries)
+  {
+    entry.Actor->VisibilityOff();
+  }
+  measure(window, entries, frames);
+  const double gpu = median(entries.front().Taken.Gpu);
+  const double clock = median(entries.front().Taken.Clock);
+  const double cpu = median(entries.front().Taken.Cpu);
+  for (Entry& entry : entries)
+  {
+    std::cout << std::setw(16) << entry.Name << std::setw(9) << view.Name;
+    print("gpu ms", entry.Taken.Gpu);
+    print("clock ms", entry.Taken.Clock);
+    print("cpu ms", entry.Taken.Cpu);
+    std::cout << "  x " << median(entry.Taken.Gpu) / gpu << ", "
+              << median(entry.Taken.Clock) / clock << ", " << median(entry.Taken.Cpu) / cpu
+              << "  first " << entry.First << "\n"
+              << std::flush;
+  }
+  for (Entry& entry : entries)
+  {
+    entry.Taken = Times();
+  }
+}
+
+void printMemory(const std::vector<Entry>& entries, int samples)
+{
+  for (const Entry& entry : entries)
+  {
+    const double bytes = static_cast<double>(
+      static_cast<vtkOpenGLTerrainMapper*>(entry.Actor->GetMapper())->GetTextureMemorySize());
+    std::cout << entry.Name << ": textures " << bytes / 1048576.0 << " MiB, "
+              << bytes / (2.0 * samples * samples) << " of the heights\n";
+  }
+}
+
+void printDriver(vtkRenderWindow* window)
+{
+  std::istringstream capabilities(window->ReportCapabilities());
+  for (std::string line; std::getline(capabilities, line);)
+  {
+    if (line.find("renderer string") != std::string::npos ||
+      line.find("version string") != std::string::npos)
+    {
+      std::cout << line << "\n";
+    }
+  }
+}
 }
 
 int main(int argc, char* argv[])
 {
   if (argc < 4)
   {
-    std::cerr << "usage: BenchmarkTechniques SAMPLES WIDTH HEIGHT [FRAMES [SAMPLES_PER_QUAD "
+    std::cerr << "usage: BenchmarkTechniques SAMPLES WIDTH HEIGHT [FRAMES [CELLS_PER_QUAD "
                  "[TECHNIQUE...]]]\n";
     return 2;
   }
@@ -258,12 +316,12 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkTerrainCoarseMesh> hull;
   hull->SetInputData(image);
-  hull->SetSamplesPerQuad(argc > 5 ? std::atoi(argv[5]) : 0);
+  hull->SetCellsPerQuad(argc > 5 ? std::atoi(argv[5]) : 0);
   start = Clock::now();
   hull->Update();
   std::cout << "coarse mesh " << millisecondsSince(start) << " ms, "
             << hull->GetOutput()->GetNumberOfCells() << " triangles, "
-            << hull->GetEffectiveSamplesPerQuad() << " cells a quad\n";
+            << hull->GetEffectiveCellsPerQuad() << " cells a quad\n";
 
   vtkNew<vtkRenderWindow> window;
   window->SetMultiSamples(0);
@@ -283,50 +341,9 @@ int main(int argc, char* argv[])
   window->Render(); // timers need a context
   for (const View& view : Views)
   {
-    for (Entry& entry : entries)
-    {
-      entry.Actor->VisibilityOn(); // for the clipping range
-    }
-    look(renderer, image, view);
-    for (Entry& entry : entries)
-    {
-      entry.Actor->VisibilityOff();
-    }
-    measure(window, entries, frames);
-    const double gpu = median(entries.front().Taken.Gpu);
-    const double clock = median(entries.front().Taken.Clock);
-    const double cpu = median(entries.front().Taken.Cpu);
-    for (Entry& entry : entries)
-    {
-      std::cout << std::setw(16) << entry.Name << std::setw(9) << view.Name;
-      print("gpu ms", entry.Taken.Gpu);
-      print("clock ms", entry.Taken.Clock);
-      print("cpu ms", entry.Taken.Cpu);
-      std::cout << "  x " << median(entry.Taken.Gpu) / gpu << ", "
-                << median(entry.Taken.Clock) / clock << ", " << median(entry.Taken.Cpu) / cpu
-                << "  first " << entry.First << "\n"
-                << std::flush;
-    }
-    for (Entry& entry : entries)
-    {
-      entry.Taken = Times();
-    }
+    compare(window, renderer, image, view, entries, frames);
   }
-  for (Entry& entry : entries)
-  {
-    const double bytes = static_cast<double>(
-      static_cast<vtkOpenGLTerrainMapper*>(entry.Actor->GetMapper())->GetTextureMemorySize());
-    std::cout << entry.Name << ": textures " << bytes / 1048576.0 << " MiB, "
-              << bytes / (2.0 * samples * samples) << " of the heights\n";
-  }
-  std::istringstream capabilities(window->ReportCapabilities());
-  for (std::string line; std::getline(capabilities, line);)
-  {
-    if (line.find("renderer string") != std::string::npos ||
-      line.find("version string") != std::string::npos)
-    {
-      std::cout << line << "\n";
-    }
-  }
+  printMemory(entries, samples);
+  printDriver(window);
   return 0;
 }

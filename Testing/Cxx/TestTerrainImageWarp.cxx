@@ -137,6 +137,53 @@ bool Contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
+
+/// How many of a sample and the eight around it have heights.
+int CountHeightsAround(vtkImageData* terrain, int i, int j)
+{
+  int count = 0;
+  for (int k = 0; k < 9; ++k)
+  {
+    count +=
+      std::isnan(terrain->GetScalarComponentAsDouble(i + k % 3 - 1, j + k / 3 - 1, 0, 0)) ? 0 : 1;
+  }
+  return count;
+}
+
+/// The first band of a picture, and where it lies.
+struct RedBand
+{
+  int Width = 0;
+  int Height = 0;
+  std::array<double, 6> Transform{};
+  std::vector<float> Values;
+
+  /// Between the pixels from (column, row) on, at fractions u and v.
+  double At(int column, int row, double u, double v) const
+  {
+    const float* p =
+      &this->Values[static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Width) +
+        static_cast<std::size_t>(column)];
+    return (1 - v) * ((1 - u) * p[0] + u * p[1]) +
+      v * ((1 - u) * p[this->Width] + u * p[this->Width + 1]);
+  }
+};
+
+RedBand ReadRed(const std::string& picture)
+{
+  GDALAllRegister();
+  GDALDatasetH file = GDALOpen(picture.c_str(), GA_ReadOnly);
+  RedBand red;
+  red.Width = GDALGetRasterXSize(file);
+  red.Height = GDALGetRasterYSize(file);
+  GDALGetGeoTransform(file, red.Transform.data());
+  red.Values.resize(static_cast<std::size_t>(red.Width) * static_cast<std::size_t>(red.Height));
+  EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(file, 1), GF_Read, 0, 0, red.Width, red.Height,
+              red.Values.data(), red.Width, red.Height, GDT_Float32, 0, 0),
+    CE_None);
+  GDALClose(file);
+  return red;
+}
 }
 
 TEST(TerrainImageWarp, EveryPixelInItsPlace)
@@ -321,15 +368,9 @@ TEST(TerrainImageWarp, CraterLakeOnItsHeights)
   {
     for (int i = 1; i + 1 < terrain->GetDimensions()[0]; ++i)
     {
-      bool all = true;
-      bool none = true;
-      for (int k = 0; k < 9; ++k)
-      {
-        const bool valid =
-          !std::isnan(terrain->GetScalarComponentAsDouble(i + k % 3 - 1, j + k / 3 - 1, 0, 0));
-        all = all && valid;
-        none = none && !valid;
-      }
+      const int around = CountHeightsAround(terrain, i, j);
+      const bool all = around == 9;
+      const bool none = around == 0;
       const double x = terrain->GetOrigin()[0] + i * terrain->GetSpacing()[0];
       const double y = terrain->GetOrigin()[1] + j * terrain->GetSpacing()[1];
       const auto column =
@@ -375,17 +416,8 @@ TEST(TerrainImageWarp, EverestAcrossTwoSystems)
   warp->SetFileName(picture);
   warp->Update();
   ASSERT_EQ(warp->GetErrorMessage(), "");
-  GDALAllRegister();
-  GDALDatasetH file = GDALOpen(picture.c_str(), GA_ReadOnly);
-  const int width = GDALGetRasterXSize(file);
-  const int height = GDALGetRasterYSize(file);
-  double t[6];
-  GDALGetGeoTransform(file, t);
-  std::vector<float> red(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(file, 1), GF_Read, 0, 0, width, height, red.data(),
-              width, height, GDT_Float32, 0, 0),
-    CE_None);
-  GDALClose(file);
+  const RedBand red = ReadRed(picture);
+  const std::array<double, 6>& t = red.Transform;
   // The colours that the file has there, by OGR; also a pixel aside, which must fit worse.
   OGRCoordinateTransformationH toPicture = PlacesTo("EPSG:32645");
   vtkImageData* image = warp->GetOutput();
@@ -404,20 +436,12 @@ TEST(TerrainImageWarp, EverestAcrossTwoSystems)
       const double row = (metres[1] - t[3]) / t[5] - 0.5;
       const auto c = static_cast<int>(std::floor(column));
       const auto r = static_cast<int>(std::floor(row));
-      if (color[3] < 255 || c < 1 || r < 1 || c + 3 > width || r + 3 > height)
+      if (color[3] < 255 || c < 1 || r < 1 || c + 3 > red.Width || r + 3 > red.Height)
       {
         continue;
       }
-      const auto at = [&](int dc, int dr)
-      {
-        const float* p = &red[static_cast<std::size_t>(r + dr) * static_cast<std::size_t>(width) +
-          static_cast<std::size_t>(c + dc)];
-        const double u = column - c;
-        const double v = row - r;
-        return (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * ((1 - u) * p[width] + u * p[width + 1]);
-      };
-      here += std::abs(color[0] - at(0, 0));
-      aside += std::abs(color[0] - at(1, 0));
+      here += std::abs(color[0] - red.At(c, r, column - c, row - r));
+      aside += std::abs(color[0] - red.At(c + 1, r, column - c, row - r));
       ++count;
     }
   }

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <tuple>
 
 namespace
 {
@@ -137,6 +138,29 @@ void ExpectExact(const terrain::TestField& field, terrain::SurfaceKind kind, boo
     }
   }
   EXPECT_GT(hits, columns || holes ? 50 : 200);
+}
+
+//------------------------------------------------------------------------------
+// The part of a ray within a block, and the axis of the face where it enters: -1 if it begins
+// within.
+std::tuple<double, double, int> EnterBlock(
+  const QueryRay& ray, const glm::dvec3& low, const glm::dvec3& high)
+{
+  double begin = ray.Begin;
+  double end = ray.End;
+  int axis = -1;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double to[2] = { (low[k] - ray.Origin[k]) / ray.Direction[k],
+      (high[k] - ray.Origin[k]) / ray.Direction[k] };
+    const double enter = ray.Direction[k] == 0.0
+      ? (ray.Origin[k] < low[k] || ray.Origin[k] > high[k] ? 2.0 : 0.0)
+      : std::min(to[0], to[1]);
+    axis = enter > begin ? k : axis;
+    begin = std::max(begin, enter);
+    end = std::min(end, ray.Direction[k] == 0.0 ? end : std::max(to[0], to[1]));
+  }
+  return { begin, end, axis };
 }
 }
 
@@ -409,20 +433,7 @@ TEST(RayQuery, MeetsTheWallsOfBlocks)
     {
       QueryRay ray = ToQuery(maker.Make(), codes.Low);
       const SurfaceHit hit = query.First(ray);
-      double begin = ray.Begin;
-      double end = ray.End;
-      int axis = -1;
-      for (int k = 0; k < 3; ++k)
-      {
-        const double to[2] = { (low[k] - ray.Origin[k]) / ray.Direction[k],
-          (high[k] - ray.Origin[k]) / ray.Direction[k] };
-        const double enter = ray.Direction[k] == 0.0
-          ? (ray.Origin[k] < low[k] || ray.Origin[k] > high[k] ? 2.0 : 0.0)
-          : std::min(to[0], to[1]);
-        axis = enter > begin ? k : axis;
-        begin = std::max(begin, enter);
-        end = std::min(end, ray.Direction[k] == 0.0 ? end : std::max(to[0], to[1]));
-      }
+      const auto [begin, end, axis] = EnterBlock(ray, low, high);
       if (begin > end)
       {
         EXPECT_FALSE(hit.Found) << i;

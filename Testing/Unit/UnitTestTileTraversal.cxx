@@ -139,6 +139,65 @@ terrain::TileView ViewFrom(const glm::dvec3& eye, double halfWidth, const glm::d
   }
   return view;
 }
+
+// A field in tiles before an eye, and rays of its view.
+struct SelectedTiles
+{
+  const TestField Test{ "hills", 150, 140, [](int i, int j) {
+                         return 40.0 * std::sin(0.11 * i) * std::cos(0.13 * j) +
+                           7.0 * std::sin(1.1 * i + 0.7 * j);
+                       } };
+  TiledField Field{ Test };
+  const glm::dvec3 Eye{ 70.0, -12.0, 120.0 };
+  const double Pixel = 0.025; // its size at distance 1
+  const terrain::TileView View = ViewFrom(Eye, 0.6, { 0.0, 0.0, 2.0 * Pixel, 8.0 * Pixel });
+  // s is a share of a ray of 300 cells: the tolerance per unit of s is that of all of it.
+  const glm::vec4 Tolerance = 300.0f * glm::vec4(0.0, 0.0, View.Tolerance.z, View.Tolerance.w);
+  terrain::TileSelection Selection;
+  std::mt19937 Generator{ 3 };
+
+  /// Selects tiles until all that the selection asks for are read.
+  void Select()
+  {
+    std::map<TileKey, std::shared_ptr<Tile>> read;
+    int rounds = 0;
+    do
+    {
+      this->Selection = terrain::SelectTiles(*this->Field.Source, this->View, 100000,
+        [&](const TileKey& key) { return read.count(key) > 0 ? read[key]->Relief : -1.0F; });
+      for (const terrain::TileWish& wish : this->Selection.Tiles)
+      {
+        auto& tile = read[wish.Key];
+        tile = tile ? tile : std::make_shared<Tile>();
+        ASSERT_EQ(this->Field.Source->Read(wish.Key, *tile), "");
+      }
+      ASSERT_LT(++rounds, 20);
+    } while (!this->Selection.IsFinal);
+  }
+  std::size_t CountTiles() const
+  {
+    std::size_t all = 0;
+    for (int level = 0; level <= this->Field.Slots.Top(); ++level)
+    {
+      const glm::i64vec2 tiles = this->Field.Layout.Tiles(level);
+      all += static_cast<std::size_t>(tiles.x * tiles.y);
+    }
+    return all;
+  }
+  TerrainRay MakeRay()
+  {
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    const double east = 0.6 * uniform(this->Generator);
+    const glm::dvec3 way(east, 1.0, uniform(this->Generator) - 0.4);
+    return terrain::RayBetween(this->Eye, this->Eye + 300.0 * way);
+  }
+  /// Counts the nodes of a ray whose finer tiles are missed.
+  TerrainHit Trace(const TerrainRay& ray, int& asked) const
+  {
+    return this->Field.Rays.TraceTiles(
+      ray, this->Tolerance, [&](glm::ivec2, int, bool missing) { asked += missing ? 1 : 0; });
+  }
+};
 }
 
 TEST(TileTraversal, IsThePyramidsWhereAllTilesAreThere)
@@ -254,59 +313,27 @@ TEST(TileTraversal, TheSameTilesGiveTheSameHits)
 // with fewer tiles they would.
 TEST(TileSelection, HoldsWhatTheRaysOfAViewComeTo)
 {
-  const TestField test("hills", 150, 140,
-    [](int i, int j)
-    { return 40.0 * std::sin(0.11 * i) * std::cos(0.13 * j) + 7.0 * std::sin(1.1 * i + 0.7 * j); });
-  TiledField field(test);
-  std::map<TileKey, std::shared_ptr<Tile>> read;
-  const glm::dvec3 eye(70.0, -12.0, 120.0);
-  const double pixel = 0.025; // size of a pixel at distance 1
-  const terrain::TileView view = ViewFrom(eye, 0.6, { 0.0, 0.0, 2.0 * pixel, 8.0 * pixel });
-  terrain::TileSelection selection;
-  int rounds = 0;
-  do
-  {
-    selection = terrain::SelectTiles(*field.Source, view, 100000,
-      [&](const TileKey& key) { return read.count(key) > 0 ? read[key]->Relief : -1.0F; });
-    for (const terrain::TileWish& wish : selection.Tiles)
-    {
-      auto& tile = read[wish.Key];
-      tile = tile ? tile : std::make_shared<Tile>();
-      ASSERT_EQ(field.Source->Read(wish.Key, *tile), "");
-    }
-    ASSERT_LT(++rounds, 20);
-  } while (!selection.IsFinal);
-  EXPECT_TRUE(selection.Fits);
-  std::size_t all = 0;
-  for (int level = 0; level <= field.Slots.Top(); ++level)
-  {
-    all += static_cast<std::size_t>(field.Layout.Tiles(level).x * field.Layout.Tiles(level).y);
-  }
-  EXPECT_LT(selection.Tiles.size(), all / 2);
-  for (const terrain::TileWish& wish : selection.Tiles)
+  SelectedTiles tiles;
+  ASSERT_NO_FATAL_FAILURE(tiles.Select());
+  EXPECT_TRUE(tiles.Selection.Fits);
+  EXPECT_LT(tiles.Selection.Tiles.size(), tiles.CountTiles() / 2);
+  TiledField& field = tiles.Field;
+  for (const terrain::TileWish& wish : tiles.Selection.Tiles)
   {
     ASSERT_TRUE(wish.Key.Level == field.Slots.Top() || field.Slots.IsShown(wish.Key.Parent()));
     field.Show(wish.Key);
   }
-  CodedField<float> whole(test);
+  CodedField<float> whole(tiles.Test);
   whole.Coded.start = 6;
-  std::mt19937 generator(3);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const glm::vec4 tolerance(
-    0.0f, 0.0f, static_cast<float>(view.Tolerance.z), static_cast<float>(view.Tolerance.w));
   int found = 0;
   int asked = 0;
   for (int trial = 0; trial < 4000; ++trial)
   {
-    const glm::dvec3 to =
-      eye + 300.0 * glm::dvec3(0.6 * uniform(generator), 1.0, uniform(generator) - 0.4);
-    const TerrainRay ray = terrain::RayBetween(eye, to);
-    // s is a share of the ray here: the tolerance per unit of s is that of its 300 cells.
-    const TerrainHit hit = field.Rays.TraceTiles(
-      ray, 300.0f * tolerance, [&](glm::ivec2, int, bool missing) { asked += missing ? 1 : 0; });
+    const TerrainRay ray = tiles.MakeRay();
+    const TerrainHit hit = tiles.Trace(ray, asked);
     const TerrainHit exact = whole.Coded.TracePyramid(ray);
     const TerrainHit within =
-      whole.Coded.TracePyramidWithin(ray, 300.0f * tolerance, [](glm::ivec2, int) {});
+      whole.Coded.TracePyramidWithin(ray, tiles.Tolerance, [](glm::ivec2, int) {});
     ASSERT_EQ(hit.found, within.found) << trial;
     ASSERT_TRUE(hit.found || !exact.found);
     if (hit.found)
@@ -318,7 +345,7 @@ TEST(TileSelection, HoldsWhatTheRaysOfAViewComeTo)
   EXPECT_EQ(asked, 0);
   EXPECT_GT(found, 1000);
   // without the finest tiles, they ask
-  for (const terrain::TileWish& wish : selection.Tiles)
+  for (const terrain::TileWish& wish : tiles.Selection.Tiles)
   {
     if (wish.Key.Level == 0)
     {
@@ -327,10 +354,7 @@ TEST(TileSelection, HoldsWhatTheRaysOfAViewComeTo)
   }
   for (int trial = 0; trial < 4000 && asked == 0; ++trial)
   {
-    const glm::dvec3 to =
-      eye + 300.0 * glm::dvec3(0.6 * uniform(generator), 1.0, uniform(generator) - 0.4);
-    field.Rays.TraceTiles(terrain::RayBetween(eye, to), 300.0f * tolerance,
-      [&](glm::ivec2, int, bool missing) { asked += missing ? 1 : 0; });
+    tiles.Trace(tiles.MakeRay(), asked);
   }
   EXPECT_GT(asked, 0);
 }

@@ -144,29 +144,10 @@ vtkTerrainGeoreference::FrameType vtkTerrainGeoreference::SuggestFrame(vtkImageD
   return drop < kDeepestDrop ? FrameType::Plane : FrameType::Grid;
 }
 
-void vtkTerrainGeoreference::Prepare()
+void vtkTerrainGeoreference::PrepareUnits()
 {
   vtkInternals& internals = *this->Internals;
-  const vtkMTimeType now = this->GetMTime();
-  if (internals.PreparedTime == now)
-  {
-    return;
-  }
-  const std::lock_guard<std::mutex> lock(internals.Mutex);
-  if (internals.PreparedTime == now)
-  {
-    return;
-  }
-  if (internals.PreparedTime == 0 || internals.SystemRead != this->CoordinateSystem)
-  {
-    internals.SystemWhyNot = internals.System.Read(this->CoordinateSystem);
-    internals.SystemRead = this->CoordinateSystem;
-  }
   const terrain::CoordinateSystem& system = internals.System;
-  internals.Warning.clear();
-  internals.WhyNot = internals.SystemWhyNot;
-  internals.MiddleX = IsKnown(this->Extent) ? 0.5 * (this->Extent[0] + this->Extent[1]) : 0.0;
-
   const bool isLaidOut = !system.IsOnEarth() && system.IsInDegrees();
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -192,6 +173,31 @@ void vtkTerrainGeoreference::Prepare()
   {
     internals.GeoidSign = -1.0;
   }
+}
+
+void vtkTerrainGeoreference::Prepare()
+{
+  vtkInternals& internals = *this->Internals;
+  const vtkMTimeType now = this->GetMTime();
+  if (internals.PreparedTime == now)
+  {
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(internals.Mutex);
+  if (internals.PreparedTime == now)
+  {
+    return;
+  }
+  if (internals.PreparedTime == 0 || internals.SystemRead != this->CoordinateSystem)
+  {
+    internals.SystemWhyNot = internals.System.Read(this->CoordinateSystem);
+    internals.SystemRead = this->CoordinateSystem;
+  }
+  const terrain::CoordinateSystem& system = internals.System;
+  internals.Warning.clear();
+  internals.WhyNot = internals.SystemWhyNot;
+  internals.MiddleX = IsKnown(this->Extent) ? 0.5 * (this->Extent[0] + this->Extent[1]) : 0.0;
+  this->PrepareUnits();
   if (internals.WhyNot.empty())
   {
     internals.WhyNot = this->WhyNotExtent();
@@ -266,82 +272,92 @@ bool vtkTerrainGeoreference::Middle(double place[3])
   return this->Internals->System.ToPlaces(place, 1) && std::isfinite(place[0]);
 }
 
-void vtkTerrainGeoreference::PrepareFrame()
+std::string vtkTerrainGeoreference::WhyNoFrame()
 {
-  vtkInternals& internals = *this->Internals;
-  const terrain::CoordinateSystem& system = internals.System;
+  const terrain::CoordinateSystem& system = this->Internals->System;
+  const Kind kind = system.GetKind();
   if (this->Frame == FrameType::Grid)
   {
-    if (system.GetKind() == Kind::Geographic)
-    {
-      internals.WhyNot = "the file's own grid is in degrees ('" + system.GetName() +
+    return kind != Kind::Geographic ? std::string()
+                                    : "the file's own grid is in degrees ('" + system.GetName() +
         "'): a scene needs a frame in metres";
-    }
-    return;
   }
-  if (system.GetKind() == Kind::None)
+  if (kind == Kind::None)
   {
-    internals.WhyNot = "the data have no coordinate system: name one (EPSG code or WKT), or keep "
-                       "the file's own grid";
-    return;
+    return "the data have no coordinate system: name one (EPSG code or WKT), or keep the file's "
+           "own grid";
   }
-  if (system.GetKind() == Kind::Engineering)
+  if (kind == Kind::Engineering)
   {
-    internals.WhyNot = "the coordinate system '" + system.GetName() +
+    return "the coordinate system '" + system.GetName() +
       "' is tied to no place on earth: only the file's own grid can be kept";
-    return;
   }
   if (this->Frame == FrameType::Globe)
   {
-    internals.WhyNot = system.WhyNotLongitudeLatitude();
-    internals.HasFrame = internals.WhyNot.empty();
-    internals.Frame = terrain::SceneFrame::OfBody(this->Globe[0] > 0.0
+    return system.WhyNotLongitudeLatitude();
+  }
+  if (kind == Kind::OtherWorld)
+  {
+    return "the coordinate system '" + system.GetName() +
+      "' is of another world than the earth: only the file's own grid or the globe can be kept";
+  }
+  return {};
+}
+
+std::string vtkTerrainGeoreference::PlaceFrame()
+{
+  terrain::SceneFrame& frame = this->Internals->Frame;
+  const terrain::CoordinateSystem& system = this->Internals->System;
+  if (this->Frame == FrameType::Globe)
+  {
+    frame = terrain::SceneFrame::OfBody(this->Globe[0] > 0.0
         ? terrain::Ellipsoid{ this->Globe[0], this->Globe[1] }
         : terrain::Ellipsoid{ system.GetSemiMajor(), system.GetSemiMinor() });
-    return;
+    return {};
   }
-  if (system.GetKind() == Kind::OtherWorld)
-  {
-    internals.WhyNot = "the coordinate system '" + system.GetName() +
-      "' is of another world than the earth: only the file's own grid or the globe can be kept";
-    return;
-  }
-  double middle[3] = { kNaN, kNaN, 0.0 };
-  const bool hasMiddle = this->Middle(middle);
-  internals.HasFrame = true;
   if (this->Frame == FrameType::Geocentric)
   {
-    internals.Frame = terrain::SceneFrame();
+    frame = terrain::SceneFrame();
+    return {};
   }
-  else if (this->Frame == FrameType::Zone && this->Zone >= 0)
+  if (this->Frame == FrameType::Zone && this->Zone >= 0)
   {
-    internals.Frame = terrain::SceneFrame::OfZone(this->Zone, this->Northern);
+    frame = terrain::SceneFrame::OfZone(this->Zone, this->Northern);
+    return {};
   }
-  else if (!hasMiddle && !(this->IsOriginGiven && this->Frame != FrameType::Zone))
+  double middle[3] = { kNaN, kNaN, 0.0 };
+  if (!this->Middle(middle) && !(this->IsOriginGiven && this->Frame != FrameType::Zone))
   {
-    internals.HasFrame = false;
-    internals.WhyNot = IsKnown(this->Extent)
+    return IsKnown(this->Extent)
       ? "the middle of the data has no place in '" + system.GetName() + "': give an origin"
       : "neither an origin nor the extent of the data is known";
   }
-  else if (this->Frame == FrameType::Zone)
+  if (this->Frame == FrameType::Zone)
   {
     const terrain::GridPosition position =
       terrain::ToGridPosition({ middle[0], middle[1], middle[2] });
-    internals.Frame = terrain::SceneFrame::OfZone(position.Zone, position.Northern);
+    frame = terrain::SceneFrame::OfZone(position.Zone, position.Northern);
+    return {};
   }
-  else
+  const double* origin = this->IsOriginGiven ? this->Origin : middle;
+  if (!(std::abs(origin[1]) <= 90.0) || !std::isfinite(origin[0]) || !std::isfinite(origin[2]))
   {
-    const double* origin = this->IsOriginGiven ? this->Origin : middle;
-    if (!(std::abs(origin[1]) <= 90.0) || !std::isfinite(origin[0]) || !std::isfinite(origin[2]))
-    {
-      internals.HasFrame = false;
-      internals.WhyNot = "the origin (longitude " + LongText(origin[0]) + ", latitude " +
-        LongText(origin[1]) + ") is not on earth";
-      return;
-    }
-    internals.Frame = terrain::SceneFrame::AtOrigin(
-      this->Frame == FrameType::Plane ? terrain::SceneKind::Plane : terrain::SceneKind::Local,
-      { origin[0], origin[1], origin[2] }, this->VerticalExaggeration);
+    return "the origin (longitude " + LongText(origin[0]) + ", latitude " + LongText(origin[1]) +
+      ") is not on earth";
+  }
+  frame = terrain::SceneFrame::AtOrigin(
+    this->Frame == FrameType::Plane ? terrain::SceneKind::Plane : terrain::SceneKind::Local,
+    { origin[0], origin[1], origin[2] }, this->VerticalExaggeration);
+  return {};
+}
+
+void vtkTerrainGeoreference::PrepareFrame()
+{
+  vtkInternals& internals = *this->Internals;
+  internals.WhyNot = this->WhyNoFrame();
+  if (internals.WhyNot.empty() && this->Frame != FrameType::Grid)
+  {
+    internals.WhyNot = this->PlaceFrame();
+    internals.HasFrame = internals.WhyNot.empty();
   }
 }

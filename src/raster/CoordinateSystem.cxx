@@ -200,16 +200,7 @@ std::string CoordinateSystem::Read(const std::string& definition)
     this->Metres = OSRGetLinearUnits(whole.get(), nullptr);
     return {};
   }
-  if (OSRIsCompound(whole.get()))
-  {
-    this->VerticalName = Attribute(whole.get(), "COMPD_CS|VERT_CS");
-    this->VerticalMetres = OSRGetTargetLinearUnits(whole.get(), "VERT_CS", nullptr);
-  }
-  else if (OSRGetAxesCount(whole.get()) == 3 && !OSRIsGeocentric(whole.get()))
-  {
-    this->VerticalName = "height above the ellipsoid";
-    this->EllipsoidalHeights = true;
-  }
+  this->ReadVertical(whole.get());
   const Reference flat(OSRClone(whole.get()), OSRRelease);
   OSRDemoteTo2D(flat.get(), nullptr);
   if (OSRIsCompound(flat.get()))
@@ -217,26 +208,54 @@ std::string CoordinateSystem::Read(const std::string& definition)
     OSRStripVertical(flat.get());
   }
   TurnAxes(flat.get());
-  const bool projected = OSRIsProjected(flat.get());
-  if (!projected && !OSRIsGeographic(flat.get()))
+  return this->ReadFlat(flat.get());
+}
+
+void CoordinateSystem::ReadVertical(void* whole)
+{
+  if (OSRIsCompound(whole))
+  {
+    this->VerticalName = Attribute(whole, "COMPD_CS|VERT_CS");
+    this->VerticalMetres = OSRGetTargetLinearUnits(whole, "VERT_CS", nullptr);
+  }
+  else if (OSRGetAxesCount(whole) == 3 && !OSRIsGeocentric(whole))
+  {
+    this->VerticalName = "height above the ellipsoid";
+    this->EllipsoidalHeights = true;
+  }
+}
+
+std::string CoordinateSystem::ReadFlat(void* flat)
+{
+  const bool projected = OSRIsProjected(flat) != 0;
+  if (!projected && !OSRIsGeographic(flat))
   {
     return "the coordinate system '" + this->Name +
       "' is neither a map projection nor longitude and latitude";
   }
-
-  this->SemiMajor = OSRGetSemiMajor(flat.get(), nullptr);
-  this->SemiMinor = OSRGetSemiMinor(flat.get(), nullptr);
-  this->CountsWest = !projected && CountsLongitudeWest(flat.get());
-  if (IsOfOtherWorld(flat.get()))
+  this->SemiMajor = OSRGetSemiMajor(flat, nullptr);
+  this->SemiMinor = OSRGetSemiMinor(flat, nullptr);
+  this->CountsWest = !projected && CountsLongitudeWest(flat);
+  if (IsOfOtherWorld(flat))
   {
-    this->TheKind = Kind::OtherWorld;
-    this->Metres = projected ? OSRGetLinearUnits(flat.get(), nullptr) : 1.0;
-    this->Degrees = projected ? 0.0 : OSRGetAngularUnits(flat.get(), nullptr) / kDegree;
-    const Reference own(OSRCloneGeogCS(flat.get()), OSRRelease);
-    TurnAxes(own.get());
-    this->Transformations = std::make_unique<Pool>(flat.get(), own.get());
+    this->JoinOtherWorld(flat, projected);
     return {};
   }
+  return this->JoinEarth(flat, projected);
+}
+
+void CoordinateSystem::JoinOtherWorld(void* flat, bool projected)
+{
+  this->TheKind = Kind::OtherWorld;
+  this->Metres = projected ? OSRGetLinearUnits(flat, nullptr) : 1.0;
+  this->Degrees = projected ? 0.0 : OSRGetAngularUnits(flat, nullptr) / kDegree;
+  const Reference own(OSRCloneGeogCS(flat), OSRRelease);
+  TurnAxes(own.get());
+  this->Transformations = std::make_unique<Pool>(flat, own.get());
+}
+
+std::string CoordinateSystem::JoinEarth(void* flat, bool projected)
+{
   const Reference places = NewReference();
   if (OSRImportFromEPSG(places.get(), 4326) != OGRERR_NONE)
   {
@@ -244,16 +263,16 @@ std::string CoordinateSystem::Read(const std::string& definition)
   }
   if (projected)
   {
-    this->Metres = OSRGetLinearUnits(flat.get(), nullptr);
+    this->Metres = OSRGetLinearUnits(flat, nullptr);
   }
   else
   {
-    this->Degrees = OSRGetAngularUnits(flat.get(), nullptr) / kDegree;
+    this->Degrees = OSRGetAngularUnits(flat, nullptr) / kDegree;
     const char* const options[] = { "IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
       "CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS", nullptr };
-    this->IsPlaces = OSRIsSameEx(flat.get(), places.get(), options) != 0;
+    this->IsPlaces = OSRIsSameEx(flat, places.get(), options) != 0;
   }
-  this->Transformations = std::make_unique<Pool>(flat.get(), places.get());
+  this->Transformations = std::make_unique<Pool>(flat, places.get());
   if (!this->Transformations->IsComplete())
   {
     return "no transformation is known from '" + this->Name + "' to longitude and latitude";

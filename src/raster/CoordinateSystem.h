@@ -118,6 +118,15 @@ public:
 
 private:
   class Pool;
+  ///@{
+  /// Parts of Read() on OGR's references (OGRSpatialReferenceH): of what a definition says of
+  /// heights; how the flat rest, of another world or of the earth, comes to places. Those that
+  /// return a text say why not.
+  void ReadVertical(void* whole);
+  std::string ReadFlat(void* flat);
+  void JoinOtherWorld(void* flat, bool projected);
+  std::string JoinEarth(void* flat, bool projected);
+  ///@}
   bool Transform(double* points, std::int64_t count, int stride, bool forward) const;
 
   Kind TheKind = Kind::None;

@@ -35,6 +35,7 @@
 namespace terrain
 {
 class RasterArray;
+struct EvenGrid;
 
 /// Pixels of a raster file: columns from its first, rows from its first (as a rule the
 /// northernmost).
@@ -227,7 +228,10 @@ private:
   std::vector<double> GetDeclaredNoData() const;
   void FindHeights(const RasterOptions& options);
   void Resample();
+  /// Heights of an even grid over the uneven one's; none if it spans no area.
+  std::vector<double> MakeEven(EvenGrid& grid);
   std::vector<double> ReadHeights();
+  void ReplaceByHeights(std::vector<double> heights, int width, int height);
   void Replace(GDALDatasetH dataset);
   void CheckSanity();
   void CheckBytes();

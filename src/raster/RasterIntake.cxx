@@ -335,58 +335,65 @@ std::vector<double> RasterFile::ReadHeights()
 }
 
 //------------------------------------------------------------------------------
-void RasterFile::Resample()
+std::vector<double> RasterFile::MakeEven(EvenGrid& grid)
 {
-  if (this->Uneven.X.empty())
-  {
-    return;
-  }
   GridPlace& place = this->Uneven;
   const auto width = static_cast<std::size_t>(this->GetWidth());
   const std::vector<double> heights = this->ReadHeights();
-  EvenGrid grid;
-  std::vector<double> even;
-  if (place.IsField)
-  {
-    const std::string polar =
-      place.IsGeographic ? ProjectPolarField(place.X, place.Y) : std::string();
-    if (!polar.empty())
-    {
-      this->SetReference(polar, "stereographic, since longitudes meet at the pole");
-    }
-    const bool isDegrees = place.IsGeographic && polar.empty();
-    if (isDegrees)
-    {
-      UnwrapField(place.X, width);
-    }
-    grid = PlanEvenGrid(place.X, place.Y, width, isDegrees, kMostSamples);
-    even = grid.Width == 0
-      ? std::vector<double>()
-      : ResampleField(place.X, place.Y, heights, width, isDegrees ? 180.0 : HUGE_VAL, grid);
-  }
-  else
+  if (!place.IsField)
   {
     grid = PlanEvenGrid(place.X, place.Y, kMostSamples);
-    even = ResampleAxes(place.X, place.Y, heights, grid);
+    return ResampleAxes(place.X, place.Y, heights, grid);
   }
-  if (even.empty())
+  const std::string polar =
+    place.IsGeographic ? ProjectPolarField(place.X, place.Y) : std::string();
+  if (!polar.empty())
   {
-    throw RasterError("the coordinates of its samples span no area");
+    this->SetReference(polar, "stereographic, since longitudes meet at the pole");
   }
-  GDALDatasetH dataset = MakeMemoryRaster(
-    static_cast<int>(grid.Width), static_cast<int>(grid.Height), GDT_Float64, nullptr);
+  const bool isDegrees = place.IsGeographic && polar.empty();
+  if (isDegrees)
+  {
+    UnwrapField(place.X, width);
+  }
+  grid = PlanEvenGrid(place.X, place.Y, width, isDegrees, kMostSamples);
+  return grid.Width == 0
+    ? std::vector<double>()
+    : ResampleField(place.X, place.Y, heights, width, isDegrees ? 180.0 : HUGE_VAL, grid);
+}
+
+//------------------------------------------------------------------------------
+void RasterFile::ReplaceByHeights(std::vector<double> heights, int width, int height)
+{
+  GDALDatasetH dataset = MakeMemoryRaster(width, height, GDT_Float64, nullptr);
   GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
   CopyBandFacts(this->Band, band);
   GDALDeleteRasterNoDataValue(band);
-  if (GDALRasterIO(band, GF_Write, 0, 0, static_cast<int>(grid.Width),
-        static_cast<int>(grid.Height), even.data(), static_cast<int>(grid.Width),
-        static_cast<int>(grid.Height), GDT_Float64, 0, 0) != CE_None)
+  if (GDALRasterIO(band, GF_Write, 0, 0, width, height, heights.data(), width, height, GDT_Float64,
+        0, 0) != CE_None)
   {
     GDALClose(dataset);
     throw RasterError("there is not enough memory for its samples; limit their number");
   }
   this->Replace(dataset);
   this->Array.reset();
+}
+
+//------------------------------------------------------------------------------
+void RasterFile::Resample()
+{
+  if (this->Uneven.X.empty())
+  {
+    return;
+  }
+  EvenGrid grid;
+  std::vector<double> even = this->MakeEven(grid);
+  if (even.empty())
+  {
+    throw RasterError("the coordinates of its samples span no area");
+  }
+  this->ReplaceByHeights(
+    std::move(even), static_cast<int>(grid.Width), static_cast<int>(grid.Height));
   this->MoreNoData.clear();
   this->Holes.Declared.clear();
   if (!this->Holes.Undeclared.empty() && this->Holes.UndeclaredOccurs)

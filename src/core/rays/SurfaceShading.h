@@ -60,7 +60,7 @@ inline glm::dvec2 PlanePace(
   glm::dvec2 pace;
   for (int axis = 0; axis < 2; ++axis)
   {
-    const auto k = static_cast<std::size_t>(axis + 1);
+    const auto k = static_cast<std::size_t>(axis) + 1;
     const glm::dvec3 move = rays.OriginGC[k] + s * rays.DirectionGC[k];
     pace[axis] = (glm::dot(gradient, glm::dvec2(move)) - move.z) /
       std::copysign(std::max(std::abs(closing), least), closing);

@@ -111,6 +111,18 @@ struct TiledPyramid : CodedPyramid<TiledTexel>
   float PassBounds(const Path& path, const Step& at, const Span& span, const glm::vec2& bounds,
     bool down, float s, float side) const;
 
+  /// What becomes of a ray at a node above level 0.
+  struct Descent
+  {
+    bool down = false;    ///< it comes within the bounds
+    bool small = false;   ///< and ends there, within the tolerance
+    bool missing = false; ///< or would go on in a finer node whose tile is not there
+    float passes = 0.0f;  ///< as PassBounds() tells
+    Step next;
+  };
+  Descent Descend(const Path& path, const Step& at, const Span& span, float side,
+    const glm::vec4& tolerance) const;
+
   /// The first point of the surface on a ray; tolerance: see TracePyramidWithin().
   /// visit(node, level, missing) is called for each node; missing: its finer nodes were wanted and
   /// are not there.
@@ -179,6 +191,25 @@ inline float TiledPyramid::PassBounds(const Path& path, const Step& at, const Sp
   return this->holes || bounds.x < bounds.y ? 0.0f : (down ? before : passed);
 }
 
+inline TiledPyramid::Descent TiledPyramid::Descend(
+  const Path& path, const Step& at, const Span& span, float side, const glm::vec4& tolerance) const
+{
+  Descent descent;
+  const glm::ivec2 node = (at.cell >> at.level) ^ path.mirror;
+  const glm::vec2 bounds = this->NodeBounds(path, at);
+  descent.down = std::min(at.z, span.z) <= bounds.x && std::max(at.z, span.z) >= bounds.y;
+  const float bound = path.direction.z < 0.0f ? bounds.x : bounds.y;
+  const float s = std::min(std::max(at.s + (bound - at.z) * path.inverse.z, at.s), span.s);
+  descent.next = this->NextStep(path, at, span, descent.down, descent.down ? s : span.s);
+  const glm::ivec2 finer = (descent.next.cell >> std::max(at.level - 1, 0)) ^ path.mirror;
+  descent.small = descent.down && IsWithin(tolerance, at.s, at.level, bounds) &&
+    glm::all(glm::greaterThanEqual(this->heights.LevelCodes(node, at.level), glm::vec4(0.0f)));
+  descent.missing =
+    descent.down && !descent.small && this->heights.tiles->Find(finer, at.level - 1) == nullptr;
+  descent.passes = PassBounds(path, at, span, bounds, descent.down, s, side);
+  return descent;
+}
+
 template <typename Visit>
 TerrainHit TiledPyramid::TraceTiles(
   const TerrainRay& ray, const glm::vec4& tolerance, Visit&& visit) const
@@ -205,20 +236,14 @@ TerrainHit TiledPyramid::TraceTiles(
     Step next = at;
     if (at.level > 0)
     {
-      const glm::vec2 bounds = this->NodeBounds(path, at);
-      down = std::min(at.z, span.z) <= bounds.x && std::max(at.z, span.z) >= bounds.y;
-      const float bound = path.direction.z < 0.0f ? bounds.x : bounds.y;
-      const float s = std::min(std::max(at.s + (bound - at.z) * path.inverse.z, at.s), span.s);
-      next = this->NextStep(path, at, span, down, down ? s : span.s);
-      const glm::ivec2 finer = (next.cell >> std::max(at.level - 1, 0)) ^ path.mirror;
-      const bool small = down && IsWithin(tolerance, at.s, at.level, bounds) &&
-        glm::all(glm::greaterThanEqual(this->heights.LevelCodes(node, at.level), glm::vec4(0.0f)));
-      missing = down && !small && this->heights.tiles->Find(finer, at.level - 1) == nullptr;
+      const Descent descent = this->Descend(path, at, span, side, tolerance);
+      down = descent.down;
+      next = descent.next;
+      missing = descent.missing;
       byPatch = missing;
-      const float passes = PassBounds(path, at, span, bounds, down, s, side);
-      const bool wall = !byPatch && passes * side < 0.0f;
-      side = byPatch ? side : passes;
-      if (wall || small)
+      const bool wall = !byPatch && descent.passes * side < 0.0f;
+      side = byPatch ? side : descent.passes;
+      if (wall || descent.small)
       {
         const Step& where = wall ? at : next;
         hit = { true, where.s, where.cell ^ path.mirror,

@@ -104,6 +104,71 @@ struct ViewshedLanes
     return (bulge == bulge) & ((begin > 0.0f) | (end > 0.0f) | between);
   }
 
+  /// Where the sights come into a gap between two rows, or leave it: their columns from a base, the
+  /// cells that they are in there, and the heights of those cells' corners.
+  struct Crossing
+  {
+    Value Column;
+    Mask Cell;
+    Value NearWest;
+    Value NearEast;
+    Value FarWest;
+    Value FarEast;
+
+    TERRAIN_LANES_INLINE Crossing(Value column, Mask cell, const float* near, const float* far)
+      : Column(column)
+      , Cell(cell)
+      , NearWest(PickNear(near, cell))
+      , NearEast(PickNear(near, cell + 1))
+      , FarWest(PickNear(far, cell))
+      , FarEast(PickNear(far, cell + 1))
+    {
+    }
+    TERRAIN_LANES_INLINE Value Part() const
+    {
+      return this->Column - __builtin_convertvector(this->Cell, Value);
+    }
+    TERRAIN_LANES_INLINE Value Twist() const
+    {
+      return (this->NearWest - this->NearEast) - (this->FarWest - this->FarEast);
+    }
+  };
+
+  /// The surface over one cell, from one distance to another, over the sights: begin + b t - bulge
+  /// t^2, in the lanes where the sights come there.
+  struct Arc
+  {
+    Mask Counts;
+    Value Begin;
+    Value End;
+    Value Bulge;
+    Value Near;
+    Value Far;
+  };
+
+  /// Columns of the sights at a distance, of which the first is known; from a base.
+  TERRAIN_LANES_INLINE Value ColumnsAt(double first, float distance, int base) const
+  {
+    const Value own = L::All(static_cast<float>(this->FirstX - base)); // of the observer
+    const Value column = static_cast<float>(first - base) + this->Lane * (this->Spread * distance);
+    return this->Along ? own : column;
+  }
+
+  /// Twist of the cells that the sights come into: of the western ones of those along a line that
+  /// have no eastern one.
+  TERRAIN_LANES_INLINE Value TwistOf(
+    const Crossing& enter, const float* near, const float* far) const
+  {
+    Value twist = enter.Twist();
+    if (L::Any(this->Along))
+    {
+      const Value west = (PickNear(near, enter.Cell - 1) - enter.NearWest) -
+        (PickNear(far, enter.Cell - 1) - enter.FarWest);
+      twist = (this->Along & (twist != twist)) ? west : twist;
+    }
+    return twist;
+  }
+
   /// Lets go of the lanes that the surface between two rows hides; the gap
   /// before row k, of which row 0 is the first beyond the observer.
   TERRAIN_LANES_INLINE void VisitGap(int k)
@@ -115,76 +180,61 @@ struct ViewshedLanes
     const double enterFirst = this->FirstX + this->FirstSlope * near;
     const double exitFirst = this->FirstX + this->FirstSlope * far;
     const int base = static_cast<int>(enterFirst < exitFirst ? enterFirst : exitFirst) - 1;
-    const Value own = L::All(static_cast<float>(this->FirstX - base)); // of the observer
-    Value enter = static_cast<float>(enterFirst - base) + this->Lane * (this->Spread * near);
-    enter = this->Along ? own : enter;
-    Value exit = static_cast<float>(exitFirst - base) + this->Lane * (this->Spread * far);
-    exit = this->Along ? own : exit;
-    const Mask enterCell = __builtin_convertvector(enter, Mask);
-    Mask exitCell = __builtin_convertvector(exit, Mask);
+    const Value enterColumn = this->ColumnsAt(enterFirst, near, base);
+    const Value exitColumn = this->ColumnsAt(exitFirst, far, base);
+    const Mask enterCell = __builtin_convertvector(enterColumn, Mask);
+    Mask exitCell = __builtin_convertvector(exitColumn, Mask);
     exitCell = exitCell > enterCell + 1 ? enterCell + 1 : exitCell;
     exitCell = exitCell < enterCell - 1 ? enterCell - 1 : exitCell;
     const float* farRow =
       this->Grid.Samples + this->Grid.Stride * (this->FirstLine + k * this->Step) + base;
     const float* nearRow = farRow - this->Grid.Stride * this->Step;
-    const Value enterNearWest = PickNear(nearRow, enterCell);
-    const Value enterNearEast = PickNear(nearRow, enterCell + 1);
-    const Value enterFarWest = PickNear(farRow, enterCell);
-    const Value enterFarEast = PickNear(farRow, enterCell + 1);
-    const Value exitNearWest = PickNear(nearRow, exitCell);
-    const Value exitNearEast = PickNear(nearRow, exitCell + 1);
-    const Value exitFarWest = PickNear(farRow, exitCell);
-    const Value exitFarEast = PickNear(farRow, exitCell + 1);
+    const Crossing enter(enterColumn, enterCell, nearRow, farRow);
+    const Crossing exit(exitColumn, exitCell, nearRow, farRow);
 
-    const Value enterPart = enter - __builtin_convertvector(enterCell, Value);
-    const Value exitPart = exit - __builtin_convertvector(exitCell, Value);
     const bool first = k == 0;
     const Value start = L::All(first ? 0.0f : near);
     const Value begin = first
       ? L::All(this->Eye.Ground - this->Eye.Z)
-      : this->Above(Between(enterNearWest, enterNearEast, enterPart), start);
-    const Value end = this->Above(Between(exitFarWest, exitFarEast, exitPart), L::All(far));
+      : this->Above(Between(enter.NearWest, enter.NearEast, enter.Part()), start);
+    const Value end = this->Above(Between(exit.FarWest, exit.FarEast, exit.Part()), L::All(far));
 
     // Where a line between columns is crossed, that is west of the eastern
     // cell.
     const Mask crosses = enterCell != exitCell;
     const Mask east = enterCell > exitCell ? enterCell : exitCell;
     const Value line = __builtin_convertvector(east, Value);
-    const Value width = exit - enter;
-    Value part = crosses ? (line - enter) / width : L::All(1.0f);
+    Value part = crosses ? (line - enterColumn) / (exitColumn - enterColumn) : L::All(1.0f);
     part = part > 0.0f ? part : Value{};
     part = part < 1.0f ? part : L::All(1.0f);
     const Mask eastward = exitCell > enterCell;
-    const Value lineNear = eastward ? enterNearEast : enterNearWest;
-    const Value lineFar = eastward ? enterFarEast : enterFarWest;
-    const Value crossing = near + part;
-    const Mask behind = crossing < start; // of the observer
-    const Value middle =
-      crosses ? this->Above(lineNear + part * (lineFar - lineNear), crossing) : end;
+    const Value lineNear = eastward ? enter.NearEast : enter.NearWest;
+    const Value lineFar = eastward ? enter.FarEast : enter.FarWest;
+    const Value middle = near + part;
+    const Value above = crosses ? this->Above(lineNear + part * (lineFar - lineNear), middle) : end;
 
     // Above along w has the second derivative 2 (twist Slope - Fall).
-    Value enterTwist = (enterNearWest - enterNearEast) - (enterFarWest - enterFarEast);
-    const Value exitTwist = (exitNearWest - exitNearEast) - (exitFarWest - exitFarEast);
-    if (L::Any(this->Along))
-    {
-      const Value west = (PickNear(nearRow, enterCell - 1) - enterNearWest) -
-        (PickNear(farRow, enterCell - 1) - enterFarWest);
-      enterTwist = (this->Along & (enterTwist != enterTwist)) ? west : enterTwist;
-    }
-    const Value enterLength = crossing - start;
-    const Value exitLength = far - (behind ? start : crossing);
-    const Value enterBulge = (this->Fall - enterTwist * this->Slope) * enterLength * enterLength;
-    const Value exitBulge = (this->Fall - exitTwist * this->Slope) * exitLength * exitLength;
-    const Mask enterHides = ~behind & Hides(begin, middle, enterBulge);
-    const Value exitBegin = behind ? begin : middle;
-    const Mask exitHides = crosses & Hides(exitBegin, end, exitBulge);
+    const Mask behind = middle < start; // of the observer
+    const Value exitStart = behind ? start : middle;
+    const Value enterBulge = (this->Fall - this->TwistOf(enter, nearRow, farRow) * this->Slope) *
+      (middle - start) * (middle - start);
+    const Value exitBulge =
+      (this->Fall - exit.Twist() * this->Slope) * (far - exitStart) * (far - exitStart);
+    this->Take({ ~behind, begin, above, enterBulge, start, middle },
+      { crosses, behind ? begin : above, end, exitBulge, exitStart, L::All(far) });
+  }
+
+  /// Lets go of the lanes that the first or the second cell of a gap hides, or raises their sights.
+  TERRAIN_LANES_INLINE void Take(const Arc& enter, const Arc& exit)
+  {
+    const Mask enterHides = enter.Counts & Hides(enter.Begin, enter.End, enter.Bulge);
+    const Mask exitHides = exit.Counts & Hides(exit.Begin, exit.End, exit.Bulge);
     if constexpr (Measures)
     {
       if (L::Any(enterHides | exitHides))
       {
-        const Value exitStart = behind ? start : crossing;
-        const Value enterRise = SteepestOver(begin, middle, enterBulge, start, crossing);
-        const Value exitRise = SteepestOver(exitBegin, end, exitBulge, exitStart, L::All(far));
+        const Value enterRise = SteepestOver(enter);
+        const Value exitRise = SteepestOver(exit);
         Value more = enterHides ? enterRise : Value{};
         more = (exitHides & (exitRise > more)) ? exitRise : more;
         this->Rise += this->Seeking ? more : Value{};
@@ -199,14 +249,15 @@ struct ViewshedLanes
   /// The highest slope, from the observer, of what stands above the sight over one cell: of
   /// (begin + b t - bulge t^2) / distance, at an end, or between, where it exceeds the slope at the
   /// end (core/rays/Horizon.h).
-  TERRAIN_LANES_INLINE static Value SteepestOver(
-    Value begin, Value end, Value bulge, Value near, Value far)
+  TERRAIN_LANES_INLINE static Value SteepestOver(const Arc& arc)
   {
+    const Value near = arc.Near;
+    const Value far = arc.Far;
     const Value length = far - near;
-    const Value atNear = near > 0.0f ? begin / near : L::All(-__builtin_huge_valf());
-    const Value atFar = end / far;
-    const Value curvature = bulge / (length * length);
-    const Value deficit = (end * near - begin * far) / length + curvature * (near * far);
+    const Value atNear = near > 0.0f ? arc.Begin / near : L::All(-__builtin_huge_valf());
+    const Value atFar = arc.End / far;
+    const Value curvature = arc.Bulge / (length * length);
+    const Value deficit = (arc.End * near - arc.Begin * far) / length + curvature * (near * far);
     const Mask within = (deficit > curvature * (near * near)) & (deficit < curvature * (far * far));
     const Value root =
       L::Root(within ? deficit / far : Value{}) - L::Root(within ? curvature * far : Value{});
