@@ -88,6 +88,15 @@ TEST_P(TerrainShaderTwinsShading, DepthsAndNormals)
         static_cast<double>(points.Distances[k]) * MagnitudesAt(rays.DirectionVC, points.Pixels[k]);
       return kRounding * glm::vec4(glm::vec3(position), 1.0f);
     });
+  this->Compare(points, rays, "result.xyz = terrainPositionGC(pixel, input0.z);", 2e-6f,
+    [&](std::size_t k)
+    {
+      const glm::dvec2 pixel(points.Pixels[k]);
+      return glm::vec4(
+        glm::vec3(terrain::AtPixel(rays.OriginGC, pixel) +
+          static_cast<double>(points.Distances[k]) * terrain::AtPixel(rays.DirectionGC, pixel)),
+        0.0f);
+    });
   // The slope of depths counts a hundred times, so that float shows it to 1e-4 of itself.
   this->Compare(points, rays,
     "result = vec4(terrainDepth(point.positionVC), terrainDepth(vec4(0.0, 0.0, -0.5, 1.0)),"

@@ -10,6 +10,7 @@
 #include "../Unit/UnitTestFields.h"
 #include "core/rays/PixelRays.h"
 #include "core/rays/Sighting.h"
+#include "core/rays/SurfaceShading.h"
 #include "core/surface/Cutting.h"
 #include "core/surface/HeightGradient.h"
 #include "render/Driver.h"
@@ -39,14 +40,21 @@ using vtkTerrainTesting::SetRays;
 constexpr int Count = 2000;
 
 /// Rays of pixels, with what else all programs begin with.
-std::string readView(int clipPlanes = 0)
+std::string readView()
 {
   terrain::Features features;
   features.Way = terrain::Features::Ways::Pyramid;
   features.Gathers = terrain::Driver().Gathers;
-  features.ClipPlanes = clipPlanes;
   return features.Defines() + terrain::Features::Constants() + ReadShader("vtkTerrainHeights") +
     ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView");
+}
+
+/// What casts rays begins with.
+std::string readCast(const terrain::Features& features)
+{
+  return features.Defines() + terrain::Features::Constants() + ReadShader("vtkTerrainHeights") +
+    ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView") + ReadShader("vtkTerrainPyramid") +
+    ReadShader("vtkTerrainTrace") + ReadShader("vtkTerrainSighting") + ReadShader("vtkTerrainCast");
 }
 
 /// Random numbers of a range.
@@ -175,8 +183,11 @@ TEST_F(TerrainShaderTwinsView, AreClippedAlike)
   {
     EXPECT_GT(count, 20); // nowhere, and at each of the planes
   }
-  const std::string needed = readView(3) + ReadShader("vtkTerrainPyramid") +
-    ReadShader("vtkTerrainTrace") + ReadShader("vtkTerrainSighting") + ReadShader("vtkTerrainCast");
+  terrain::Features features;
+  features.Way = terrain::Features::Ways::Pyramid;
+  features.Gathers = terrain::Driver().Gathers;
+  features.ClipPlanes = 3;
+  const std::string needed = readCast(features);
   const int different = items.CountDifferent(Scene->Window, needed,
     "int begin; result.xy = terrainClipRange(input0.xy, input0.zw, begin); result.z = begin;",
     1e-4f,
@@ -187,6 +198,106 @@ TEST_F(TerrainShaderTwinsView, AreClippedAlike)
       program->SetUniform4fv("terrainClipPlanesVC", static_cast<int>(planes.size()), &planes[0][0]);
     });
   EXPECT_EQ(different, 0);
+}
+
+// From above and from below; with a tolerance, hits lie before the surface.
+TEST_F(TerrainShaderTwinsView, SeeTheSameSide)
+{
+  for (const bool tolerance : { false, true })
+  {
+    SCOPED_TRACE(tolerance);
+    constexpr float maximum = 30.0f;
+    Numbers number;
+    Items items;
+    int fronts = 0;
+    while (items.Expected.size() < Count)
+    {
+      const glm::vec4 codes(
+        number(0.0, 30.0), number(0.0, 30.0), number(0.0, 30.0), number(0.0, 30.0));
+      terrain::TerrainRay ray;
+      terrain::TerrainHit hit;
+      hit.fraction = { 0.25f, 0.75f };
+      ray.directionGC = { number(-1.0, 1.0), number(-1.0, 1.0), number(-40.0, 40.0) };
+      ray.originGC = { 0.0f, 0.0f, number(-10.0, 40.0) };
+      hit.s = 0.5f;
+      const float closing = ray.directionGC.z -
+        glm::dot(terrain::PatchGradient(codes, hit.fraction), glm::vec2(ray.directionGC));
+      const float above =
+        ray.originGC.z + hit.s * ray.directionGC.z - terrain::PatchCode(codes, hit.fraction);
+      if (std::abs(closing) > 1e-3f && std::abs(above) > 1e-2f) // else rounding decides
+      {
+        const bool front = terrain::SeesFront(ray, hit, codes, maximum, tolerance);
+        fronts += front ? 1 : 0;
+        items.Add(codes, { ray.directionGC, ray.originGC.z }, { front, 0.0f, 0.0f, 0.0f });
+      }
+    }
+    EXPECT_GT(fronts, Count / 4);
+    EXPECT_LT(fronts, Count * 9 / 10);
+    terrain::Features features;
+    features.Way = terrain::Features::Ways::Pyramid;
+    features.Within = tolerance;
+    EXPECT_EQ(
+      items.CountDifferent(Scene->Window, readCast(features),
+        "TerrainHit hit = terrainNoHit(); hit.fraction = vec2(0.25, 0.75); hit.s = 0.5;"
+        "result.x = terrainSeesFront(TerrainRay(ivec2(0), vec3(0.0, 0.0, input1.w),"
+        "input1.xyz, 0.0, 1.0, 0.0), hit, input0) ? 1.0 : 0.0;",
+        0.0f,
+        [](vtkShaderProgram* program) { program->SetUniformf("terrainMaximumCode", maximum); }),
+      0);
+  }
+}
+
+// Over a field with holes, which no block fills.
+TEST_F(TerrainShaderTwinsView, AreWithinTheSameBlocks)
+{
+  const auto fields = terrain::AdversarialFields();
+  const auto test = std::find_if(fields.begin(), fields.end(),
+    [](const terrain::TestField& field) { return field.Name == "half"; });
+  const terrain::CodedField<float> field(*test);
+  const terrain::PixelRays rays = RaysOf(false);
+  Numbers number;
+  Items items;
+  int within = 0;
+  while (items.Expected.size() < Count)
+  {
+    const glm::vec2 pixel(number(0.0, 200.0), number(0.0, 100.0));
+    const float distance = number(40.0, 140.0);
+    const terrain::TerrainRay ray = terrain::MakePixelRay(rays, pixel, distance, distance);
+    glm::vec2 fraction;
+    const glm::ivec2 cell = terrain::CellAt(ray, field.Coded.heights.size, fraction);
+    const glm::vec4 codes = field.Coded.heights.CellCodes(cell);
+    const bool isWithin = terrain::IsWithinBlock(ray, fraction, codes);
+    const glm::vec2 inside = glm::min(fraction, 1.0f - fraction);
+    const bool outside = glm::any(glm::lessThan(inside, glm::vec2(1e-4f)));
+    if (std::abs(ray.originGC.z - terrain::PatchCode(codes, fraction)) > 1e-2f &&
+      (!outside || fraction == glm::vec2(0.0f) || fraction == glm::vec2(1.0f)))
+    {
+      within += isWithin ? 1 : 0;
+      items.Add(
+        { pixel, distance, 0.0f }, glm::vec4(0.0f), { glm::vec2(cell) + fraction, isWithin, 0.0f });
+    }
+  }
+  EXPECT_GT(within, 50);
+  vtkNew<vtkTextureObject> texture;
+  vtkTerrainTesting::UploadTexels(
+    Scene->Window, texture, glm::uvec2(field.Coded.heights.size), field.Texels.data());
+  terrain::Features features;
+  features.Way = terrain::Features::Ways::Pyramid;
+  features.Block = true;
+  EXPECT_EQ(items.CountDifferent(Scene->Window, readCast(features),
+              "ivec2 cell; vec2 fraction; vec4 codes;"
+              "bool within = terrainIsWithinBlock(input0.xy, input0.z, cell, fraction, codes);"
+              "result.xyz = vec3(vec2(cell) + fraction, within ? 1.0 : 0.0);",
+              1e-5f,
+              [&](vtkShaderProgram* program)
+              {
+                SetRays(program, rays);
+                program->SetUniform2i("terrainSize", &field.Coded.heights.size[0]);
+                program->SetUniformi("terrainHeights", texture->GetTextureUnit());
+                program->SetUniformf("terrainBias", 0.0f);
+              }),
+    0);
+  texture->Deactivate();
 }
 
 TEST_F(TerrainShaderTwinsView, PackTheSameSightings)

@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What shaders make of a point of the surface: its depth, its normal, its size on the screen, and
- * how much of a sun's disc it sees. Twins of functions in shaders/vtkTerrainView.glsl,
- * vtkTerrainGradient.glsl, vtkTerrainSurface.glsl, vtkTerrainLight.glsl and, for footprints,
- * vtkTerrainColor.glsl, which have the prefix terrain and document them; uniforms are arguments
- * here. Geometry is in double precision. For tests: nothing is drawn by it.
+ * What shaders make of a point of the surface: its depth, its normal, its size on the screen, the
+ * side that is seen, and how much of a sun's disc it sees. Twins of functions in
+ * shaders/vtkTerrainView.glsl, vtkTerrainCast.glsl, vtkTerrainGradient.glsl,
+ * vtkTerrainSurface.glsl, vtkTerrainLight.glsl and, for footprints, vtkTerrainColor.glsl, which
+ * have the prefix terrain and document them; uniforms are arguments here. Geometry is in double
+ * precision. For tests: nothing is drawn by it.
  */
 #ifndef terrain_SurfaceShading_h
 #define terrain_SurfaceShading_h
 
 #include "core/rays/PixelRays.h"
+#include "core/rays/Ray.h"
+#include "core/surface/CodedHeights.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
@@ -88,6 +91,33 @@ inline glm::vec3 FacingNormal(
   const float facing = std::min(glm::dot(normalVC, towardsVC), 0.0F);
   return glm::normalize(
     glm::mix(normalVC - facing * towardsVC, faceVC, std::min(-4.0F * facing, 1.0F)));
+}
+///@}
+
+///@{
+/// Sides of the surface. Tolerance: whether one may have ended the search before the surface.
+inline bool SeesFront(const TerrainRay& ray, const TerrainHit& hit, const glm::vec4& codes,
+  float maximumCode, bool tolerance)
+{
+  const glm::vec2 gradient = PatchGradient(codes, hit.fraction);
+  const float above = ray.originGC.z + hit.s * ray.directionGC.z - PatchCode(codes, hit.fraction);
+  const float rounding = 1e-5F * (maximumCode + std::abs(ray.originGC.z));
+  return ray.directionGC.z <= glm::dot(gradient, glm::vec2(ray.directionGC)) ||
+    (tolerance && above > rounding);
+}
+/// Where a pixel's ray is at a distance: the cell, and the position in it.
+inline glm::ivec2 CellAt(const TerrainRay& ray, const glm::ivec2& size, glm::vec2& fraction)
+{
+  const glm::ivec2 step(glm::floor(glm::vec2(ray.originGC)));
+  const glm::ivec2 cell = glm::clamp(ray.anchorCell + step, glm::ivec2(0), size - 2);
+  fraction = glm::clamp(glm::vec2(ray.originGC) - glm::vec2(cell - ray.anchorCell), 0.0F, 1.0F);
+  return cell;
+}
+/// Codes: of that cell.
+inline bool IsWithinBlock(const TerrainRay& ray, const glm::vec2& fraction, const glm::vec4& codes)
+{
+  return glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0F))) &&
+    ray.originGC.z <= PatchCode(codes, fraction);
 }
 ///@}
 
