@@ -1,9 +1,9 @@
 #!/bin/sh
-# clang-tidy over the sources of the module and the examples in a configured build, on all cores. What passed is
-# not looked at again until it, a header or the checks change.
+# clang-tidy over the sources of the module, its tests and examples, and the ParaView plugin, in a configured build,
+# on all cores. What passed is not looked at again until it, a header or the checks change.
 #   sh Testing/check-lint.sh BUILD_DIR [GLOB...]
-# GLOB names others: 'Testing/Cxx/*.cxx', or 'Module/ParaView/*.cxx' where the plugin's build is there
-# (Testing/ParaView/run.sh; VTKTERRAIN_PARAVIEW_BUILD_DIR names it).
+# GLOB chooses: 'Testing/Cxx/*.cxx'. The plugin is looked at where it has been built (Testing/ParaView/run.sh;
+# VTKTERRAIN_PARAVIEW_BUILD_DIR names the folder). What no build here compiles is named, and left out.
 set -eu
 build_dir=$(cd "$1" && pwd)
 shift
@@ -14,20 +14,24 @@ mkdir -p "$passed"
 # Every file by itself, and without the headers that GCC has precompiled, which clang cannot read;
 # the headers made from shaders are those of the build.
 cmake -G Ninja -S . -B "$passed/separate" -DCMAKE_UNITY_BUILD=OFF -DVTKTERRAIN_BUILD_TESTING=ON \
-  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DVTKTERRAIN_BUILD_EXAMPLES=ON >"$passed/configured.log"
+  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DVTKTERRAIN_BUILD_EXAMPLES=ON -DVTKTERRAIN_BUILD_BENCHMARKS=ON \
+  >"$passed/configured.log"
 sed "s|$passed/separate/module/|$build_dir/module/|g" "$passed/separate/compile_commands.json" \
   >"$passed/compile_commands.json"
 
 # shellcheck disable=SC2046
 common=$(cat .clang-tidy $(git ls-files '*.h') | cksum | tr -d ' ')
-[ $# -gt 0 ] || set -- 'src/*.cxx' 'Examples/*.cxx'
+[ $# -gt 0 ] || set -- 'src/*.cxx' 'Examples/*.cxx' 'Testing/*.cxx' 'Module/ParaView/*.cxx'
 # shellcheck disable=SC2046 # file names here have no spaces
 for file in $(git ls-files "$@"); do
   commands=$passed
   case $file in
     Module/ParaView/*) commands=$plugin ;;
   esac
-  grep -qsF "/$file\"" "$commands/compile_commands.json" || continue
+  if ! grep -qsF "/$file\"" "$commands/compile_commands.json"; then
+    echo "not compiled here, not linted: $file" >&2
+    continue
+  fi
   stamp=$passed/$(cat "$file" | cksum | tr -d ' ')-$common-$(echo "$file" | tr / _)
   [ -e "$stamp" ] || printf '%s\n%s\n%s\n' "$commands" "$file" "$stamp"
 done | xargs -r -n 3 -P "$(nproc)" sh -c '
