@@ -22,6 +22,7 @@ uniform ivec2 terrainGlobeGrid;
 uniform int terrainGlobeJoined;
 uniform vec4 terrainGlobeHeights;
 
+// The meridian, the parallel and its curve at a line of samples: src/core/globe/GlobeLines.h.
 vec2 terrainGlobeColumnAt(int i)
 {
   return texelFetch(terrainGlobeLines, i).xy;

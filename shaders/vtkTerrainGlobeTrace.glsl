@@ -81,22 +81,27 @@ float terrainGlobeOffAxis(TerrainGlobePath path, float t)
   return squares / max(length(at) + terrainGlobeScene.x, 1e-20);
 }
 
+// Distance of a path at t north of the cone of a parallel's normals, in metres; row: of the parallel;
+// off: terrainGlobeOffAxis(). Equations: src/core/globe/GlobeAnchor.h.
 float terrainGlobeNorth(TerrainGlobePath path, vec4 row, float t, float off)
 {
   return row.z + (path.origin.z + t * path.direction.z) * row.y - off * row.x;
 }
 
+// Distance above the plane that touches the ellipsoid at the parallel, less the anchor's, in metres.
 float terrainGlobeAbove(TerrainGlobePath path, vec4 row, float t, float off)
 {
   return row.w + (path.origin.z + t * path.direction.z) * row.x + off * row.y;
 }
 
+// Distance east of a meridian's plane, and along it from the axis, in metres.
 vec2 terrainGlobeEast(TerrainGlobePath path, vec2 column, float t)
 {
   vec2 at = path.origin.xy + t * path.direction.xy;
   return vec2(at.y * column.y - at.x * column.x, at.x * column.y + at.y * column.x);
 }
 
+// Distance at which a path crosses a meridian in its own direction.
 float terrainGlobeColumnCrossing(TerrainGlobePath path, vec2 column)
 {
   float east = path.origin.y * column.y - path.origin.x * column.x;
@@ -104,6 +109,8 @@ float terrainGlobeColumnCrossing(TerrainGlobePath path, vec2 column)
   return (path.east ? change > 0.0 : change < 0.0) ? -east / change : terrainGlobeNever;
 }
 
+// Distance from t on at which a path crosses a parallel to the north or south; RowCrossing() in
+// src/core/globe/GlobeTraversal.h has the equation.
 float terrainGlobeRowCrossing(TerrainGlobePath path, vec4 row, float t, bool north)
 {
   float s = row.x;
@@ -129,12 +136,14 @@ float terrainGlobeRowCrossing(TerrainGlobePath path, vec4 row, float t, bool nor
   return never || far ? terrainGlobeNever : max(at, t);
 }
 
+// The first and the last lines of a node, in samples: west, south, east, north.
 ivec4 terrainGlobeFence(TerrainGlobeStep at)
 {
   ivec2 first = at.node << at.level;
   return ivec4(first, min(first + (1 << at.level), terrainSize - 1));
 }
 
+// The coarsest level that is stepped through.
 int terrainGlobeTop()
 {
   return min(terrainGlobeGrid.y, terrainPyramidTop);
@@ -287,6 +296,7 @@ float terrainGlobeAngle(float x)
   return x2 < 2e-3 ? x * (1.0 - x2 * (1.0 / 3.0 - x2 * 0.2)) : atan(x);
 }
 
+// Height of a path in a cell less that of the surface, in metres, and the position in the cell.
 float terrainGlobeDifference(
   TerrainGlobePath path, ivec2 cell, vec4 codes, float t, out vec2 fraction)
 {

@@ -41,7 +41,8 @@ float terrainDiscShare(vec4 disc, float tangent)
   return (acos(x) - x * sqrt(1.0 - x * x)) / 3.14159265;
 }
 
-// Distance along a way of directionVC a unit at which the first clipping plane ends it.
+// Distance along a way of directionVC a unit at which the first clipping plane ends it. Twin, as of
+// terrainDiscShare(): src/core/rays/SurfaceShading.h.
 float terrainPlaneEnd(vec3 positionVC, vec3 directionVC, float end)
 {
 #ifdef TERRAIN_CLIP_PLANES

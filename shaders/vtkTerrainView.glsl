@@ -118,6 +118,7 @@ vec2 terrainEnterBox(vec2 pixel, vec2 range)
 // (terrainGlobeSetLocal()).
 mat3 terrainGlobeLocal;
 
+// A direction in cells and height codes, from grid coordinates.
 vec3 terrainToCells(vec3 directionGC)
 {
   return terrainGlobeLocal * directionGC;

@@ -258,12 +258,12 @@ private:
   void Prepare();
   void PrepareUnits();
   void PrepareFrame();
-  std::string WhyNoFrame();
-  std::string PlaceFrame();
   void SetGlobe(double equatorial, double polar);
   std::string WhyNotExtent();
   bool Middle(double place[3]);
   void ConvertHeights(double* places, vtkIdType count, bool toScene);
+  std::string WhyNoFrame();
+  std::string PlaceFrame();
   template <typename Function>
   bool Chunked(
     const double* in, double* out, vtkIdType count, bool needsPlaces, Function&& function);

@@ -19,6 +19,7 @@
 #include "render/Driver.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <string>
 
@@ -154,6 +155,7 @@ TEST(TerrainGraphicsObjects, DrapesAreFilteredAsTheDriverIsToldTo)
     EXPECT_EQ(found, anisotropic ? 16.0f : 1.0f);
   }
   before.empty() ? unsetenv("VTKTERRAIN_DRIVER") : setenv("VTKTERRAIN_DRIVER", before.c_str(), 1);
+  constexpr std::size_t numbers = 48 * 32 * 3;
   EXPECT_TRUE(
-    std::equal(PixelsOf(pictures[0]), PixelsOf(pictures[0]) + 48 * 32 * 3, PixelsOf(pictures[1])));
+    std::equal(PixelsOf(pictures[0]), PixelsOf(pictures[0]) + numbers, PixelsOf(pictures[1])));
 }

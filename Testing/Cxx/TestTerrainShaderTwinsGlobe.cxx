@@ -36,6 +36,7 @@ public:
     : Tracer(tracer)
   {
     std::vector<glm::vec4> texels;
+    texels.reserve(tracer.Lines.Columns.size());
     for (const glm::vec2& column : tracer.Lines.Columns)
     {
       texels.emplace_back(column, 0.0f, 0.0f);

@@ -183,9 +183,9 @@ TEST(TerrainStripsDrawing, MatchesBaselines)
   }
   picture.Strips->DepthColorsOn();
   picture.Actor->GetProperty()->EdgeVisibilityOn();
-  const auto levels = vtkTerrainTesting::Render(picture.Scene.Window);
-  EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(levels, "TerrainStripsLevels", { 40, 0.01 }));
-  EXPECT_NEAR(vtkTerrainTesting::DrawnShare(levels), 0.660, 0.005);
+  const auto depths = vtkTerrainTesting::Render(picture.Scene.Window);
+  EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(depths, "TerrainStripsDepths", { 40, 0.01 }));
+  EXPECT_NEAR(vtkTerrainTesting::DrawnShare(depths), 0.660, 0.005);
 }
 
 TEST(TerrainStripsDrawing, TheTerrainMapperShadesThemByTheHeights)

@@ -80,6 +80,7 @@ struct WorldTracer
 inline std::vector<double> Parallels(double south, double step, int count)
 {
   std::vector<double> latitudes;
+  latitudes.reserve(static_cast<std::size_t>(count));
   for (int j = 0; j < count; ++j)
   {
     latitudes.push_back((south + step * j) * kDegree);
