@@ -113,7 +113,7 @@ private:
     const auto bias = static_cast<float>(this->Codes.Bias);
     for (std::size_t k = 0; k < tile->Samples.size(); ++k)
     {
-      const auto width = static_cast<std::size_t>(tile->Cells.x + 1);
+      const auto width = static_cast<std::size_t>(tile->Cells.x) + 1;
       const float texel = tile->Samples[k] + bias;
       heights[k % width + (side + 1) * (k / width + (side + 1) * slot)] =
         this->Integer ? std::max(texel, 0.0f) : tile->Samples[k];
@@ -168,6 +168,7 @@ private:
 std::unique_ptr<terrain::TileSource> integerTiles(const TestField& field)
 {
   std::vector<short> samples;
+  samples.reserve(field.Samples.size());
   for (const double height : field.Samples)
   {
     samples.push_back(std::isnan(height)

@@ -464,8 +464,10 @@ TEST(TerrainStrips, DrawsNothingOfNoCells)
 // surface.
 TEST(TerrainHierarchy, GivesItsHeightsBack)
 {
-  for (const auto& [width, height] : { std::pair(1, 1), { 2, 2 }, { 9, 5 }, { 70, 45 } })
+  for (const auto& size : { std::pair(1, 1), { 2, 2 }, { 9, 5 }, { 70, 45 } })
   {
+    const int width = size.first;
+    const int height = size.second;
     vtkNew<vtkImageData> image = MakeHeights(width, height);
     vtkDataArray* samples = image->GetPointData()->GetScalars();
     for (vtkIdType id = 4; id < image->GetNumberOfPoints(); id += 17)
