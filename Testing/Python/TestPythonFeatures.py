@@ -15,9 +15,8 @@ try:
     import xarray
 
     from vtkterrain import features, places, plotting, xarrays
-except ImportError as error:
+except ImportError:
     geopandas = None
-    WHY_NOT = str(error)
 
 WEST, SOUTH, STEP = 480_000.0, 3_090_000.0, 30.0
 

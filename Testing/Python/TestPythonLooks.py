@@ -11,9 +11,8 @@ try:
     import pyvista
 
     from vtkterrain import plotting
-except ImportError as error:
+except ImportError:
     pyvista = None
-    WHY_NOT = str(error)
 
 HEIGHTS = pathlib.Path(__file__).parents[2] / "Examples" / "Places" / "heights.tif"
 PICTURE = pathlib.Path(__file__).parents[2] / "Examples" / "Places" / "photo.tif"

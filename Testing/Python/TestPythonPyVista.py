@@ -14,9 +14,8 @@ try:
     import pyvista
 
     from vtkterrain import plotting
-except ImportError as error:
+except ImportError:
     pyvista = None
-    WHY_NOT = str(error)
 try:
     import xarray
 except ImportError:

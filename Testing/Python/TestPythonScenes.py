@@ -57,11 +57,11 @@ class TestScenes(unittest.TestCase):
         gdal.GetDriverByName("GTiff").CreateCopy(path, made.dataset(heights, place=place, **options))
         return path
 
-    def halves(self, place, overlap=0):
+    def halves(self, place):
         """Two files of one ground, side by side."""
         t, system = place
         middle = made.COLUMNS // 2
-        west = self.tile("west.tif", made.ground()[:, :middle + overlap], place)
+        west = self.tile("west.tif", made.ground()[:, :middle], place)
         east = self.tile("east.tif", made.ground()[:, middle:], ((t[0] + middle * t[1], *t[1:]), system))
         return west, east
 

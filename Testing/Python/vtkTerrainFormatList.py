@@ -111,7 +111,7 @@ def written_by_hand():
                (140.0, 0.01, 0.0, 36.24, 0.0, -0.01), tolerance=0.01),
         of_utm("text x y z", "XYZ", text_file("dem.xyz", made.xyz), CRS, False, options=UTM_GRID),
         of_utm("text with names of columns", "XYZ", text_file("named.csv", lambda: made.xyz(
-            "xyz", "easting;northing;height\n", ";")), CRS, False, options=UTM_GRID),
+            "easting;northing;height\n", ";")), CRS, False, options=UTM_GRID),
         of_utm("text, decimal commas", "XYZ", text_file("commas.xyz", lambda: made.xyz(separator=";", decimal=",")),
                CRS, False, options=UTM_GRID),
         of_degrees("text lat, lon, z", "XYZ", text_file("latlon.csv", made.lat_lon)),

@@ -55,7 +55,7 @@ def with_hole(heights):
     return heights
 
 
-def dataset(heights, kind="f4", place=UTM, nodata=None, unit=None, scale=None, bands=1):
+def dataset(heights, kind="f4", place=UTM, nodata=None, unit=None, bands=1):
     """A raster in memory: samples, place and what a band says."""
     rows, columns = heights.shape
     memory = gdal.GetDriverByName("MEM").Create("", columns, rows, bands, KINDS[kind])
@@ -73,15 +73,12 @@ def dataset(heights, kind="f4", place=UTM, nodata=None, unit=None, scale=None, b
             band.SetNoDataValue(nodata)
         if unit:
             band.SetUnitType(unit)
-        if scale:
-            band.SetScale(scale[0])
-            band.SetOffset(scale[1])
     return memory
 
 
 def copy(title, driver, extension, kind="f4", place=UTM, nodata=None, unit=None, options=(), heights=None,
-         says=None, by_hand="", tolerance=1e-4, **reader):
-    """A format that GDAL writes. ``says``: whether the format holds the place; as given by default."""
+         by_hand="", tolerance=1e-4, **reader):
+    """A format that GDAL writes."""
     samples = ground() if heights is None else heights
     if nodata is not None:
         samples = with_hole(samples)
@@ -98,7 +95,7 @@ def copy(title, driver, extension, kind="f4", place=UTM, nodata=None, unit=None,
 
     factor = {None: 1.0, "ft": FOOT}[unit]
     opened = {"COG": "GTiff"}.get(driver, driver)
-    return Format(title, opened, write, by_hand, factor * samples, place[0] if place and says is not False else None,
+    return Format(title, opened, write, by_hand, factor * samples, place[0] if place else None,
                   reader, tolerance)
 
 
@@ -111,8 +108,8 @@ def text_file(name, text, encoding="ascii"):
     return write
 
 
-def rows_of(heights, end="\n", nodata="-9999"):
-    return "".join(" ".join(nodata if np.isnan(z) else f"{z:g}" for z in row) + end for row in heights)
+def rows_of(heights):
+    return "".join(" ".join("-9999" if np.isnan(z) else f"{z:g}" for z in row) + "\n" for row in heights)
 
 
 def corner(place=UTM):
@@ -164,11 +161,11 @@ def jdem():
     return head.ljust(1011) + lines
 
 
-def xyz(order="xyz", header="", separator=" ", decimal="."):
+def xyz(header="", separator=" ", decimal="."):
     t = UTM[0]
     points = ((t[0] + t[1] * (c + 0.5), t[3] + t[5] * (r + 0.5), z)
               for r, row in enumerate(ground()) for c, z in enumerate(row))
-    lines = (separator.join(f"{point['xyz'.index(axis)]:.2f}" for axis in order) for point in points)
+    lines = (separator.join(f"{number:.2f}" for number in point) for point in points)
     return header + "\n".join(lines).replace(".", decimal) + "\n"
 
 
@@ -265,11 +262,11 @@ def radar_heights(size, name):
     return heights, raw(name, samples), (10.0 - step / 2, step, 0.0, 62.0 + step / 2, 0.0, -step)
 
 
-def netcdf(folder, name, y, x, heights, units, order=("y", "x"), attributes=None, fields=(), layout="NC4"):
+def netcdf(folder, name, y, x, heights, units, order=("y", "x"), attributes=None, fields=()):
     """A netCDF of coordinates and heights, as programs write them that know nothing of GDAL."""
     text, number = gdal.ExtendedDataType.CreateString(), gdal.ExtendedDataType.Create(gdal.GDT_Float64)
     path = os.path.join(folder, name)
-    file = gdal.GetDriverByName("netCDF").CreateMultiDimensional(path, options=[f"FORMAT={layout}"])
+    file = gdal.GetDriverByName("netCDF").CreateMultiDimensional(path, options=["FORMAT=NC4"])
     group = file.GetRootGroup()
     values = {"y": y, "x": x}
     axes = {}
