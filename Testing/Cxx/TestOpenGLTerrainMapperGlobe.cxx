@@ -4,12 +4,12 @@
 // Heights on a globe as the mapper draws them, against the reference in double precision: from
 // space to eye height, over the poles and the date line, on several bodies.
 #include "vtkTerrainTestDrawing.h"
+#include "vtkTerrainTestGlobe.h"
 
 #include "core/globe/GlobeReference.h"
 #include "data/GlobeData.h"
 #include "data/GlobeSurface.h"
 #include "render/Globe.h"
-#include "vtkTerrainGlobe.h"
 #include "vtkTerrainPicker.h"
 
 #include "vtkCommand.h"
@@ -20,33 +20,14 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 namespace
 {
 using terrain::kDegree;
 using vtkTerrainTesting::Drawing;
 using vtkTerrainTesting::DrawingHeight;
 using vtkTerrainTesting::DrawingWidth;
-
-/// Heights in degrees.
-vtkSmartPointer<vtkImageData> makeHeights(double west, double south, double step, int columns,
-  int rows, const std::function<double(int, int)>& height)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(columns, rows, 1);
-  image->SetOrigin(west, south, 0.0);
-  image->SetSpacing(step, step, 1.0);
-  image->AllocateScalars(VTK_SHORT, 1);
-  for (int j = 0; j < rows; ++j)
-  {
-    for (int i = 0; i < columns; ++i)
-    {
-      image->SetScalarComponentFromDouble(i, j, 0, 0, height(i, j));
-    }
-  }
-  return image;
-}
+using vtkTerrainTesting::LayOnGlobe;
+using vtkTerrainTesting::MakeDegrees;
 
 double hills(int i, int j)
 {
@@ -54,23 +35,13 @@ double hills(int i, int j)
     1500.0 * std::sin(0.9 * i + j) * std::cos(1.3 * j));
 }
 
-vtkSmartPointer<vtkImageData> layOnGlobe(
-  vtkImageData* heights, double equatorial = 0.0, double polar = 0.0)
-{
-  const vtkNew<vtkTerrainGlobe> globe;
-  globe->SetInputData(heights);
-  globe->SetRadii(equatorial, polar);
-  globe->Update();
-  return globe->GetOutput();
-}
-
 /// Cells of a degree or half of it, all over a planet.
 vtkSmartPointer<vtkImageData> makeWorld(
   double step = 1.0, double equatorial = 0.0, double polar = 0.0)
 {
   const int columns = static_cast<int>(360.0 / step);
-  return layOnGlobe(
-    makeHeights(-180.0 + 0.5 * step, -90.0 + 0.5 * step, step, columns, columns / 2,
+  return LayOnGlobe(
+    MakeDegrees(-180.0 + 0.5 * step, -90.0 + 0.5 * step, step, columns, columns / 2,
       [columns](int i, int j) { return hills(i < columns / 2 ? i : columns - i, j); }),
     equatorial, polar);
 }
@@ -238,7 +209,7 @@ TEST(OpenGLTerrainMapperGlobe, IsExactFromSpace)
 // What matters in float: 2 m above the ground, and a kilometre across seen from space.
 TEST(OpenGLTerrainMapperGlobe, IsExactNearAndFar)
 {
-  Globe globe(layOnGlobe(makeHeights(6.0, 44.0, 1.0 / 120.0, 500, 400, hills)));
+  Globe globe(LayOnGlobe(MakeDegrees(6.0, 44.0, 1.0 / 120.0, 500, 400, hills)));
   const double ground = globe.Ground(8.0, 46.0);
   for (const double above : { 2.0, 50.0, 2000.0, 30000.0 })
   {
@@ -268,7 +239,7 @@ TEST(OpenGLTerrainMapperGlobe, IsExactOnAnyBody)
 // Partial rasters, exaggeration.
 TEST(OpenGLTerrainMapperGlobe, ShowsWhatIsThere)
 {
-  Globe part(layOnGlobe(makeHeights(170.0, -15.0, 0.5, 61, 61, hills)));
+  Globe part(LayOnGlobe(MakeDegrees(170.0, -15.0, 0.5, 61, 61, hills)));
   part.Look({ 185.0, -3.0, 4e6 }, { 183.0, 1.0, 0.0 });
   expectAgreement(part, 50);
   part.Exaggeration = 20.0;
@@ -280,7 +251,7 @@ TEST(OpenGLTerrainMapperGlobe, ShowsWhatIsThere)
 // The planet is opaque: from within it, and from behind it, nothing is seen of the underside.
 TEST(OpenGLTerrainMapperGlobe, HidesItsUnderside)
 {
-  Globe part(layOnGlobe(makeHeights(170.0, -15.0, 0.5, 61, 61, hills)));
+  Globe part(LayOnGlobe(MakeDegrees(170.0, -15.0, 0.5, 61, 61, hills)));
   const vtkNew<vtkTerrainPicker> picker;
   for (const glm::dvec3& eye : { glm::dvec3(185.0, 10.0, -3e6), glm::dvec3(5.0, 10.0, 1e6) })
   {
@@ -300,7 +271,7 @@ TEST(OpenGLTerrainMapperGlobe, ShowsWhatLiesBehindItsUnderside)
   for (const double scale : { 1.0, 1e-3 })
   {
     SCOPED_TRACE(scale);
-    Globe globe(layOnGlobe(makeHeights(6.0, 44.0, 1.0 / 120.0, 500, 400, hills)));
+    Globe globe(LayOnGlobe(MakeDegrees(6.0, 44.0, 1.0 / 120.0, 500, 400, hills)));
     globe.Scale = scale;
     globe.Shown.Actor->SetScale(scale, scale, scale);
     const double ground = globe.Ground(8.0, 46.0);
@@ -333,7 +304,7 @@ TEST(OpenGLTerrainMapperGlobe, HasHeightsOnItsBorder)
 {
   for (const double west : { 170.0, -180.0, 0.1 })
   {
-    const auto heights = layOnGlobe(makeHeights(west, -15.3, 0.1, 61, 61, hills));
+    const auto heights = LayOnGlobe(MakeDegrees(west, -15.3, 0.1, 61, 61, hills));
     terrain::GlobeSurface surface;
     ASSERT_TRUE(surface.SetImage(heights));
     const double east = west + 6.0;

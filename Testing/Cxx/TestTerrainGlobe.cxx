@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkTerrainGlobe.h"
+#include "vtkTerrainTestGlobe.h"
 
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainGraticule.h"
@@ -33,18 +33,8 @@ using FrameType = vtkTerrainGeoreference::FrameType;
 vtkSmartPointer<vtkImageData> makeHeights(
   double west, double south, double step, int columns, int rows, const std::string& system = {})
 {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(columns, rows, 1);
-  image->SetOrigin(west, south, 0.0);
-  image->SetSpacing(step, step, 1.0);
-  image->AllocateScalars(VTK_SHORT, 1);
-  for (int j = 0; j < rows; ++j)
-  {
-    for (int i = 0; i < columns; ++i)
-    {
-      image->SetScalarComponentFromDouble(i, j, 0, 0, i + 100 * j);
-    }
-  }
+  auto image = vtkTerrainTesting::MakeDegrees(
+    west, south, step, columns, rows, [](int i, int j) { return i + 100 * j; });
   if (!system.empty())
   {
     const vtkNew<vtkStringArray> array;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Packets of rays against every cell of a field in double precision, against RayQuery, and each
 // kind of processor against the others.
-#include "UnitTestFields.h"
-#include "UnitTestRays.h"
+#include "UnitTestQueries.h"
 
 #include "core/rays/RayPackets.h"
 
@@ -16,48 +15,6 @@ using namespace terrain;
 
 namespace
 {
-/// A field as UnitTestRays.h reads it: codes are heights above the lowest one, without rounding.
-struct HeightsOverLow
-{
-  explicit HeightsOverLow(const TestField& field)
-    : Field(field)
-    , size(field.Width, field.Height)
-  {
-    for (const double height : field.Samples)
-    {
-      this->Low = std::isnan(height) ? this->Low : std::min(this->Low, height);
-      this->High = std::isnan(height) ? this->High : std::max(this->High, height);
-    }
-  }
-  glm::dvec4 CellCodes(glm::ivec2 cell) const
-  {
-    glm::dvec4 codes;
-    for (int k = 0; k < 4; ++k)
-    {
-      const double height = this->Field.View().At(cell.x + (k & 1), cell.y + (k >> 1));
-      codes[k] = std::isnan(height) ? -1.0 : height - this->Low;
-    }
-    return codes;
-  }
-
-  const TestField& Field;
-  glm::ivec2 size;
-  double Low = kInfinity;
-  double High = -kInfinity;
-};
-
-QueryRay QueryOf(const TerrainRay& ray, double low)
-{
-  QueryRay query;
-  query.Origin = { ray.anchorCell.x + static_cast<double>(ray.originGC.x),
-    ray.anchorCell.y + static_cast<double>(ray.originGC.y),
-    static_cast<double>(ray.originGC.z) + static_cast<double>(ray.originLow) + low };
-  query.Direction = glm::dvec3(ray.directionGC);
-  query.Begin = ray.sBegin;
-  query.End = ray.sEnd;
-  return query;
-}
-
 /// Height of the surface of a cell over the ray that hit it, where it did.
 double HeightOverRay(const TestField& field, const QueryRay& ray, const SurfaceHit& hit)
 {
@@ -73,7 +30,7 @@ double HeightOverRay(const TestField& field, const QueryRay& ray, const SurfaceH
 void ExpectHits(const TestField& field, const LaneKernels& kernels)
 {
   SCOPED_TRACE(field.Name + " " + kernels.Name);
-  const HeightsOverLow codes(field);
+  const FieldCodes codes(field);
   const RayPackets packets(field.View(), GridGeometry{}, BackwardFor);
   const double relief = std::max(codes.High - codes.Low, 1e-3);
   const bool holes =
@@ -84,7 +41,7 @@ void ExpectHits(const TestField& field, const LaneKernels& kernels)
   for (int i = 0; i < 1501; ++i) // the last packet is not full
   {
     rays.push_back(maker.Make());
-    asked.push_back(QueryOf(rays.back(), codes.Low));
+    asked.push_back(ToQuery(rays.back(), codes.Low));
   }
   std::vector<SurfaceHit> hits(asked.size());
   packets.First(asked.data(), static_cast<std::int64_t>(asked.size()), hits.data(), kernels);
@@ -116,7 +73,7 @@ void ExpectHits(const TestField& field, const LaneKernels& kernels)
 std::unique_ptr<RayQuery> TwinOf(const TestField& field, const GridGeometry& frame)
 {
   Surface surface;
-  surface.Heights = std::make_shared<SampledHeights<double>>(field.View(), SerialFor);
+  surface.Heights = SurfaceOf(field).Heights;
   surface.Frame = frame;
   return std::make_unique<RayQuery>(surface);
 }
@@ -171,13 +128,13 @@ TEST(RayPackets, KindsOfProcessorsAgreeToTheBit)
 {
   for (const TestField& field : AdversarialFields())
   {
-    const HeightsOverLow codes(field);
+    const FieldCodes codes(field);
     const RayPackets packets(field.View(), {}, SerialFor);
     RayMaker maker(codes.size, codes.High - codes.Low, 44, true);
     std::vector<QueryRay> rays;
     for (int i = 0; i < 640; ++i)
     {
-      rays.push_back(QueryOf(maker.Make(), codes.Low));
+      rays.push_back(ToQuery(maker.Make(), codes.Low));
     }
     std::vector<SurfaceHit> plain(rays.size());
     std::vector<SurfaceHit> hits(rays.size());

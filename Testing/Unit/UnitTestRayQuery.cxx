@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Queries against every cell of a field in double precision, and against closed forms.
-#include "UnitTestFields.h"
-#include "UnitTestRays.h"
+#include "UnitTestQueries.h"
 
 #include "core/grid/HeightSampling.h"
-#include "core/rays/RayQuery.h"
 #include "core/surface/Cutting.h"
 #include "core/surface/HeightsWithDetail.h"
 
@@ -16,63 +14,12 @@
 
 namespace
 {
+using terrain::FieldCodes;
 using terrain::QueryRay;
 using terrain::RayQuery;
 using terrain::SurfaceHit;
-
-/// A field as UnitTestRays.h reads it: codes are heights above the lowest one, without rounding.
-struct FieldCodes
-{
-  explicit FieldCodes(const terrain::TestField& field)
-    : Field(field)
-    , size(field.Width, field.Height)
-  {
-    for (const double height : field.Samples)
-    {
-      this->Low = std::isnan(height) ? this->Low : std::min(this->Low, height);
-      this->High = std::isnan(height) ? this->High : std::max(this->High, height);
-    }
-  }
-  glm::dvec4 CellCodes(glm::ivec2 cell) const
-  {
-    glm::dvec4 codes;
-    for (int k = 0; k < 4; ++k)
-    {
-      const double height = this->Field.View().At(cell.x + (k & 1), cell.y + (k >> 1));
-      codes[k] = std::isnan(height) ? -1.0 : height - this->Low;
-    }
-    return codes;
-  }
-
-  const terrain::TestField& Field;
-  glm::ivec2 size;
-  double Low = terrain::kInfinity;
-  double High = -terrain::kInfinity;
-};
-
-terrain::Surface SurfaceOf(
-  const terrain::TestField& field, terrain::SurfaceKind kind = terrain::SurfaceKind::Bilinear)
-{
-  terrain::Surface surface;
-  surface.Heights =
-    std::make_shared<terrain::SampledHeights<double>>(field.View(), terrain::BackwardFor);
-  surface.Kind = kind;
-  return surface;
-}
-
-/// The same ray in heights instead of codes.
-QueryRay ToQuery(const terrain::TerrainRay& ray, double low, double bend = 0.0)
-{
-  QueryRay query;
-  query.Origin = { ray.anchorCell.x + static_cast<double>(ray.originGC.x),
-    ray.anchorCell.y + static_cast<double>(ray.originGC.y),
-    static_cast<double>(ray.originGC.z) + static_cast<double>(ray.originLow) + low };
-  query.Direction = glm::dvec3(ray.directionGC);
-  query.Begin = ray.sBegin;
-  query.End = ray.sEnd;
-  query.Bend = bend;
-  return query;
-}
+using terrain::SurfaceOf;
+using terrain::ToQuery;
 
 /// Height of the ray above the lowest height.
 double RayCode(const QueryRay& ray, double distance, double low)

@@ -48,6 +48,14 @@ struct CellPiece
   }
 };
 
+/// Along the ray.
+inline void SortPieces(std::vector<CellPiece>& pieces)
+{
+  std::sort(pieces.begin(), pieces.end(),
+    [](const CellPiece& a, const CellPiece& b)
+    { return a.Begin < b.Begin || (a.Begin == b.Begin && a.End < b.End); });
+}
+
 /// The part of a ray, in grid coordinates, over the square [low, low + size]; empty if Begin > End.
 inline CellPiece ClipToSquare(const TerrainRay& ray, const glm::dvec2& low, double size)
 {
@@ -117,9 +125,7 @@ std::vector<CellPiece> RayPieces(
       }
     }
   }
-  std::sort(pieces.begin(), pieces.end(),
-    [](const CellPiece& a, const CellPiece& b)
-    { return a.Begin < b.Begin || (a.Begin == b.Begin && a.End < b.End); });
+  SortPieces(pieces);
   return pieces;
 }
 

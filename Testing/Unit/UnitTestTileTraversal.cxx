@@ -79,9 +79,7 @@ std::vector<CellPiece> ShownPieces(const TiledField& field, const TerrainRay& ra
       }
     }
   }
-  std::sort(pieces.begin(), pieces.end(),
-    [](const CellPiece& a, const CellPiece& b)
-    { return a.Begin < b.Begin || (a.Begin == b.Begin && a.End < b.End); });
+  SortPieces(pieces);
   return pieces;
 }
 

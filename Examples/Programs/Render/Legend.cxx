@@ -107,9 +107,8 @@ double RoundUp(double least)
   }
   return 10.0 * power;
 }
-}
 
-//------------------------------------------------------------------------------
+/// A number that is a multiple of a round step, with commas between thousands: "1,500", "0.25".
 std::string GroupedNumber(double number, double step)
 {
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
@@ -126,6 +125,7 @@ std::string GroupedNumber(double number, double step)
   grouped += decimals > 0 ? "." + text.substr(whole) : "";
   const bool isZero = grouped.find_first_not_of("0.,") == std::string::npos;
   return (number < 0.0 && !isZero ? "\xE2\x88\x92" : "") + grouped; // the sign for minus
+}
 }
 
 //------------------------------------------------------------------------------
