@@ -210,3 +210,33 @@ TEST(RayPackets, PictureAgainstTheTwin)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// A column of cells so long that their number, four times over, is beyond 32 bits.
+TEST(RayPackets, HaveStepsForTheLongestGrids)
+{
+  const std::vector<std::uint16_t> samples(64, 5);
+  PacketGrid grid;
+  grid.CellsX = 1;
+  grid.CellsY = 1 << 29;
+  grid.Stride = 2;
+  grid.Samples = samples.data();
+  grid.Highest = 5.0f;
+  PacketRays rays;
+  rays.Count = 1;
+  for (int k = 0; k < PacketRays::Most; ++k)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      rays.Origin[axis][k] = axis < 2 ? 0.5 : 10.0;
+      rays.Direction[axis][k] = axis < 2 ? 0.0 : -1.0;
+    }
+    rays.End[k] = 100.0;
+  }
+  for (const LaneKernels& kernels : RunnableLaneKernels())
+  {
+    PacketHits hits;
+    kernels.Packet(grid, rays, hits);
+    EXPECT_EQ(hits.Distance[0], 5.0f) << kernels.Name;
+  }
+}

@@ -429,7 +429,8 @@ private:
 
   TERRAIN_LANES_INLINE void Search()
   {
-    int left = 2 * (this->Grid.CellsX + this->Grid.CellsY + 64) * 2;
+    std::int64_t left =
+      std::int64_t{ 4 } * this->Grid.CellsX + std::int64_t{ 4 } * this->Grid.CellsY + 256;
     while (L::Any(this->Active) && left-- > 0)
     {
       const Span span = this->Cross();

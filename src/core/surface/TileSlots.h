@@ -8,6 +8,7 @@
 #ifndef terrain_TileSlots_h
 #define terrain_TileSlots_h
 
+#include "core/surface/CodedHeights.h"
 #include "core/surface/TileSource.h"
 
 #include <glm/glm.hpp>
@@ -120,11 +121,6 @@ public:
     return slot < 0 ? nullptr : this->Slots[static_cast<std::size_t>(slot)].get();
   }
 
-  const Tile* GetTile(std::size_t slot) const
-  {
-    return this->Slots[slot].get();
-  }
-
   ///@{
   /// Twins of the functions in shaders/vtkTerrainTiles.glsl, which have the prefix terrain and
   /// document them.
@@ -174,9 +170,7 @@ private:
   static float SlotHeight(const glm::vec4& codes, const glm::vec2& fraction)
   {
     const bool valid = glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0F)));
-    const float south = codes.x * (1.0F - fraction.x) + codes.y * fraction.x;
-    const float north = codes.z * (1.0F - fraction.x) + codes.w * fraction.x;
-    return valid ? south * (1.0F - fraction.y) + north * fraction.y : -1.0F;
+    return valid ? PatchCode(codes, fraction) : -1.0F;
   }
 
   TilePages Pages;
