@@ -7,7 +7,6 @@
 #ifndef terrain_render_Annotations_h
 #define terrain_render_Annotations_h
 
-
 class vtkRenderer;
 struct Options;
 struct PlacedHeights;
