@@ -29,6 +29,8 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace
@@ -37,6 +39,8 @@ namespace
 constexpr int kSearchPoints = 33;
 // Points of a line before it is draped: its curvature in the scene.
 constexpr int kLinePoints = 129;
+// Degrees by which lines are rounded.
+constexpr double kRounding = 1e-9;
 // Most lines of one axis.
 constexpr double kMostLines = 10000.0;
 
@@ -48,6 +52,23 @@ std::string LabelOf(double value, int axis, double step, bool geographic)
                      : terrain::AngleLabel(value, step, 'N', 'S');
   }
   return terrain::LengthLabel(value) + (axis == 0 ? " E" : " N");
+}
+
+/// Brings points at longitudes and latitudes onto the globe of heights.
+void BendToGlobe(vtkPolyData* data, vtkImageData* heights)
+{
+  const std::unique_ptr<terrain::GlobeGrid> grid = terrain::GlobeData::Get(heights);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(data->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double* place = data->GetPoint(i);
+    const glm::dvec3 point =
+      grid->Body.ToPosition({ place[0] * terrain::kDegree, place[1] * terrain::kDegree, place[2] });
+    points->SetPoint(i, point.x, point.y, point.z);
+  }
+  data->SetPoints(points);
 }
 }
 
@@ -221,33 +242,75 @@ vtkSmartPointer<vtkPolyData> vtkTerrainGraticule::MakeLines(const Frame& frame)
   return lines;
 }
 
-void vtkTerrainGraticule::Label(vtkPolyData* lines, vtkPolyData* labels) const
+/// Where along a line of an axis its labels stand, in coordinates of the grid: at its southern or
+/// western end. On a globe, which is seen from any side, half a step beside the crossings nearest to
+/// the equator, or to every quarter turn.
+std::vector<double> vtkTerrainGraticule::LabelPlaces(
+  const Frame& frame, int axis, double value) const
 {
-  // The first point of the first part of each line: its southern or western end.
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkStringArray> texts;
-  texts->SetName("Label");
-  std::map<std::pair<int, double>, bool> isLabelled;
+  const int along = 1 - axis;
+  const double low = frame.Low[along];
+  const double high = frame.High[along];
+  if (!frame.IsGlobe)
+  {
+    return { low };
+  }
+  const double half = 0.5 * this->StepInUse;
+  if (axis == 0)
+  {
+    const bool isFirst = value > frame.Low[0] + 360.0 - kRounding; // gone round
+    return isFirst ? std::vector<double>{} : std::vector<double>{ std::clamp(half, low, high) };
+  }
+  constexpr double kQuarter = 90.0;
+  std::vector<double> places;
+  for (double place = kQuarter * std::floor(low / kQuarter) + half; place < high; place += kQuarter)
+  {
+    if (place >= low)
+    {
+      places.push_back(place);
+    }
+  }
+  const bool isPole = std::abs(value) > 90.0 - kRounding;
+  return places.empty() || isPole ? std::vector<double>{ 0.5 * (low + high) } : places;
+}
+
+void vtkTerrainGraticule::Label(vtkPolyData* lines, const Frame& frame, vtkPolyData* labels) const
+{
+  // the point of each line that is nearest to each place, by axis, value and place
+  std::map<std::tuple<int, double, std::size_t>, std::pair<double, vtkIdType>> nearest;
   vtkDataArray* values = lines->GetCellData()->GetArray("Value");
   vtkDataArray* axes = lines->GetCellData()->GetArray("Axis");
   for (vtkIdType cell = 0; values && cell < lines->GetNumberOfLines(); ++cell)
   {
     const int axis = static_cast<int>(axes->GetComponent(cell, 0));
     const double value = values->GetComponent(cell, 0);
-    bool& done = isLabelled[{ axis, value }];
-    if (!done)
+    const std::vector<double> places = this->LabelPlaces(frame, axis, value);
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetLines()->GetCellAtId(cell, count, ids);
+    for (std::size_t place = 0; place < places.size(); ++place)
     {
-      done = true;
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      lines->GetLines()->GetCellAtId(cell, count, ids);
-      const vtkIdType id = points->InsertNextPoint(lines->GetPoint(ids[0]));
-      vertices->InsertNextCell(1, &id);
-      texts->InsertNextValue(
-        LabelOf(value, axis, this->StepInUse, this->Grid == GridType::Geographic));
+      auto& found = nearest.try_emplace({ axis, value, place }, HUGE_VAL, -1).first->second;
+      // in the order of lines: without a globe, the first point of the first part
+      for (vtkIdType k = 0; k < (frame.IsGlobe ? count : 1); ++k)
+      {
+        const double apart =
+          frame.IsGlobe ? std::abs(lines->GetPoint(ids[k])[1 - axis] - places[place]) : 0.0;
+        found = apart < found.first ? std::pair(apart, ids[k]) : found;
+      }
     }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("Label");
+  for (const auto& [line, found] : nearest)
+  {
+    const vtkIdType id = points->InsertNextPoint(lines->GetPoint(found.second));
+    vertices->InsertNextCell(1, &id);
+    texts->InsertNextValue(LabelOf(
+      std::get<1>(line), std::get<0>(line), this->StepInUse, this->Grid == GridType::Geographic));
   }
   labels->SetPoints(points);
   labels->SetVerts(vertices);
@@ -291,22 +354,13 @@ int vtkTerrainGraticule::RequestData(
   drape->Update();
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   output->ShallowCopy(drape->GetOutput());
+  vtkPolyData* labels = vtkPolyData::GetData(outputs, 1);
+  this->Label(output, frame, labels);
   if (frame.IsGlobe)
   {
-    const std::unique_ptr<terrain::GlobeGrid> grid = terrain::GlobeData::Get(heights);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(output->GetNumberOfPoints());
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      const double* place = output->GetPoint(i);
-      const glm::dvec3 point = grid->Body.ToPosition(
-        { place[0] * terrain::kDegree, place[1] * terrain::kDegree, place[2] });
-      points->SetPoint(i, point.x, point.y, point.z);
-    }
-    output->SetPoints(points);
+    BendToGlobe(output, heights);
+    BendToGlobe(labels, heights);
   }
-  this->Label(output, vtkPolyData::GetData(outputs, 1));
   return 1;
 }
 

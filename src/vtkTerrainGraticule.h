@@ -10,7 +10,8 @@
  * there is none. Cell arrays: "Value" (1 double: degrees, or metres) and "Axis" (1 int: 0 for lines
  * of constant longitude or easting, 1 for latitude or northing). Output 1: vtkPolyData, one vertex
  * a line at its southern or western end on the surface, with the point array "Label" (strings:
- * "86°30'E", "480 km E").
+ * "86°30'E", "480 km E"). On a globe (vtkTerrainGlobe), which is seen from any side, labels of
+ * meridians stand half a step north of the equator, those of parallels at each quarter turn.
  *
  * Steps are round numbers: degrees, minutes and seconds, or 1, 2, 5 times a power of ten in metres.
  *
@@ -22,6 +23,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"  // For members
 #include "vtkTerrainModule.h" // For export macro
+
+#include <vector> // For private methods
 
 class vtkImageData;
 class vtkTerrainGeoreference;
@@ -101,7 +104,8 @@ private:
   struct Frame;
   bool FindExtent(vtkImageData* heights, Frame& frame);
   vtkSmartPointer<vtkPolyData> MakeLines(const Frame& frame);
-  void Label(vtkPolyData* lines, vtkPolyData* labels) const;
+  std::vector<double> LabelPlaces(const Frame& frame, int axis, double value) const;
+  void Label(vtkPolyData* lines, const Frame& frame, vtkPolyData* labels) const;
 
   vtkSmartPointer<vtkTerrainGeoreference> Georeference;
   GridType Grid = GridType::Geographic;

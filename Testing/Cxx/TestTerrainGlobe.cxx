@@ -349,4 +349,18 @@ TEST(TerrainGlobe, HasAGraticule)
     EXPECT_GT(there[2], 0.0);
   }
   EXPECT_EQ(onLines, lines->GetNumberOfPoints());
+
+  // labels all round: 12 meridians near the equator, 5 parallels at four longitudes, both poles
+  vtkPolyData* labels = graticule->GetOutput(1);
+  EXPECT_EQ(labels->GetNumberOfPoints(), 12 + 5 * 4 + 2);
+  for (vtkIdType i = 0; i < labels->GetNumberOfPoints(); ++i)
+  {
+    double there[3];
+    place->SceneToPlaces(labels->GetPoint(i), there, 1);
+    const bool onMeridian = std::abs(there[1] - 15.0) < 0.5;
+    const bool onParallel = std::abs(std::remainder(there[0] - 15.0, 90.0)) < 0.5;
+    EXPECT_TRUE(onMeridian || onParallel || std::abs(there[1]) > 89.9)
+      << there[0] << " " << there[1];
+    EXPECT_GT(there[2], 0.0);
+  }
 }
