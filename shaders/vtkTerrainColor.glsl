@@ -247,8 +247,9 @@ TerrainPaint terrainPaintSurface(vec2 pixel, TerrainSurface surface)
 #endif
   float shade = terrainHillshade(surface);
   paint = TerrainPaint(shade * paint.add, shade * paint.keep, paint.alpha);
-  return terrainOver(paint, terrainContourColor.rgb,
-    terrainContourColor.a * terrainContourCoverage(pixel, surface));
+  // the faces that cut a block have none: their heights run down, not along the surface
+  float lines = surface.cut ? 0.0 : terrainContourCoverage(pixel, surface);
+  return terrainOver(paint, terrainContourColor.rgb, terrainContourColor.a * lines);
 }
 
 // Paints over the material's colours, which VTK's lights then shade; intensities: those of the property.

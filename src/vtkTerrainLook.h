@@ -225,8 +225,8 @@ public:
 
   ///@{
   /// Draw a solid block from the surface down to a height (default 0), with the technique Pyramid:
-  /// walls along the borders of what is drawn, a floor, and faces where clipping planes cut. Holes
-  /// without data have no walls. Default off.
+  /// walls along the borders of what is drawn, a floor, and faces where clipping planes cut, all
+  /// without contour lines. Holes without data have no walls. Default off.
   void SetBlock(bool show);
   bool GetBlock() const;
   void SetBlockBase(double height);

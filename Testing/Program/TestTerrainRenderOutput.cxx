@@ -5,6 +5,7 @@
 
 #include "vtk_jsoncpp.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -24,6 +25,23 @@ RasterDescription HalfPlain()
   plain.HasNoData = true;
   plain.Sample = [](int, int j) { return j < 20 ? -32767.0 : 3.0; };
   return plain;
+}
+
+/// Part of the pixels whose colours differ by more than a few steps.
+double DifferentPart(const Picture& first, const Picture& second)
+{
+  constexpr int kSteps = 6;
+  int different = 0;
+  for (std::size_t k = 0; k < first.Values.size(); k += 3)
+  {
+    int most = 0;
+    for (std::size_t c = k; c < k + 3; ++c)
+    {
+      most = std::max(most, std::abs(int{ first.Values[c] } - int{ second.Values[c] }));
+    }
+    different += most > kSteps ? 1 : 0;
+  }
+  return different / (static_cast<double>(first.Values.size()) / 3.0);
 }
 
 /// Part of the pixels with a surface in the first whose depth in the second differs by more than a
@@ -86,6 +104,59 @@ TEST_F(TerrainRenderOutput, DepthsLieAlongTheViewingDirection)
   // row 0 is on top, and north is: there is nothing
   EXPECT_TRUE(std::isnan(depths.At(80, 20)));
   EXPECT_TRUE(std::isfinite(depths.At(80, 100)));
+}
+
+// The walls along the edge of the data are those that a raster without a rim has at its borders.
+TEST_F(TerrainRenderOutput, BlocksHaveWallsAlongTheEdgeOfTheData)
+{
+  const auto hills = [](int i, int j)
+  { return 10.0 + 3.0 * std::sin(0.4 * i) * std::cos(0.3 * j); };
+  RasterDescription whole;
+  whole.Width = 31;
+  whole.Height = 25;
+  whole.GeoTransform = { 5.0, 1.0, 0.0, -8.0, 0.0, -1.0 };
+  whole.Sample = hills;
+  RasterDescription rimmed;
+  rimmed.Width = 41;
+  rimmed.Height = 41;
+  rimmed.HasNoData = true;
+  rimmed.Sample = [&hills](int i, int j)
+  { return i < 5 || i > 35 || j < 8 || j > 32 ? -32767.0 : hills(i - 5, j - 8); };
+  for (const char* camera : { "60,-70,30,20,-20,5", "-15,25,12,20,-20,5" })
+  {
+    const std::vector<std::string> options{ "--block", "8", "--camera", camera, "--exaggeration",
+      "1.5" };
+    this->ExpectDrawn(this->Draw(this->WriteRaster("whole.tif", whole), options), 4000);
+    const Depths expected = this->ReadDepths();
+    const Picture picture = this->ReadPicture();
+    const RunResult result = this->Draw(this->WriteRaster("rimmed.tif", rimmed), options);
+    this->ExpectDrawn(result, 4000);
+    EXPECT_EQ(result.Errors, "");
+    EXPECT_LT(DisagreeingPart(expected, this->ReadDepths()), 0.01) << camera;
+    EXPECT_LT(DisagreeingPart(this->ReadDepths(), expected), 0.01) << camera;
+    EXPECT_LT(DifferentPart(picture, this->ReadPicture()), 0.02) << camera;
+  }
+  ExpectDrawn(this->Draw(this->WriteRaster("rimmed.tif", rimmed), { "--block", "8" }), 4000);
+  const RunResult detailed =
+    this->Draw(this->WriteRaster("rimmed.tif", rimmed), { "--block", "8", "--detail", "builtin" });
+  EXPECT_EQ(detailed.Status, 0);
+  EXPECT_NE(detailed.Errors.find("leave out --detail"), std::string::npos) << detailed.Errors;
+}
+
+TEST_F(TerrainRenderOutput, BlocksHaveNoContoursOnTheirWalls)
+{
+  RasterDescription plateau; // no line crosses its top
+  plateau.Width = 31;
+  plateau.Height = 31;
+  plateau.Sample = [](int, int) { return 10.5; };
+  const std::string path = this->WriteRaster("plateau.tif", plateau);
+  const std::vector<std::string> options{ "--block", "10", "--camera", "40,-60,15,15,-15,5" };
+  this->ExpectDrawn(this->Draw(path, options), 4000);
+  const Picture bare = this->ReadPicture();
+  std::vector<std::string> lines = options;
+  lines.insert(lines.end(), { "--contours", "1" });
+  this->ExpectDrawn(this->Draw(path, lines), 4000);
+  EXPECT_EQ(DifferentPart(bare, this->ReadPicture()), 0.0);
 }
 
 TEST_F(TerrainRenderOutput, ExaggerationMovesTheSurface)

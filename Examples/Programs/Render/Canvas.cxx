@@ -229,8 +229,9 @@ vtkSmartPointer<vtkImageData> Canvas::DrawFrames(Statistics& statistics)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> Canvas::DrawDepths(vtkProp* terrain)
+vtkSmartPointer<vtkImageData> Canvas::DrawDepths(vtkProp* terrain, vtkProp* walls)
 {
-  const auto draw = [this, terrain] { return ::DrawDepths(this->Window, this->Renderer, terrain); };
+  const auto draw = [this, terrain, walls]
+  { return ::DrawDepths(this->Window, this->Renderer, terrain, walls); };
   return this->IsTiled() ? this->PutTogether(draw) : draw();
 }

@@ -44,8 +44,8 @@ public:
   /// Draws once.
   vtkSmartPointer<vtkImageData> Draw();
 
-  /// Distances of a prop, as DrawDepths() of Frames.h.
-  vtkSmartPointer<vtkImageData> DrawDepths(vtkProp* terrain);
+  /// Distances of a prop and its walls, as DrawDepths() of Frames.h.
+  vtkSmartPointer<vtkImageData> DrawDepths(vtkProp* terrain, vtkProp* walls = nullptr);
 
 private:
   /// First column and row of a piece in the picture, its margin included; row 0 is the lowest.

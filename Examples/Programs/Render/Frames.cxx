@@ -131,13 +131,13 @@ void TellWindow(vtkRenderWindow* window, Statistics& statistics)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> DrawDepths(
-  vtkRenderWindow* window, vtkRenderer* renderer, vtkProp* terrain)
+  vtkRenderWindow* window, vtkRenderer* renderer, vtkProp* terrain, vtkProp* walls)
 {
   vtkPropCollection* props = renderer->GetViewProps();
   for (int i = 0; i < props->GetNumberOfItems(); ++i)
   {
     auto* prop = static_cast<vtkProp*>(props->GetItemAsObject(i));
-    prop->SetVisibility(prop == terrain);
+    prop->SetVisibility(prop == terrain || prop == walls);
   }
   const vtkNew<vtkTerrainDepthPass> pass;
   renderer->SetPass(pass);

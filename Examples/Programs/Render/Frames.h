@@ -27,9 +27,10 @@ void DrawFrames(vtkRenderWindow* window, vtkRenderer* renderer, int frames, Stat
 /// Tells which window and which driver drew.
 void TellWindow(vtkRenderWindow* window, Statistics& statistics);
 
-/// Distances along the viewing direction of the terrain alone: float scalars, the lowest row first,
-/// NaN where there is no surface. What the window shows is lost. Throws a Failure.
+/// Distances along the viewing direction of the terrain alone, with the walls of its block if there
+/// are any: float scalars, the lowest row first, NaN where there is no surface. What the window
+/// shows is lost. Throws a Failure.
 vtkSmartPointer<vtkImageData> DrawDepths(
-  vtkRenderWindow* window, vtkRenderer* renderer, vtkProp* terrain);
+  vtkRenderWindow* window, vtkRenderer* renderer, vtkProp* terrain, vtkProp* walls = nullptr);
 
 #endif

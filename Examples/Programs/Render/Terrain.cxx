@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Terrain.h"
 
+#include "BlockWalls.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "Options.h"
@@ -9,6 +10,7 @@
 #include "Progress.h"
 #include "Statistics.h"
 
+#include "vtkActor.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -122,6 +124,24 @@ void UseColors(const Terrain& terrain, vtkImageData* heights, const Options& opt
   }
   const std::array<double, 2> range = HeightRange(terrain.Actor, heights);
   terrain.Actor->SetLookupTable(options.Colors.MakeTable(range[0], range[1]));
+}
+
+/// Walls of a block along the edge of the data, or a warning where they would not meet the surface.
+void AddWalls(Terrain& terrain, const ReadHeightsResult& read, const Options& options)
+{
+  if (options.Surface.Block <= 0.0)
+  {
+    return;
+  }
+  terrain.Walls = MakeWallActor(terrain.Actor, read.Image);
+  const bool isFiner = read.Tiles || !options.Detail.File.empty();
+  if (terrain.Walls && isFiner)
+  {
+    terrain.Walls = nullptr;
+    Warn(std::string("--block: there are no walls along the edge of the data: ") +
+      (read.Tiles ? "make the raster smaller (gdal_translate -outsize 50% 50% -r average)"
+                  : "leave out --detail"));
+  }
 }
 
 std::vector<std::string> TextsOf(vtkImageData* heights, const char* name)
@@ -340,7 +360,9 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const
   }
   Terrain terrain;
   terrain.Actor = actor;
-  options.Surface.Apply(actor, HeightRange(actor, heights)[0]);
+  std::array<double, 2> range{}; // of z, which in a round scene is not the height
+  actor->GetHeightRange(range.data());
+  options.Surface.Apply(actor, range[0]);
   terrain.Bounds.SetBounds(actor->GetBounds());
   ThrowOnError(name);
   UseColors(terrain, heights, options);
@@ -350,6 +372,7 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const
   property->SetDiffuse(1.0);
   property->SetSpecular(0.0);
   property->SetLighting(!options.Crossings && !options.Surface.Hillshade);
+  AddWalls(terrain, read, options);
   statistics.AddTime("prepare", watch.GetMilliseconds());
   statistics.SetText("technique", NameOf(options.Search));
   return terrain;

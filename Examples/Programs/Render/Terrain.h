@@ -7,6 +7,7 @@
 #ifndef terrain_render_Terrain_h
 #define terrain_render_Terrain_h
 
+#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkSmartPointer.h"
 #include "vtkTerrainActor.h"
@@ -28,6 +29,8 @@ class TileSource;
 struct Terrain
 {
   vtkSmartPointer<vtkTerrainActor> Actor;
+  /// Walls of a block along the edge of the data; null for none.
+  vtkSmartPointer<vtkActor> Walls;
   /// Of all of the terrain, in world coordinates, whatever part of it the view needs.
   vtkBoundingBox Bounds;
 };

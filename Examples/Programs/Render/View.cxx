@@ -266,6 +266,10 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->AddActor(terrain.Actor);
+  if (terrain.Walls)
+  {
+    renderer->AddActor(terrain.Walls);
+  }
   renderer->GradientBackgroundOn();
   renderer->SetBackground(0.90, 0.93, 0.95);
   renderer->SetBackground2(0.50, 0.66, 0.84);

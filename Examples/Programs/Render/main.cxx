@@ -88,7 +88,7 @@ void WriteMeasures(const Stage& stage, Canvas& canvas, const Options& options,
   CountMisses(stage.Ground, options, canvas, statistics);
   if (depth.IsWanted())
   {
-    WriteDepths(canvas.DrawDepths(stage.Ground.Actor), depth);
+    WriteDepths(canvas.DrawDepths(stage.Ground.Actor, stage.Ground.Walls), depth);
   }
   if (stats.IsWanted())
   {

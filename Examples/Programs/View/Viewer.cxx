@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer.h"
 
+#include "BlockWalls.h"
 #include "Failure.h"
 #include "Messages.h"
 
@@ -225,6 +226,25 @@ void Viewer::AddMesh(vtkImageData* heights)
 }
 
 //------------------------------------------------------------------------------
+void Viewer::AddWalls(vtkImageData* heights, bool areTilesDrawn)
+{
+  this->Walls = MakeWallActor(this->Terrain, heights);
+  if (!this->Walls)
+  {
+    return;
+  }
+  if (areTilesDrawn)
+  {
+    this->Walls = nullptr;
+    Warn("--block: there are no walls along the edge of the data: make the raster smaller "
+         "(gdal_translate -outsize 50% 50% -r average)");
+    return;
+  }
+  this->Walls->PickableOff();
+  this->Renderer->AddActor(this->Walls);
+}
+
+//------------------------------------------------------------------------------
 void Viewer::Connect()
 {
   this->Interactor->SetInteractorStyle(this->Style);
@@ -368,6 +388,14 @@ void Viewer::Refresh()
   this->ScalarBar->SetVisibility(
     this->Terrain->GetColorByHeight() && !this->Terrain->GetTerrainMapper()->GetShowCrossings());
   this->Terrain->PlaceAsDrawn(this->MeshActor);
+  if (this->Walls)
+  {
+    this->Terrain->PlaceAsDrawn(this->Walls);
+    this->Walls->GetMapper()->SetLookupTable(this->Terrain->GetLookupTable());
+    this->Walls->GetMapper()->SetScalarVisibility(this->Terrain->GetColorByHeight());
+    this->Walls->SetVisibility(
+      this->Terrain->GetTechnique() == vtkTerrainActor::Techniques::Pyramid);
+  }
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();
 }

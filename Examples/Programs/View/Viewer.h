@@ -39,6 +39,10 @@ public:
   /// Of heights that have a surface, read from the file `name`, which no picture replaces.
   Viewer(vtkImageData* heights, const std::string& name, int width, int height);
 
+  /// Adds the walls of the terrain's block along the edge of the data of its heights; warns in
+  /// place of that if tiles are drawn, whose surface the walls would not meet.
+  void AddWalls(vtkImageData* heights, bool areTilesDrawn);
+
   /// Names another file that is read, which no picture replaces.
   void KeepFile(const std::string& name)
   {
@@ -102,6 +106,7 @@ private:
   vtkNew<vtkTerrainCoarseMesh> Mesh;
   vtkNew<vtkPolyDataMapper> MeshMapper;
   vtkNew<vtkActor> MeshActor;
+  vtkSmartPointer<vtkActor> Walls;
   vtkNew<vtkTerrainOutputFile> Picture;
 };
 

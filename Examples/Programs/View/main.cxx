@@ -126,6 +126,11 @@ void Show(const Options& options)
   {
     viewer.GetTerrain()->SetLookupTable(options.Colors.MakeTable(range[0], range[1]));
   }
+  if (options.Surface.Block > 0.0)
+  {
+    auto* reader = vtkTerrainRasterReader::SafeDownCast(source);
+    viewer.AddWalls(source->GetOutput(), reader && reader->GetTileSource());
+  }
   if (vtkTerrainHierarchy::IsPreparedFile(options.Heights))
   {
     const vtkNew<vtkTerrainHierarchy> hierarchy;
