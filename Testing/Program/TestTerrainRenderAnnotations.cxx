@@ -260,6 +260,58 @@ TEST_F(TerrainRenderAnnotations, LinesShadeAndBlock)
   EXPECT_GT(CountDifferent(this->DrawPicture({}), this->DrawPicture({ "--block", "500" })), 300);
 }
 
+// Over black ground: dark text on a light panel that grows with the picture and stays within it.
+TEST_F(TerrainRenderAnnotations, LegendsAreReadableOverAnyGround)
+{
+  this->WriteText("black.cpt", "-10000 0/0/0 10000 0/0/0\n");
+  const auto draw = [this](const std::string& size, const std::vector<std::string>& more)
+  {
+    std::vector<std::string> arguments = Above(more);
+    arguments.insert(arguments.end(),
+      { this->Heights, "--colors", "black.cpt", "--view-angle", "1", "--size", size, "--output",
+        "picture.png" });
+    const RunResult result = this->Run(arguments);
+    EXPECT_EQ(result.Status, 0) << result.Errors;
+    return this->ReadPicture();
+  };
+  // pixels that are not the ground's, of them those of the panel; and their first column
+  struct Legend
+  {
+    int Others = 0;
+    int Panel = 0;
+    int First = 0;
+  };
+  const auto find = [](const Picture& picture)
+  {
+    Legend legend;
+    legend.First = picture.Width;
+    for (int column = 0; column < picture.Width; ++column)
+    {
+      for (int row = 0; row < picture.Height; ++row)
+      {
+        const int red = picture.At(column, row, 0);
+        legend.Others += red > 0 ? 1 : 0;
+        legend.Panel += red > 180 ? 1 : 0;
+        legend.First = red > 0 ? std::min(legend.First, column) : legend.First;
+      }
+    }
+    return legend;
+  };
+  ASSERT_EQ(find(draw("400x300", {})).Others, 0);
+  const Legend plain = find(draw("400x300", { "--legend" }));
+  EXPECT_GT(plain.Panel, 4000);
+  EXPECT_GT(plain.Others - plain.Panel, 400); // the text and the frame of the bar
+  EXPECT_GT(plain.First, 280);
+  const Legend large = find(draw("800x600", { "--legend" }));
+  EXPECT_NEAR(large.Panel, 4.0 * plain.Panel, 0.6 * plain.Panel);
+  const Legend wrapped = find(
+    draw("400x300", { "--legend=Height above the sea in metres, as the survey of 2019 has it" }));
+  EXPECT_GT(wrapped.First, 200);
+  EXPECT_GT(wrapped.Panel, plain.Panel);
+  const Legend word = find(draw("400x300", { "--legend=" + std::string(200, 'm') }));
+  EXPECT_GT(word.First, 2);
+}
+
 TEST_F(TerrainRenderAnnotations, PictureOfAnotherSystem)
 {
   // in UTM, over the western part of the ridge only: red, green in its northern half, and a corner
