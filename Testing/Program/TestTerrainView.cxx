@@ -106,6 +106,35 @@ TEST_F(TerrainView, ShowsTheTerrainAndHelp)
   this->Quit();
 }
 
+// A plateau in a rim without data: its walls are new, in front of its edge.
+TEST_F(TerrainView, ShowsWallsAlongTheEdgeOfTheData)
+{
+  if (!this->Screen.IsThere())
+  {
+    GTEST_SKIP() << "there is no Xvfb here";
+  }
+  RasterDescription plateau;
+  plateau.Width = 41;
+  plateau.Height = 41;
+  plateau.HasNoData = true;
+  plateau.Sample = [](int i, int j)
+  { return i < 5 || i > 35 || j < 5 || j > 35 ? -32767.0 : 10.0 + 0.01 * i; };
+  const std::string path = this->WriteRaster("plateau.tif", plateau);
+  const auto show = [&](const std::string& block)
+  {
+    EXPECT_TRUE(this->Screen.Start({ TERRAIN_VIEW_PROGRAM, path, "--width", std::to_string(kWidth),
+                                     "--height", std::to_string(kHeight), "--block", block },
+      this->Folder, this->Path("stdout.txt"), "terrain-view"));
+    Screenshot shown = this->Screen.CaptureStill();
+    this->Quit();
+    return shown;
+  };
+  const Screenshot thin = show("0.001");
+  const Screenshot thick = show("10");
+  thick.Write(this->Path("thick.png"));
+  EXPECT_GT(thick.CountDifferent(thin), kMany / 2);
+}
+
 // Of a prepared file the same picture, and its place on earth; with strips, too.
 TEST_F(TerrainView, ShowsPreparedFiles)
 {
