@@ -80,7 +80,9 @@ std::string StandObservers(const View& view, const terrain::ObserverPlaces& plac
       observers.push_back(observer);
     }
   }
-  return observers.empty() ? "there are no observers" : std::string();
+  return observers.empty()
+    ? "there are no observers: no sample with a height lies inside of an area"
+    : std::string();
 }
 
 /// NaN where there is no height, and where no rise would do.
@@ -161,6 +163,10 @@ std::string vtkTerrainViewshed::WhyNot() const
           : !isRange(this->AzimuthRange) ? "azimuths (north is 0 and 360, as in 315 to 405)"
                                          : "elevations") +
       " must go from a number to one that is not less";
+  }
+  if (this->AzimuthRange[1] - this->AzimuthRange[0] > 360.0)
+  {
+    return "the range of azimuths must not be wider than 360 degrees";
   }
   return {};
 }

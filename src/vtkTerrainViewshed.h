@@ -6,7 +6,8 @@
  *
  * Input: port 0, vtkImageData of W x H x 1 points whose scalars are heights. Port 1, vtkPointSet in
  * the same coordinates: an observer stands at every point, on the ground whatever its z is, along
- * the lines of vtkPolyData (a road), and inside of its polygons (an area), see ObserverSpacing.
+ * the lines of vtkPolyData (a road), and at the samples inside of its polygons (an area), see
+ * ObserverSpacing. Points that are corners of polygons alone are no observers.
  *
  * Output: the image with the point arrays
  * | array | what |
@@ -109,7 +110,7 @@ public:
 
   ///@{
   /// Directions of what is seen, degrees clockwise from grid north, from the first clockwise to the
-  /// last; default 0 to 360, all.
+  /// last, over at most 360; default 0 to 360, all.
   vtkSetVector2Macro(AzimuthRange, double);
   vtkGetVector2Macro(AzimuthRange, double);
   ///@}

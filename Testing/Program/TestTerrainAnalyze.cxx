@@ -341,7 +341,7 @@ TEST_F(TerrainAnalyze, ViewshedOfARoadAnAreaAndAFile)
   const Bands area = this->Map({ "viewshed", path, "--area",
     "500101,4999791 500119,4999791 500119,4999809 500101,4999809", "--rise" });
   ASSERT_EQ(area.Count, 2);
-  EXPECT_EQ(area.At(1, 5, 5), 4.0f + 4.0f); // its corners and the samples inside
+  EXPECT_EQ(area.At(1, 5, 5), 4.0f); // the samples inside, not the corners
   EXPECT_EQ(area.At(2, 5, 5), 0.0f);
   EXPECT_GT(area.At(2, 45, 20), 50.0f);
   std::ofstream(this->Path("road.geojson"))
@@ -365,6 +365,14 @@ TEST_F(TerrainAnalyze, ViewshedOfARoadAnAreaAndAFile)
   refuse({ "--line", "500105,4999795 here" }, "here");
   refuse({ "--observers", "nowhere.geojson" }, "nowhere.geojson");
   refuse({ "--observer", "500105,4999795", "--azimuth", "90,10" }, "azimuths");
+  refuse({ "--observer", "500105,4999795", "--azimuth", "0,1000" }, "360 degrees");
+  // no sample lies inside of these
+  refuse({ "--area", "500106,4999796 500107,4999796 500107,4999797" }, "no sample");
+  refuse({ "--area", "500106,4999796 500106,4999796 500106,4999796" }, "no sample");
+  ExpectRefused(this->Analyze({ "viewshed", path, "--quiet", "--output", "none.tif", "--observer",
+                  "500105,4999795,300" }),
+    2, "--observer");
+  EXPECT_EQ(this->ListFiles(), before);
 }
 
 TEST_F(TerrainAnalyze, SaysHowToGoOnWithoutMemory)

@@ -27,9 +27,15 @@ public:
 
   ObserverPlaces Find()
   {
+    const std::vector<bool> areCorners = this->FindCorners();
     for (vtkIdType i = 0; i < this->Observers->GetNumberOfPoints(); ++i)
     {
-      this->Found.Fixed.push_back(this->ToGrid(i));
+      const glm::dvec2 place = this->ToGrid(i);
+      // what is not finite stays, to be refused
+      if (!areCorners[static_cast<std::size_t>(i)] || !std::isfinite(place.x + place.y))
+      {
+        this->Found.Fixed.push_back(place);
+      }
     }
     if (auto* poly = vtkPolyData::SafeDownCast(this->Observers))
     {
@@ -40,6 +46,33 @@ public:
   }
 
 private:
+  /// For each point whether it is a corner of polygons, and of no line or vertex.
+  std::vector<bool> FindCorners() const
+  {
+    std::vector<bool> corners(static_cast<std::size_t>(this->Observers->GetNumberOfPoints()));
+    const auto mark = [&corners](vtkCellArray* cells, bool value)
+    {
+      auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+      for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+      {
+        vtkIdType count = 0;
+        const vtkIdType* ids = nullptr;
+        cell->GetCurrentCell(count, ids);
+        for (vtkIdType k = 0; k < count; ++k)
+        {
+          corners[static_cast<std::size_t>(ids[k])] = value;
+        }
+      }
+    };
+    if (auto* poly = vtkPolyData::SafeDownCast(this->Observers))
+    {
+      mark(poly->GetPolys(), true);
+      mark(poly->GetLines(), false);
+      mark(poly->GetVerts(), false);
+    }
+    return corners;
+  }
+
   glm::dvec2 ToGrid(vtkIdType point) const
   {
     double p[3];

@@ -31,8 +31,9 @@ struct ObserverPlaces
   bool TooMany = false;
 };
 
-/// The places of a point set: its points; between them along the lines of vtkPolyData; and inside
-/// of its polygons (even-odd rule) at the samples of the grid. spacing: greatest distance between
+/// The places of a point set: its points, but for those that are corners of polygons and nothing
+/// else; between them along the lines of vtkPolyData; and inside of its polygons (even-odd rule) at
+/// the samples of the grid. spacing: greatest distance between
 /// places along lines, and distance of those in areas, in units of the frame's model coordinates;
 /// 0 for one cell.
 ObserverPlaces FindObserverPlaces(

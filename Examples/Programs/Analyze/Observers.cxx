@@ -13,6 +13,7 @@
 #include <vtkTerrainGeoreference.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -78,6 +79,14 @@ private:
   vtkNew<vtkCellArray> Areas;
 };
 
+/// "X,Y"; false for any other text.
+bool ReadCorner(const std::string& text, std::array<double, 2>& corner)
+{
+  char rest = 0;
+  return std::sscanf(text.c_str(), "%lf,%lf%c", &corner[0], &corner[1], &rest) == 2 &&
+    std::isfinite(corner[0]) && std::isfinite(corner[1]);
+}
+
 /// "X,Y X,Y ...".
 Corners ParseCorners(const std::string& option, const std::string& text, std::size_t least)
 {
@@ -86,11 +95,9 @@ Corners ParseCorners(const std::string& option, const std::string& text, std::si
   for (std::string word; words >> word;)
   {
     std::array<double, 2> corner{};
-    char rest = 0;
-    if (std::sscanf(word.c_str(), "%lf,%lf%c", &corner[0], &corner[1], &rest) != 2)
+    if (!ReadCorner(word, corner))
     {
-      std::string why = option;
-      throw Failure(why.append(": \"").append(word).append("\" is not X,Y"));
+      throw Failure(option, WhyNotCorner(word));
     }
     corners.push_back(corner);
   }
@@ -104,12 +111,21 @@ Corners ParseCorners(const std::string& option, const std::string& text, std::si
 }
 
 //------------------------------------------------------------------------------
+std::string WhyNotCorner(const std::string& text)
+{
+  std::array<double, 2> corner{};
+  return ReadCorner(text, corner)
+    ? std::string()
+    : "'" + text + "' is not X,Y: two numbers, for observers stand on the ground";
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeObservers(const ObserverOptions& options, vtkImageData* heights)
 {
   Collector observers(heights);
-  for (std::size_t i = 0; i + 1 < options.Points.size(); i += 2)
+  for (const std::string& point : options.Points)
   {
-    observers.Add(Kind::Point, { { options.Points[i], options.Points[i + 1] } });
+    observers.Add(Kind::Point, ParseCorners("--observer", point, 1));
   }
   for (const std::string& line : options.Lines)
   {

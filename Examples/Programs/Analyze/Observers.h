@@ -17,14 +17,17 @@
 /// Observers in the CRS of the heights.
 struct ObserverOptions
 {
-  /// X and y of each, one after the other.
-  std::vector<double> Points;
+  /// "X,Y" each.
+  std::vector<std::string> Points;
   /// Corners, "X,Y X,Y ...".
   std::vector<std::string> Lines;
   std::vector<std::string> Areas;
   /// Vectors that GDAL opens, in any CRS: points, lines and polygons, whose holes count as inside.
   std::vector<std::string> Files;
 };
+
+/// Why a text is not "X,Y", two finite numbers; empty if it is.
+std::string WhyNotCorner(const std::string& text);
 
 /// Points, lines and polygons in the scene of heights. Throws Failure.
 vtkSmartPointer<vtkPolyData> MakeObservers(const ObserverOptions& options, vtkImageData* heights);

@@ -156,8 +156,10 @@ private:
     command
       ->add_option("--observer", viewshed.Observers.Points,
         "X,Y in the CRS of HEIGHTS; may be given again for more observers")
-      ->delimiter(',')
-      ->expected(2, CLI::detail::expected_max_vector_size);
+      ->type_name("X,Y")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(CLI::Validator(WhyNotCorner, ""));
     command->add_option("--line", viewshed.Observers.Lines,
       "\"X,Y X,Y ...\": observers along it, a cell apart; may be given again");
     command->add_option("--area", viewshed.Observers.Areas,
