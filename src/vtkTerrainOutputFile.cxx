@@ -8,6 +8,8 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 class vtkTerrainOutputFile::vtkInternals
@@ -80,8 +82,20 @@ bool vtkTerrainOutputFile::Write(const void* bytes, std::size_t size)
 //------------------------------------------------------------------------------
 bool vtkTerrainOutputFile::Commit()
 {
-  return this->Finish(
+  const bool replaces = this->Internals->File.ReplacesFile();
+  const std::string target = this->Internals->File.GetTarget();
+  const bool done = this->Finish(
     this->Internals->File.IsOpen() ? this->Internals->File.Commit() : "the file is not open");
+  for (const char* suffix : { ".aux.xml", ".ovr", ".msk" })
+  {
+    const std::string companion = target + suffix;
+    std::error_code error;
+    if (done && replaces && this->FindInput(companion).empty())
+    {
+      std::filesystem::remove(companion, error);
+    }
+  }
+  return done;
 }
 
 //------------------------------------------------------------------------------

@@ -12,7 +12,8 @@
  * Refused, with one sentence: a path that is one of the inputs (AddInput); what exists and is no
  * regular file, such as a device, a pipe or a directory; a file that may not be written; a symbolic
  * link to nothing. Other symbolic links are followed: the target is replaced, and the link stays.
- * A file that is replaced hands its permissions on.
+ * A file that is replaced hands its permissions on. What GDAL kept beside it (.aux.xml, .ovr, .msk:
+ * its statistics, overviews and mask) goes with it, unless it is an input.
  *
  * @code{.cpp}
  * vtkNew<vtkTerrainOutputFile> file;

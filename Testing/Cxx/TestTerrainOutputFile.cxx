@@ -99,6 +99,23 @@ TEST_F(TerrainOutputFile, NeverReplacesARasterOrItsSidecars)
   ExpectReplaced("", this->Path("new"));
 }
 
+// Statistics, overviews and masks of what was there before would be taken for the new file's.
+TEST_F(TerrainOutputFile, ReplacesWhatGDALKeptBesideAFile)
+{
+  const std::string raster = WriteTile(this->Path("a.tif"), 0.0);
+  WriteText(this->Path("a.tif.msk"), "a mask");
+  WriteText(this->Path("a.tif.txt"), "a note");
+  const std::string overviews = WriteTile(this->Path("a.tif.ovr"), 0.0); // an input of its own
+  ExpectReplaced(overviews, raster);
+  EXPECT_FALSE(fs::exists(this->Path("a.tif.aux.xml")));
+  EXPECT_FALSE(fs::exists(this->Path("a.tif.msk")));
+  EXPECT_TRUE(fs::exists(this->Path("a.tif.txt")));
+  EXPECT_TRUE(fs::exists(overviews));
+  WriteText(this->Path("b.tif.aux.xml"), "of nothing");
+  ExpectReplaced("", this->Path("b.tif"));
+  EXPECT_TRUE(fs::exists(this->Path("b.tif.aux.xml"))); // nothing was replaced
+}
+
 TEST_F(TerrainOutputFile, NeverReplacesTheHeaderOfARaster)
 {
   WriteText(

@@ -56,6 +56,11 @@ public:
   {
     return this->Descriptor >= 0;
   }
+  /// True if there was a file of this name when the partial file was made.
+  bool ReplacesFile() const
+  {
+    return this->Permissions >= 0;
+  }
   int GetDescriptor() const
   {
     return this->Descriptor;
