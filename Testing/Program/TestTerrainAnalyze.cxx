@@ -459,6 +459,8 @@ TEST_F(TerrainAnalyze, RefusesInOneLineAndLeavesNothing)
     EXPECT_EQ(this->ListFiles(), before);
   };
   refuse({ "horizon", "nowhere.tif" }, "nowhere.tif");
+  ExpectRefused(this->Analyze({ "horizon", "--output=", ramp }), 2, "--output");
+  ExpectRefused(this->Analyze({ "horizon", "", "--output", "map.tif" }), 2, "HEIGHTS");
   refuse({ "horizon", ramp, "--directions", "0" }, "1 to 3600");
   refuse({ "horizon", ramp, "--directions", "1000000" }, "1 to 3600");
   refuse({ "sunlight", ramp, "--date", "tomorrow" }, "tomorrow");

@@ -97,7 +97,7 @@ TEST_F(TerrainBench, RefusesWhatItCannotDo)
   const std::vector<std::pair<std::vector<std::string>, std::string>> refused{ { {}, "--report" },
     { { "--report" }, "--report" }, { { "--report", "r", "--largest", "5" }, "--largest" },
     { { "--report", "r", "--frames", "0" }, "--frames" },
-    { { "--report", "r", "--frames", "nan" }, "--frames" },
+    { { "--report", "r", "--frames", "nan" }, "--frames" }, { { "--report=", "r" }, "--report" },
     { { "--report", "r", "--only", "everything" }, "everything" } };
   for (const auto& [arguments, word] : refused)
   {

@@ -189,6 +189,8 @@ TEST_F(TerrainPrepareMesh, RefusesInOneSentence)
   this->ExpectPrepareRefused({ hill, "--mesh", "hill.stl", "--error", "nan" }, 2, "--error");
   this->ExpectPrepareRefused({ hill, "--mesh", "hill.stl", "--print", "-nan" }, 2, "--print");
   this->ExpectPrepareRefused({ hill, "out.hierarchy", "--nodata", "nan" }, 2, "--nodata");
+  this->ExpectPrepareRefused({ "--mesh=", hill }, 2, "--mesh");
+  this->ExpectPrepareRefused({ "", "out.hierarchy" }, 2, "HEIGHTS");
   this->ExpectPrepareRefused({ hill, "--mesh", "hill.stl", "--texture", "photo.txt" }, 2, ".glb");
   this->ExpectPrepareRefused(
     { hill, "--mesh", "hill.glb", "--texture", "photo.txt" }, 2, "photo.txt");

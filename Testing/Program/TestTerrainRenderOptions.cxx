@@ -100,9 +100,11 @@ const std::vector<WrongArguments> kWrong = { { { "--size", "0x720" }, "--size" }
   { { "--sun-angle", "91" }, "--sun-angle" }, { { "--sky-light=-1" }, "--sky-light" },
   { { "--contours", "0" }, "--contours" }, { { "--block", "-5" }, "--block" },
   { { "--block", "100", "--technique", "mesh" }, "pyramid" },
-  { { "--hillshade", "--shadows" }, "--hillshade" }, { { "--contours", "nan" }, "--contours" },
-  { { "--block", "NaN" }, "--block" }, { { "--sun-angle", "-nan" }, "--sun-angle" },
-  { { "--sky-light=nan" }, "--sky-light" } };
+  { { "--hillshade", "--shadows" }, "--hillshade" }, { { "" }, "HEIGHTS" },
+  { { "--legend=" }, "--legend" }, { { "--output=", "a.png" }, "--output" },
+  { { "--output", "a.webp" }, ".jpg" }, { { "--output", "a.tif" }, ".png" },
+  { { "--contours", "nan" }, "--contours" }, { { "--block", "NaN" }, "--block" },
+  { { "--sun-angle", "-nan" }, "--sun-angle" }, { { "--sky-light=nan" }, "--sky-light" } };
 }
 
 TEST_F(TerrainRenderOptions, WrongOnesAreRefused)

@@ -82,6 +82,28 @@ TEST_F(TerrainRenderOutput, PictureHasTheSizeAskedFor)
   }
 }
 
+TEST_F(TerrainRenderOutput, PicturesAreWhatTheirNamesSay)
+{
+  const std::string hill = this->WriteHill();
+  ASSERT_EQ(this->Run({ hill, "--size", "160x120", "--output", "a.png" }).Status, 0);
+  for (const char* name : { "a.jpg", "a.JPEG" })
+  {
+    const RunResult result = this->Run({ hill, "--size", "160x120", "--output", name });
+    ASSERT_EQ(result.Status, 0) << result.Errors;
+    EXPECT_EQ(this->ReadText(name).substr(0, 3), "\xFF\xD8\xFF");
+    // nearly the same colours
+    const Picture exact = this->ReadPicture("a.png");
+    const Picture picture = this->ReadPicture(name);
+    ASSERT_EQ(picture.Values.size(), exact.Values.size());
+    double sum = 0.0;
+    for (std::size_t k = 0; k < exact.Values.size(); ++k)
+    {
+      sum += std::abs(int{ exact.Values[k] } - int{ picture.Values[k] });
+    }
+    EXPECT_LT(sum / static_cast<double>(exact.Values.size()), 3.0);
+  }
+}
+
 TEST_F(TerrainRenderOutput, DepthsLieAlongTheViewingDirection)
 {
   // straight down from 400 above the plain: the same depth everywhere, not longer off the middle

@@ -274,7 +274,7 @@ TEST_F(TerrainRenderPlaces, LargePartsOfTheEarthStayMaps)
   const std::string path = this->WriteRaster("half.tif", half);
   const RunResult result = this->Draw(path, { "--frame", "map", "--stats", "stats.json" });
   this->ExpectDrawn(result, 1000);
-  EXPECT_NE(result.Errors.find("--frame local"), std::string::npos) << result.Errors;
+  EXPECT_NE(result.Errors.find("--frame globe"), std::string::npos) << result.Errors;
   EXPECT_EQ(this->ReadStatistics()["columns"].asInt(), 180);
   this->ExpectDrawn(this->Draw(path, { "--frame", "local" }), 1000);
   // what needs places says that there are none in this map
@@ -409,7 +409,9 @@ TEST_F(TerrainRenderPlaces, EyeAboveTheGround)
                         Text(PlaceAt(kDegrees, 30.0, 20.0), "0") }),
     100);
   this->ExpectRefusal(
-    path, { "--look-from", "12,47,500agl", "--look-at", Text(place, "0") }, "12,47");
+    path, { "--look-from", "12,47,500agl", "--look-at", Text(place, "0") }, "--look-from: '12,47");
+  this->ExpectRefusal(
+    path, { "--look-from", Text(place, "500agl"), "--look-at", "12,47" }, "--look-at: '12,47");
   this->ExpectRefusal(
     path, { "--look-from", Text(place, "0"), "--look-at", Text(place, "0") }, "same place");
 }

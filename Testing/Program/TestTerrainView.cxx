@@ -246,6 +246,9 @@ TEST_F(TerrainView, RefusesWhatItCannotShow)
   ExpectRefused(run({ hill }), 1, "DISPLAY");
   ExpectRefused(run({ "--exaggeration", "-1" }), 2, "--exaggeration");
   ExpectRefused(run({ "--nonsense" }), 2, "--nonsense");
+  ExpectRefused(run({ "" }), 2, "HEIGHTS");
+  ExpectRefused(run({ "--colors=", hill }), 2, "--colors");
+  ExpectRefused(run({ hill, "--hillshade", "--shadows" }), 2, "--hillshade");
   for (const char* option : { "--exaggeration", "--sun-angle", "--contours", "--block" })
   {
     ExpectRefused(run({ option, "nan" }), 2, option);

@@ -5,6 +5,7 @@
 // Exit status 0; 2 for a wrong command line; 1 otherwise, with one line on stderr that names the
 // file and the reason, and no output left behind.
 #include "Derivatives.h"
+#include "EmptyValues.h"
 #include "Ending.h"
 #include "Light.h"
 #include "NotNumbers.h"
@@ -53,6 +54,7 @@ public:
   {
     try
     {
+      RefuseEmptyValues(argc, argv);
       this->App.parse(argc, argv);
       RefuseNotANumber(this->App);
     }
@@ -81,7 +83,9 @@ private:
     const std::string& name, const std::string& text, const std::function<void()>& run)
   {
     CLI::App* command = this->App.add_subcommand(name, text);
-    command->add_option("HEIGHTS", this->Raster.Heights, "Any raster that GDAL opens")->required();
+    command->add_option("HEIGHTS", this->Raster.Heights, "Any raster that GDAL opens")
+      ->required()
+      ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
     this->Raster.Input.Declare(*command);
     command->add_flag("--quiet", this->Raster.Quiet, "No progress bar, no warnings");
     if (name != "line-of-sight")

@@ -3,6 +3,7 @@
 // terrain-bench --report DIR: measures this machine, and writes DIR/index.html and DIR/report.json.
 //
 // Exit status 0; 2 for a wrong command line; 1 otherwise, with one line on stderr.
+#include "EmptyValues.h"
 #include "Ending.h"
 #include "Failure.h"
 #include "Messages.h"
@@ -156,6 +157,7 @@ int RunCommandLine(int argc, char** argv)
   Declare(app, options);
   try
   {
+    RefuseEmptyValues(argc, argv);
     app.parse(argc, argv);
     RefuseNotANumber(app);
   }

@@ -33,6 +33,12 @@ std::string WhyNoUnit(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+std::string HeightOptions::WhyNotFile(const std::string& name)
+{
+  return name.empty() ? "needs the name of a file" : "";
+}
+
+//------------------------------------------------------------------------------
 void HeightOptions::Declare(CLI::App& app)
 {
   const char* const group = "What the file does not say";

@@ -31,6 +31,9 @@ struct HeightOptions
   std::string HeightUnit;
   bool Flip = false;
 
+  /// The option HEIGHTS must not be empty, as a variable that is not set makes it. Returns why not.
+  static std::string WhyNotFile(const std::string& name);
+
   /// Adds the options to a command line, which fills this object and refuses what is no value.
   void Declare(CLI::App& app);
   void Apply(vtkTerrainRasterReader* reader) const;

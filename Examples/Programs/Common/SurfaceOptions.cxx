@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceOptions.h"
 
+#include "LightOptions.h"
+
 #include <vtkOpenGLTerrainMapper.h>
 #include <vtkTerrainActor.h>
 
@@ -26,6 +28,16 @@ void SurfaceOptions::Declare(CLI::App& app)
       "--block", this->Block, "a solid block down to so many metres below the lowest height")
     ->type_name("DEPTH")
     ->check(CLI::Range(kLeast, kMost).description(""));
+}
+
+//------------------------------------------------------------------------------
+void SurfaceOptions::CheckLight(const LightOptions& light) const
+{
+  if (this->Hillshade && (light.Shadows || light.SkyLight > 0.0 || !light.Sun.empty()))
+  {
+    throw CLI::ValidationError(
+      "--hillshade", "has no sun and no lights: leave out --sun, --shadows and --sky-light");
+  }
 }
 
 //------------------------------------------------------------------------------

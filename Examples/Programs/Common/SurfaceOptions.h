@@ -7,6 +7,7 @@
 #ifndef terrain_common_SurfaceOptions_h
 #define terrain_common_SurfaceOptions_h
 
+struct LightOptions;
 class vtkTerrainActor;
 namespace CLI
 {
@@ -23,6 +24,9 @@ struct SurfaceOptions
 
   /// Adds the options to a command line, which fills this object and refuses what is no value.
   void Declare(CLI::App& app);
+
+  /// Throws a CLI::ValidationError if a light is asked for that these options leave out.
+  void CheckLight(const LightOptions& light) const;
 
   /// Draws a terrain with them, whose lowest height is given. Property and lights are left alone.
   void Apply(vtkTerrainActor* terrain, double lowest) const;

@@ -6,6 +6,7 @@
 // Reads the raster from north to south in bands of rows, so it never is in memory as a whole.
 // Exit status 0; 2 for a wrong command line; 1 otherwise, with one line on stderr that names the
 // file and the reason, and no output left behind.
+#include "EmptyValues.h"
 #include "Ending.h"
 #include "HeightOptions.h"
 #include "MeshOptions.h"
@@ -268,7 +269,8 @@ int Run(int argc, char** argv)
   bool check = false;
   bool quiet = false;
   app.add_option("HEIGHTS", heights, "Any raster that GDAL opens; with --check a prepared file")
-    ->required();
+    ->required()
+    ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
   app.add_option("OUT", out, "The prepared file");
   app.add_flag("--check", check, "Check all of a prepared file, write nothing");
   app.add_flag("--quiet", quiet, "No progress bar, no warnings");
@@ -278,6 +280,7 @@ int Run(int argc, char** argv)
   AddMeshOptions(app, mesh);
   try
   {
+    RefuseEmptyValues(argc, argv);
     app.parse(argc, argv);
     RefuseNotANumber(app);
     const bool writes = !out.empty() || !mesh.Path.empty();

@@ -4,6 +4,7 @@
 
 #include "Arguments.h"
 #include "Day.h"
+#include "EmptyValues.h"
 #include "NotNumbers.h"
 #include "Outputs.h"
 #include "SceneFile.h"
@@ -134,14 +135,15 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   const auto add = [&app](const char* name, auto& value, const char* type, const char* help)
   { return app.add_option(name, value, help)->type_name(type); };
   add("HEIGHTS", options.Heights, "FILE",
-    "file of heights, any raster GDAL opens; the built-in landscape without");
+    "file of heights, any raster GDAL opens; the built-in landscape without")
+    ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
   add("--memory", texts.Memory, "MIB",
     "most memory for a raster that is larger than a texture; default 1024");
   add("--largest-texture", texts.LargestTexture, "SAMPLES",
     "samples a side above which a raster is drawn from tiles; default and most 16384");
   app.add_flag("--no-cache", options.NoCache,
     "neither use nor keep the levels of such a raster (~/.cache/vtkterrain)");
-  add("--output", options.Output, "FILE", "picture, PNG; default terrain.png");
+  add("--output", options.Output, "FILE", "picture, .png or .jpg; default terrain.png");
   add("--size", texts.Size, "WIDTHxHEIGHT", "of the picture in pixels; default 1280x720");
   add("--piece", texts.Piece, "PIXELS",
     "largest side that is drawn at once: larger pictures are drawn in pieces; default 4096");
@@ -332,11 +334,7 @@ void CheckTechnique(const Options& options)
   {
     Refuse("--block", "is for the technique pyramid only");
   }
-  const LightOptions& light = options.Light;
-  if (options.Surface.Hillshade && (light.Shadows || light.SkyLight > 0.0 || !light.Sun.empty()))
-  {
-    Refuse("--hillshade", "has no sun and no lights: leave out --sun, --shadows and --sky-light");
-  }
+  options.Surface.CheckLight(options.Light);
   if (options.Wireframe && !strips)
   {
     Refuse("--wireframe", "is for the technique strips only");
@@ -410,6 +408,11 @@ void CheckFiles(const Options& options)
     }
     paths.push_back(path);
   }
+  const std::string why = options.Flight.IsWanted() ? std::string() : WhyNotPicture(options.Output);
+  if (!why.empty())
+  {
+    Refuse("--output", why);
+  }
 }
 
 SceneNames NamesOfScene()
@@ -452,6 +455,7 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
   {
     Declare(app, options, texts);
     scene.Declare(app, NamesOfScene());
+    RefuseEmptyValues(argc, argv);
     app.parse(argc, argv);
     RefuseNotANumber(app);
     options.Scene = scene.GetInput();

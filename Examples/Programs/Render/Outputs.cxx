@@ -5,9 +5,11 @@
 #include "Failure.h"
 
 #include "vtkImageData.h"
+#include "vtkJPEGWriter.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -17,9 +19,11 @@
 #include <gdal.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -53,8 +57,8 @@ std::uint32_t ChecksumFrom(const std::vector<unsigned char>& bytes, std::size_t 
   return ~sum;
 }
 
-/// The chunk pHYs, which has pixels per metre.
-std::vector<unsigned char> DotsChunk(double dots)
+/// Adds the chunk pHYs, which has pixels per metre.
+void TellDotsOfPNG(std::vector<unsigned char>& png, double dots)
 {
   constexpr double kMetresPerInch = 0.0254;
   constexpr std::uint32_t kDotsLength = 9;
@@ -66,7 +70,49 @@ std::vector<unsigned char> DotsChunk(double dots)
   AppendNumber(chunk, perMetre);
   chunk.push_back(1);
   AppendNumber(chunk, ChecksumFrom(chunk, sizeof(std::uint32_t)));
-  return chunk;
+  png.insert(png.begin() + static_cast<std::ptrdiff_t>(std::min(kBeforeDots, png.size())),
+    chunk.begin(), chunk.end());
+}
+
+/// Sets the density in the header of JFIF: a unit, then columns and rows an inch.
+void TellDotsOfJPEG(std::vector<unsigned char>& jpeg, double dots)
+{
+  constexpr std::size_t kUnit = 13;
+  constexpr std::size_t kNumbers = 4;
+  const auto whole = static_cast<std::uint16_t>(std::lround(dots));
+  if (jpeg.size() > kUnit + kNumbers)
+  {
+    jpeg[kUnit] = 1;
+    for (std::size_t k = 1; k <= kNumbers; ++k)
+    {
+      jpeg[kUnit + k] = static_cast<unsigned char>(k % 2 == 1 ? whole >> 8 : whole & 0xFF);
+    }
+  }
+}
+
+/// In small letters.
+std::string SuffixOf(const std::string& name)
+{
+  std::string suffix = std::filesystem::path(name).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return suffix;
+}
+
+bool IsJPEG(const std::string& name)
+{
+  const std::string suffix = SuffixOf(name);
+  return suffix == ".jpg" || suffix == ".jpeg";
+}
+
+/// The bytes of a file with a picture; null or empty if they cannot be had.
+template <typename Writer>
+vtkSmartPointer<vtkUnsignedCharArray> Encode(vtkImageData* picture, Writer* writer)
+{
+  writer->SetInputData(picture);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  return writer->GetResult();
 }
 
 /// The rows of the image from the top down, into the band.
@@ -120,6 +166,15 @@ void PendingFile::Commit() const
 }
 
 //------------------------------------------------------------------------------
+std::string WhyNotPicture(const std::string& name)
+{
+  const std::string suffix = SuffixOf(name);
+  return suffix.empty() || suffix == ".png" || IsJPEG(name)
+    ? std::string()
+    : "'" + name + "' is neither .png nor .jpg: pictures are written as PNG or JPEG";
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> CapturePicture(vtkRenderWindow* window)
 {
   const vtkNew<vtkWindowToImageFilter> capture;
@@ -134,25 +189,30 @@ vtkSmartPointer<vtkImageData> CapturePicture(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 void WritePicture(vtkImageData* picture, double dots, const PendingFile& file, PictureUse use)
 {
-  const vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(picture);
-  writer->WriteToMemoryOn();
-  writer->SetCompressionLevel(use == PictureUse::Passing ? 1 : 5);
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
+  const bool isJPEG = IsJPEG(file.GetPath());
+  vtkSmartPointer<vtkUnsignedCharArray> bytes;
+  if (isJPEG)
+  {
+    const vtkNew<vtkJPEGWriter> writer;
+    bytes = Encode(picture, writer.Get());
+  }
+  else
+  {
+    const vtkNew<vtkPNGWriter> writer;
+    writer->SetCompressionLevel(use == PictureUse::Passing ? 1 : 5);
+    bytes = Encode(picture, writer.Get());
+  }
   if (!bytes || bytes->GetNumberOfValues() == 0)
   {
     file.Fail("the picture could not be encoded");
   }
   const auto size = static_cast<std::size_t>(bytes->GetNumberOfValues());
-  const std::size_t head = dots > 0.0 ? std::min(kBeforeDots, size) : 0;
-  file.Write(bytes->GetPointer(0), head);
+  std::vector<unsigned char> content(bytes->GetPointer(0), bytes->GetPointer(0) + size);
   if (dots > 0.0)
   {
-    const std::vector<unsigned char> chunk = DotsChunk(dots);
-    file.Write(chunk.data(), chunk.size());
+    isJPEG ? TellDotsOfJPEG(content, dots) : TellDotsOfPNG(content, dots);
   }
-  file.Write(bytes->GetPointer(0) + head, size - head);
+  file.Write(content.data(), content.size());
 }
 
 //------------------------------------------------------------------------------

@@ -40,11 +40,20 @@ public:
   /// Gives the file its own name; what was there is replaced. Throws a Failure.
   void Commit() const;
 
+  /// As it was given.
+  const std::string& GetPath() const
+  {
+    return this->Path;
+  }
+
 private:
   std::string Path;
   bool Wanted;
   vtkNew<vtkTerrainOutputFile> File;
 };
+
+/// Why a picture cannot have a name: its suffix is that of another format. Empty if it can.
+std::string WhyNotPicture(const std::string& name);
 
 /// The colours of the window, as it was drawn: bytes, three components.
 vtkSmartPointer<vtkImageData> CapturePicture(vtkRenderWindow* window);
@@ -56,7 +65,8 @@ enum class PictureUse
   Passing
 };
 
-/// Writes a picture of bytes as PNG; dots per inch of 0 are not told. Throws a Failure.
+/// Writes a picture of bytes, as JPEG for .jpg and .jpeg, else as PNG; dots per inch of 0 are not
+/// told. Throws a Failure.
 void WritePicture(vtkImageData* picture, double dots, const PendingFile& file,
   PictureUse use = PictureUse::Lasting);
 

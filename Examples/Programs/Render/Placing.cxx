@@ -70,8 +70,9 @@ std::string ChooseFrame(PlacedHeights& placed, const std::string& name)
   {
     return placed.Georeference->GetWarning();
   }
-  return "it reaches too far for a flat scene, and is laid out as a map that is true to scale in "
-         "its middle: --frame local shows the earth round";
+  return std::string("it reaches too far for a flat scene, and is laid out as a map that is true "
+                     "to scale in its middle: ") +
+    (inDegrees ? "--frame globe" : "--frame local") + " shows the earth round";
 }
 
 /// Empty if the scene has places on earth, else why not.

@@ -285,8 +285,11 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
   }
   else if (!options.Place.LookFrom.empty())
   {
-    ThrowIf("--look-from",
-      MakeViewpoint(heights)->Look(options.Place.LookFrom, options.Place.LookAt, camera));
+    const auto viewpoint = MakeViewpoint(heights);
+    std::array<double, 3> place{};
+    ThrowIf("--look-from", viewpoint->FindPlace(options.Place.LookFrom, place.data()));
+    ThrowIf("--look-at", viewpoint->FindPlace(options.Place.LookAt, place.data()));
+    ThrowIf("--look-from", viewpoint->Look(options.Place.LookFrom, options.Place.LookAt, camera));
   }
   else if (heights.IsGlobe())
   {

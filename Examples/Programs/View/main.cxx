@@ -6,6 +6,7 @@
  * Exit status: 0, 2 for a wrong command line, 1 otherwise, with one line on stderr.
  */
 #include "ColorOptions.h"
+#include "EmptyValues.h"
 #include "Ending.h"
 #include "ExaggerationOption.h"
 #include "Failure.h"
@@ -147,8 +148,10 @@ std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
   CLI::App app("Shows a file of heights in a window.", "terrain-view");
   app.footer(std::string("Keys in the window:\n") + Viewer::GetHelp());
   app.set_version_flag("--version", TERRAIN_VIEW_VERSION);
-  app.add_option("HEIGHTS", options.Heights,
-    "any raster that GDAL opens, or a file of terrain-prepare; the built-in landscape without it");
+  app
+    .add_option("HEIGHTS", options.Heights,
+      "any raster that GDAL opens, or a file of terrain-prepare; the built-in landscape without it")
+    ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
   options.Exaggeration.Declare(app);
   options.Input.Declare(app);
   options.Colors.Declare(app);
@@ -160,8 +163,10 @@ std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
     ->check(CLI::Range(64, 16384));
   try
   {
+    RefuseEmptyValues(argc, argv);
     app.parse(argc, argv);
     RefuseNotANumber(app);
+    options.Surface.CheckLight(options.Light);
   }
   catch (const CLI::ParseError& error)
   {

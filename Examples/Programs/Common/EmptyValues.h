@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Refuses "--option=" without a value, as a variable that is not set makes it: CLI11 takes the word
+ * after it, and for a flag its default.
+ */
+#ifndef terrain_common_EmptyValues_h
+#define terrain_common_EmptyValues_h
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <string>
+
+/// Throws a CLI::ValidationError, which names the option, if a word of a command line is "--option=".
+inline void RefuseEmptyValues(int argc, const char* const* argv)
+{
+  for (int k = 1; k < argc; ++k)
+  {
+    const std::string word = argv[k];
+    const std::size_t sign = word.find('=');
+    if (word == "--") // words after it are no options
+    {
+      return;
+    }
+    if (word.compare(0, 2, "--") == 0 && sign != std::string::npos && sign + 1 == word.size())
+    {
+      throw CLI::ValidationError(word.substr(0, sign), "needs a value after '='");
+    }
+  }
+}
+
+#endif
