@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <string>
 
-/// Throws a CLI::ValidationError, which names the option, if a word of a command line is "--option=".
+/// Throws a CLI::ValidationError, which names the option, if a word of a command line is such.
 inline void RefuseEmptyValues(int argc, const char* const* argv)
 {
   for (int k = 1; k < argc; ++k)
