@@ -45,6 +45,7 @@ set(private_sources
   parts/ActorInput
   parts/ActorRelief
   parts/ActorSurface
+  parts/AssemblyPart
   parts/RasterReaderLevels
   place/GeoreferencePrepare
   place/GlobeHeights

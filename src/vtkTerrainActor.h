@@ -168,6 +168,7 @@ public:
   vtkActor* GetSurfaceActor();
   ///@}
   void InitPathTraversal() override;
+  void BuildPaths(vtkAssemblyPaths* paths, vtkAssemblyPath* path) override;
 
   ///@{
   /// Whether heights are shown in colours (default), or everything in that of the property.
@@ -280,6 +281,7 @@ private:
   double SurfaceError = -1.0;
   vtkSmartPointer<vtkTerrainMesh> SurfaceMesh; ///< null until somebody asks for the surface
   vtkSmartPointer<vtkActor> SurfaceActor;
+  vtkSmartPointer<vtkActor> Part; ///< in assemblies; null until one asks
 };
 
 #endif

@@ -7,6 +7,8 @@
 #include "data/ImageSurface.h"
 #include "render/SurfaceScope.h"
 #include "vtkOpenGLTerrainMapper.h"
+#include "vtkTerrainActor.h"
+#include "parts/AssemblyPart.h"
 
 #include "core/rays/RayQuery.h"
 #include "core/surface/Cutting.h"
@@ -305,6 +307,11 @@ int vtkTerrainPicker::Pick3DInternal(vtkRenderer* renderer, double p1World[4], d
 double vtkTerrainPicker::IntersectActorWithLine(const double p1[3], const double p2[3], double t1,
   double t2, double tol, vtkProp3D* prop, vtkMapper* mapper)
 {
+  if (auto* part = terrain::AssemblyPart::SafeDownCast(prop))
+  {
+    vtkTerrainActor* drawn = part->GetTerrain();
+    return this->IntersectActorWithLine(p1, p2, t1, t2, tol, drawn, drawn->GetTerrainMapper());
+  }
   if (const auto* globe = this->Internals->GlobeOf(mapper, this->NumberOfScans))
   {
     return this->PickGlobe(*globe, p1, p2, prop, mapper);

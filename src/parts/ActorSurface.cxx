@@ -6,12 +6,14 @@
 #include "data/GlobeData.h"
 #include "data/ImageHeights.h"
 #include "render/SurfaceScope.h"
+#include "parts/AssemblyPart.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainMesh.h"
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainStrips.h"
 
+#include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkAssemblyPaths.h"
 #include "vtkImageData.h"
@@ -48,6 +50,7 @@ void vtkTerrainActor::SetSurfaceError(double error)
 vtkActor* vtkTerrainActor::GetSurfaceActor()
 {
   this->TerrainMapper->GetBounds(); // brings the heights up to date
+  this->UpdateColors();
   vtkImageData* heights = this->TerrainMapper->GetHeights();
   if (!terrain::ImageHeights::WhyNotHeights(heights).empty() || terrain::GlobeData::Has(heights))
   {
@@ -124,4 +127,20 @@ void vtkTerrainActor::InitPathTraversal()
     this->Paths->AddItem(path);
     this->Paths->InitTraversal();
   }
+}
+
+//------------------------------------------------------------------------------
+// An assembly asks its parts for their paths, and draws and picks the last node of each.
+void vtkTerrainActor::BuildPaths(vtkAssemblyPaths* paths, vtkAssemblyPath* path)
+{
+  if (!this->Part)
+  {
+    const vtkNew<terrain::AssemblyPart> part;
+    part->SetTerrain(this);
+    this->Part = part;
+  }
+  const vtkNew<vtkAssemblyPath> ours;
+  ours->ShallowCopy(path); // its last node is this terrain, with the matrix of all that holds it
+  ours->AddNode(this->Part, path->GetLastNode()->GetMatrix());
+  paths->AddItem(ours);
 }

@@ -2,16 +2,34 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A terrain with the attributes that PyVista's actors have."""
 import numbers
-import weakref
+import sys
 
 import numpy as np
 import pyvista
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_DOUBLE, VTK_FLOAT
+from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 
 from .heights import array_from_heights, heights_from_array
 from .vtkTerrain import vtkTerrainActor
+
+
+def weak_reference(terrain):
+    """A reference to the object in VTK, whose wrapper in Python comes and goes with who holds it."""
+    reference = vtkWeakReference()
+    reference.Set(terrain)
+    return reference
+
+
+def _refuse_cells_of_heights():
+    """Raises for the one consumer of PyVista that brings ids of cells which are not those of the mesh."""
+    frame = sys._getframe(2)
+    while frame is not None and "pyvista" in frame.f_code.co_filename:
+        if frame.f_code.co_name == "visible_pick_callback":
+            raise TypeError("what is seen of a terrain is cells of its heights, not of the mesh that is handed out: use "
+                            "enable_rectangle_through_picking, or a vtkHardwareSelector for ids of the heights' cells")
+        frame = frame.f_back
 
 
 class SurfaceMapper:
@@ -21,7 +39,10 @@ class SurfaceMapper:
     """
 
     def __init__(self, terrain):
-        self._terrain = weakref.ref(terrain)
+        self._reference = weak_reference(terrain)
+
+    def _terrain(self):
+        return self._reference.Get()
 
     @property
     def dataset(self):
@@ -56,6 +77,7 @@ class SurfaceMapper:
         return getattr(self._terrain().GetTerrainMapper(), name)
 
     def _get_dataset(self):
+        _refuse_cells_of_heights()
         return self.dataset
 
     GetInput = GetDataSetInput = GetInputAsDataSet = _get_dataset

@@ -6,6 +6,8 @@ import weakref
 
 import numpy as np
 
+from ._actor import weak_reference
+
 
 def label_format(low, high):
     """A printf format that tells five labels of a range apart, without digits that say nothing."""
@@ -30,12 +32,12 @@ def _remove_with(terrain, plotter, title):
 
     PyVista looks at the first bar alone when it removes an actor.
     """
-    plotter, renderer, terrain = (weakref.ref(member) for member in (plotter, plotter.renderer, terrain))
+    plotter, renderer, terrain = weakref.ref(plotter), weakref.ref(plotter.renderer), weak_reference(terrain)
     props = renderer().GetViewProps()
     observed = []
 
     def look(*_):
-        here, drawn = renderer(), terrain()
+        here, drawn = renderer(), terrain.Get()
         if not observed or (here is not None and drawn is not None and here.HasViewProp(drawn)):
             return
         props.RemoveObserver(observed.pop())

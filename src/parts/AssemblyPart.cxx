@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AssemblyPart.h"
+
+#include "render/SurfaceScope.h"
+#include "vtkTerrainActor.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyDataMapper.h"
+
+#include <algorithm>
+
+namespace terrain
+{
+vtkStandardNewMacro(AssemblyPart);
+
+namespace
+{
+/// While one lives, a terrain has the matrix of an assembly's part.
+class Poke
+{
+public:
+  Poke(vtkTerrainActor* terrain, vtkMatrix4x4* matrix)
+    : Terrain(terrain)
+  {
+    this->Terrain->PokeMatrix(matrix);
+  }
+  ~Poke()
+  {
+    this->Terrain->PokeMatrix(nullptr);
+  }
+  Poke(const Poke&) = delete;
+  Poke& operator=(const Poke&) = delete;
+
+private:
+  vtkTerrainActor* Terrain;
+};
+}
+
+//------------------------------------------------------------------------------
+/// The mesh, made with its bounds, as pickers of cells expect; vtkTerrainPicker needs none.
+class AssemblyPart::BoundedMapper : public vtkPolyDataMapper
+{
+public:
+  static BoundedMapper* New();
+  vtkTypeMacro(BoundedMapper, vtkPolyDataMapper)
+
+  double* GetBounds() override
+  {
+    return this->Terrain && SurfaceScope::IsOpen() ? this->Terrain->GetTerrainMapper()->GetBounds()
+                                                   : this->Superclass::GetBounds();
+  }
+  void GetBounds(double bounds[6]) override
+  {
+    const double* found = this->GetBounds();
+    std::copy(found, found + 6, bounds);
+  }
+
+  vtkWeakPointer<vtkTerrainActor> Terrain;
+};
+vtkStandardNewMacro(AssemblyPart::BoundedMapper);
+
+//------------------------------------------------------------------------------
+void AssemblyPart::SetTerrain(vtkTerrainActor* terrain)
+{
+  this->Terrain = terrain;
+  const vtkNew<BoundedMapper> mapper;
+  mapper->Terrain = terrain;
+  this->SetMapper(mapper);
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainActor* AssemblyPart::GetTerrain()
+{
+  return this->Terrain;
+}
+
+//------------------------------------------------------------------------------
+// The mesh looks as the surface's own actor does; it is not made by that.
+bool AssemblyPart::TakeSurface()
+{
+  vtkActor* surface = this->Terrain ? this->Terrain->GetSurfaceActor() : nullptr;
+  if (surface)
+  {
+    this->GetMapper()->ShallowCopy(surface->GetMapper());
+    this->SetProperty(surface->GetProperty());
+    this->SetBackfaceProperty(surface->GetBackfaceProperty());
+    this->SetTexture(surface->GetTexture());
+  }
+  return surface != nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Assemblies and exporters ask this before they look at anything else, pickers the next.
+vtkTypeBool AssemblyPart::GetVisibility()
+{
+  this->TakeSurface();
+  return this->Terrain && this->Terrain->GetVisibility();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool AssemblyPart::GetPickable()
+{
+  return this->TakeSurface() && this->Terrain->GetPickable();
+}
+
+//------------------------------------------------------------------------------
+void AssemblyPart::InitPathTraversal()
+{
+  this->TakeSurface();
+  this->Superclass::InitPathTraversal();
+}
+
+//------------------------------------------------------------------------------
+bool AssemblyPart::GetUseBounds()
+{
+  return this->Terrain && this->Terrain->GetUseBounds();
+}
+
+//------------------------------------------------------------------------------
+double* AssemblyPart::GetBounds()
+{
+  if (this->Terrain)
+  {
+    const Poke poke(this->Terrain, this->GetMatrix());
+    this->Terrain->GetBounds(this->Bounds);
+  }
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+int AssemblyPart::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  if (!this->Terrain)
+  {
+    return 0;
+  }
+  const Poke poke(this->Terrain, this->GetMatrix());
+  this->Terrain->SetAllocatedRenderTime(this->AllocatedRenderTime, viewport);
+  return this->Terrain->RenderOpaqueGeometry(viewport);
+}
+
+//------------------------------------------------------------------------------
+int AssemblyPart::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
+{
+  if (!this->Terrain)
+  {
+    return 0;
+  }
+  const Poke poke(this->Terrain, this->GetMatrix());
+  this->Terrain->SetAllocatedRenderTime(this->AllocatedRenderTime, viewport);
+  return this->Terrain->RenderTranslucentPolygonalGeometry(viewport);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool AssemblyPart::HasTranslucentPolygonalGeometry()
+{
+  return this->Terrain && this->Terrain->HasTranslucentPolygonalGeometry();
+}
+
+//------------------------------------------------------------------------------
+void AssemblyPart::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Terrain)
+  {
+    this->Terrain->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+}
