@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 
@@ -88,6 +89,18 @@ bool AssemblyPart::TakeSurface()
     this->SetProperty(surface->GetProperty());
     this->SetBackfaceProperty(surface->GetBackfaceProperty());
     this->SetTexture(surface->GetTexture());
+    if (!this->IsPoked)
+    {
+      if (!this->GetUserMatrix())
+      {
+        this->SetUserMatrix(vtkSmartPointer<vtkMatrix4x4>::New());
+      }
+      const double* matrix = surface->GetMatrix()->GetData();
+      if (!std::equal(matrix, matrix + 16, this->GetUserMatrix()->GetData()))
+      {
+        this->GetUserMatrix()->DeepCopy(matrix); // a change makes the assembly ask for paths again
+      }
+    }
   }
   return surface != nullptr;
 }
@@ -104,6 +117,13 @@ vtkTypeBool AssemblyPart::GetVisibility()
 vtkTypeBool AssemblyPart::GetPickable()
 {
   return this->TakeSurface() && this->Terrain->GetPickable();
+}
+
+//------------------------------------------------------------------------------
+void AssemblyPart::PokeMatrix(vtkMatrix4x4* matrix)
+{
+  this->IsPoked = matrix != nullptr;
+  this->Superclass::PokeMatrix(matrix);
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,7 @@ public:
   vtkTypeBool GetVisibility() override;
   vtkTypeBool GetPickable() override;
   void InitPathTraversal() override;
+  void PokeMatrix(vtkMatrix4x4* matrix) override;
   bool GetUseBounds() override;
   double* GetBounds() override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
@@ -52,6 +53,7 @@ private:
   bool TakeSurface();
 
   vtkWeakPointer<vtkTerrainActor> Terrain;
+  bool IsPoked = false; ///< has the matrix of an assembly
 };
 }
 #endif

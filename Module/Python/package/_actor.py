@@ -27,7 +27,7 @@ def _refuse_cells_of_heights():
     frame = sys._getframe(2)
     while frame is not None and "pyvista" in frame.f_code.co_filename:
         if frame.f_code.co_name == "visible_pick_callback":
-            raise TypeError("what is seen of a terrain is cells of its heights, not of the mesh that is handed out: use "
+            raise TypeError("what is seen of a terrain is cells of its heights, not of the mesh it hands out: use "
                             "enable_rectangle_through_picking, or a vtkHardwareSelector for ids of the heights' cells")
         frame = frame.f_back
 
