@@ -268,6 +268,44 @@ class TestWords(ParityTest):
         self.assertTrue((relief != table.values).any())
 
 
+class TestWildValues(ParityTest):
+    """A few values that are none spoil no colours but their own."""
+
+    def draw_values(self, values, heights):
+        plotter = self.plotter()
+        self.add(heights, plotter, scalars=values, clim=(0.0, 1.0), cmap="viridis")
+        plotter.view_xy()
+        return plotter.screenshot(return_img=True).astype(int)
+
+    def test_hidden_ones_and_seen_ones(self):
+        values = np.tile(np.linspace(0.0, 1.0, 51, dtype=np.float32), (41, 1))
+        for is_hidden in (True, False):
+            heights = hill()
+            if is_hidden:
+                heights[20, 25] = np.nan
+            expected = self.draw_values(values, heights)
+            for wild in (-1e17, 1e17, -3.4028e38, 1e35, -9999.0, np.inf, np.nan):
+                spoilt = values.copy()
+                spoilt[20, 25] = wild
+                differ = (np.abs(self.draw_values(spoilt, heights) - expected) > 8).any(axis=2).mean()
+                self.assertLess(differ, 1e-6 if is_hidden else 0.003, (is_hidden, wild))
+
+    def test_mostly_hidden(self):
+        heights = np.full((41, 51), np.nan, np.float32)
+        heights[15:25, 20:30] = hill()[15:25, 20:30]
+        values = np.tile(np.linspace(0.0, 1.0, 51, dtype=np.float32), (41, 1))
+        expected = self.draw_values(values, heights)
+        np.testing.assert_array_equal(self.draw_values(np.where(np.isnan(heights), -1e17, values), heights), expected)
+
+    def test_large_values_close_together(self):
+        values = np.tile(np.linspace(0.0, 1.0, 51), (41, 1))
+        expected = self.draw_values(values, hill())
+        plotter = self.plotter()
+        self.add(plotter=plotter, scalars=values + 1e7, clim=(1e7, 1e7 + 1.0), cmap="viridis")
+        plotter.view_xy()
+        np.testing.assert_allclose(plotter.screenshot(return_img=True).astype(int), expected, atol=3)
+
+
 class TestTerrainAttributes(ParityTest):
     def test_it_has_those_of_an_actor(self):
         terrain = self.add()

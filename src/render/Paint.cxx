@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "render/Paint.h"
 
+#include "core/grid/Heightfield.h"
 #include "data/ImageHeights.h"
 #include "data/SMPParallelFor.h"
 #include "render/Driver.h"
 #include "render/Uniforms.h"
 
 #include "vtkAbstractMapper.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
@@ -18,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 #include <vector>
 
@@ -84,6 +87,41 @@ double valueOf(vtkDataArray* array, vtkIdType tuple, int component)
     sum += array->GetComponent(tuple, c) * array->GetComponent(tuple, c);
   }
   return std::sqrt(sum);
+}
+
+/// Whether a point of an image has a height.
+bool isSeen(vtkImageData* heights, vtkIdType point)
+{
+  vtkUnsignedCharArray* ghosts = heights->GetPointGhostArray();
+  return (!ghosts || (ghosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) == 0) &&
+    IsHeight(heights->GetPointData()->GetScalars()->GetComponent(point, 0));
+}
+
+/// A value that the others lie about: the median of some where there is terrain; 0 if none is
+/// finite. Differences from it fit floats, whatever a few wild ones are.
+double typicalValue(vtkDataArray* array, int component, vtkImageData* heights, int width)
+{
+  constexpr vtkIdType enough = 4096;
+  const vtkIdType count = array->GetNumberOfTuples();
+  const vtkIdType step = (count / enough) | 1;
+  const int columns = heights->GetDimensions()[0];
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count / step + 1));
+  for (vtkIdType k = 0; k < count; k += step)
+  {
+    const double value = valueOf(array, k, component);
+    if (std::isfinite(value) && isSeen(heights, k / width * columns + k % width))
+    {
+      values.push_back(value);
+    }
+  }
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 glm::vec4 colorOf(vtkScalarsToColors* table, double value)
@@ -252,9 +290,7 @@ void Paint::UpdateValues(vtkDataArray* array, int component, int width, int heig
   {
     return;
   }
-  double range[2];
-  array->GetRange(range, component);
-  this->ValueOffset = std::isfinite(range[0]) && range[0] <= range[1] ? range[0] : 0.0;
+  this->ValueOffset = typicalValue(array, component, this->Heights, width);
   std::vector<float> values(static_cast<std::size_t>(width) * height);
   SMPParallelFor(array->GetNumberOfTuples(),
     [&](std::int64_t begin, std::int64_t end)
