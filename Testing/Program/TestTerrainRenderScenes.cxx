@@ -81,7 +81,7 @@ TEST_F(TerrainRenderScenes, SheetsAndTowersGetAHint)
   EXPECT_NE(flat.Errors.find("hint: "), std::string::npos) << flat.Errors;
   EXPECT_NE(flat.Errors.find("sheet: --exaggeration auto takes 7\n"), std::string::npos)
     << flat.Errors;
-  const RunResult steep = this->Draw(country, { "--exaggeration", "300" });
+  const RunResult steep = this->Draw(country, { "--exaggeration", "900" });
   EXPECT_NE(steep.Errors.find("tower"), std::string::npos) << steep.Errors;
   // whoever chose a place to look from knows better
   const RunResult near =

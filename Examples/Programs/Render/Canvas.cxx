@@ -196,7 +196,7 @@ vtkSmartPointer<vtkImageData> Canvas::Draw()
   const auto draw = [this]
   {
     this->Window->Render();
-    return CapturePicture(this->Window);
+    return CapturePicture(this->Window, this->Wanted.Scenery.IsTransparent());
   };
   return this->IsTiled() ? this->PutTogether(draw) : draw();
 }
@@ -208,7 +208,7 @@ vtkSmartPointer<vtkImageData> Canvas::DrawFrames(Statistics& statistics)
   if (!this->IsTiled())
   {
     ::DrawFrames(this->Window, this->Renderer, this->Wanted.Frames, statistics);
-    picture = CapturePicture(this->Window);
+    picture = CapturePicture(this->Window, this->Wanted.Scenery.IsTransparent());
   }
   for (int frame = 0; this->IsTiled() && frame < this->Wanted.Frames; ++frame)
   {

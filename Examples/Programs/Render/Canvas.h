@@ -38,7 +38,7 @@ public:
   }
 
   /// Draws as many frames as the options ask for, tells their times as DrawFrames() does, and
-  /// returns the last: bytes, three components. Throws a Failure.
+  /// returns the last: bytes, three components, or four with alpha. Throws a Failure.
   vtkSmartPointer<vtkImageData> DrawFrames(Statistics& statistics);
 
   /// Draws once.

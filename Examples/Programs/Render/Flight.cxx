@@ -13,6 +13,7 @@
 #include "Outputs.h"
 #include "Placing.h"
 #include "Progress.h"
+#include "Scenery.h"
 #include "Statistics.h"
 #include "Terrain.h"
 #include "View.h"
@@ -217,7 +218,7 @@ void WriteViews(const std::string& folder, const std::vector<FlightView>& views,
   file.Commit();
 }
 
-void SetView(const FlightStage& stage, const FlightView& view)
+void SetView(const FlightStage& stage, const FlightView& view, const Options& options)
 {
   vtkCamera* camera = stage.Renderer->GetActiveCamera();
   camera->SetPosition(view.Eye.data());
@@ -227,6 +228,7 @@ void SetView(const FlightStage& stage, const FlightView& view)
   const bool isSteep = aside < kSteepView * std::abs(view.Eye[2] - view.Focus[2]);
   camera->SetViewUp(0.0, isSteep ? 1.0 : 0.0, isSteep ? 0.0 : 1.0);
   SetClippingRange(camera, stage.Ground.Bounds);
+  SetBackground(stage.Renderer, options);
 }
 
 /// Time that is left, as people say it.
@@ -255,7 +257,7 @@ std::size_t DrawMissing(const FlightStage& stage, const std::vector<FlightView>&
     }
     const Stopwatch frame;
     const PendingFile file(name);
-    SetView(stage, views[k]);
+    SetView(stage, views[k], options);
     stage.Marks.Refresh();
     RefineTerrain(stage.Ground, stage.Renderer, options, statistics);
     const vtkSmartPointer<vtkImageData> picture = stage.Frame.Draw();

@@ -191,6 +191,8 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   options.Colors.Declare(app);
   options.Light.Declare(app, true);
   options.Surface.Declare(app);
+  options.Scenery.Declare(app);
+  options.Marks.Declare(app);
   options.Flight.Declare(app);
   app.add_flag("--legend{Height in metres}", options.Legend,
     "the colours of heights with numbers; --legend='Depth in metres' for another title");
@@ -296,6 +298,7 @@ void Interpret(const Texts& texts, Options& options)
   }
   texts.Place.Interpret(options.Place);
   options.Place.HasTimeOfSun = options.Light.NeedsPlace();
+  options.Place.HasLabels = !options.Marks.Labels.empty();
   texts.Detail.Interpret(options.Detail);
   if (options.View && !options.Place.LookFrom.empty())
   {
@@ -363,7 +366,7 @@ std::vector<std::string> InputFiles(const Options& options)
 {
   std::vector<std::string> inputs = { options.Heights, options.Input.CoordinateSystem,
     options.Colors.GetFileName(), options.Place.Drape, options.Place.GetGeoidFile(),
-    options.Detail.File, options.Scene,
+    options.Detail.File, options.Scene, options.Marks.Labels,
     options.Flight.IsFile() ? options.Flight.Flight : std::string() };
   inputs.insert(inputs.end(), options.Place.Tracks.begin(), options.Place.Tracks.end());
   return inputs;
@@ -418,7 +421,7 @@ void CheckFiles(const Options& options)
 SceneNames NamesOfScene()
 {
   SceneNames names;
-  names.Files = { "heights", "drape", "track", "output", "depth", "stats" };
+  names.Files = { "heights", "drape", "track", "labels", "output", "depth", "stats" };
   names.FilesOrWords = { "colors", "detail", "flight" };
   names.Others = { "help", "version", "describe" };
   names.Rivals = { { "camera", "look-from" }, { "camera", "look-at" } };

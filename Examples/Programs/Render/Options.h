@@ -13,7 +13,9 @@
 #include "FlightOptions.h"
 #include "HeightOptions.h"
 #include "LightOptions.h"
+#include "MarkOptions.h"
 #include "PlaceOptions.h"
+#include "SceneryOptions.h"
 #include "SurfaceOptions.h"
 
 #include "vtkOpenGLTerrainMapper.h"
@@ -113,6 +115,8 @@ struct Options
   bool Describe = false;
   PlaceOptions Place;
   FlightOptions Flight;
+  MarkOptions Marks;
+  SceneryOptions Scenery;
   DetailOptions Detail;
 };
 

@@ -175,11 +175,14 @@ std::string WhyNotPicture(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> CapturePicture(vtkRenderWindow* window)
+vtkSmartPointer<vtkImageData> CapturePicture(vtkRenderWindow* window, bool withAlpha)
 {
   const vtkNew<vtkWindowToImageFilter> capture;
   capture->SetInput(window);
-  capture->SetInputBufferTypeToRGB();
+  if (withAlpha)
+  {
+    capture->SetInputBufferTypeToRGBA();
+  }
   capture->ReadFrontBufferOff();
   capture->ShouldRerenderOff();
   capture->Update();

@@ -55,8 +55,8 @@ private:
 /// Why a picture cannot have a name: its suffix is that of another format. Empty if it can.
 std::string WhyNotPicture(const std::string& name);
 
-/// The colours of the window, as it was drawn: bytes, three components.
-vtkSmartPointer<vtkImageData> CapturePicture(vtkRenderWindow* window);
+/// The colours of the window, as it was drawn: bytes, three components, four with alpha.
+vtkSmartPointer<vtkImageData> CapturePicture(vtkRenderWindow* window, bool withAlpha);
 
 /// Whether a picture is to be small, or written fast.
 enum class PictureUse

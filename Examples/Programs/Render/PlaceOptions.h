@@ -52,6 +52,8 @@ struct PlaceOptions
   std::string LookAt;
   /// Whether the sun is that of a time (LightOptions).
   bool HasTimeOfSun = false;
+  /// Whether there are labels (MarkOptions).
+  bool HasLabels = false;
 
   std::optional<vtkTerrainGraticule::GridType> Graticule;
   bool ScaleBar = false;

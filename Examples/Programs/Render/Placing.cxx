@@ -124,6 +124,8 @@ void RefuseOnGlobe(const Options& options)
   refuse(!wanted.Drape.empty(), "--drape", "choose --frame map");
   refuse(!wanted.Tracks.empty(), "--track", "choose --frame map");
   refuse(options.Surface.Block > 0.0, "--block", "choose --frame map");
+  refuse(!options.Marks.Labels.empty(), "--labels", "choose --frame map");
+  refuse(options.Marks.Peaks > 0, "--peaks", "choose --frame map");
   refuse(options.Light.Shadows, "--shadows", "choose --frame map");
   refuse(options.Light.SkyLight > 0.0, "--sky-light", "choose --frame map");
   refuse(!options.Light.Sun.empty() && !options.Light.NeedsPlace(), "--sun",

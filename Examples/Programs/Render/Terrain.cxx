@@ -249,7 +249,8 @@ bool DrawsFileAlone(const Options& options)
   const PlaceOptions& place = options.Place;
   return options.Search == Techniques::Strips && !options.Heights.empty() &&
     vtkTerrainHierarchy::IsPreparedFile(options.Heights) && !place.FirstThatNeedsPlaces() &&
-    !place.Frame && place.Cell == 0.0 && place.Vertical == vtkTerrainGeoreference::HeightType::AsIs;
+    !place.Frame && options.Marks.Peaks == 0 && place.Cell == 0.0 &&
+    place.Vertical == vtkTerrainGeoreference::HeightType::AsIs;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Placing.h"
+#include "Scenery.h"
 #include "Terrain.h"
 
 #include "vtkBoundingBox.h"
@@ -256,6 +257,7 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options)
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
+  window->SetAlphaBitPlanes(options.Scenery.IsTransparent() ? 1 : 0);
   window->SetSize(PieceSize(options).data());
   return window;
 }
@@ -270,10 +272,6 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
   {
     renderer->AddActor(terrain.Walls);
   }
-  renderer->GradientBackgroundOn();
-  renderer->SetBackground(0.90, 0.93, 0.95);
-  renderer->SetBackground2(0.50, 0.66, 0.84);
-
   const vtkBoundingBox& box = terrain.Bounds;
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetViewAngle(options.ViewAngle);
@@ -300,6 +298,7 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
     LookFromSouth(camera, box, static_cast<double>(options.Size[0]) / options.Size[1]);
   }
   SetClippingRange(camera, box);
+  SetBackground(renderer, options);
   AddLights(renderer, heights, options);
   return renderer;
 }

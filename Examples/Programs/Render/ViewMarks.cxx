@@ -13,7 +13,6 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCoordinate.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -24,12 +23,11 @@
 #include "vtkTerrainDrape.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainGraticule.h"
-#include "vtkTerrainViewpoint.h"
-#include "vtkTextActor.h"
-#include "vtkTextProperty.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <sstream>
 #include <string>
 
 namespace
@@ -42,9 +40,12 @@ constexpr double kNearer = 0.005;
 constexpr double kTrackWidth = 3.0;
 constexpr double kPointSize = 11.0;
 constexpr double kGraticuleWidth = 1.3;
-constexpr double kLabelSize = 15.0;
 constexpr Color kTrackColor = { 0.85, 0.10, 0.08 };
 constexpr Color kGraticuleColor = { 0.10, 0.12, 0.20 };
+constexpr TextStyle kTitleStyle = { 0.05, true, 0.0 };
+constexpr TextStyle kCaptionStyle = { 0.022, false, 0.6 };
+constexpr TextStyle kPlaceStyle = { 0.024, false, 0.75 };
+constexpr TextStyle kGraticuleStyle = { 0.021, false, 0.75 };
 
 double Pixels(double usual, const Options& options)
 {
@@ -73,25 +74,6 @@ std::vector<vtkSmartPointer<vtkProp>> PropsOf(vtkRenderer* renderer)
   }
   return props;
 }
-
-/// A label of the graticule.
-vtkSmartPointer<vtkTextActor> MakeLabel(
-  const std::string& text, const std::array<double, 3>& point, const Options& options)
-{
-  auto label = vtkSmartPointer<vtkTextActor>::New();
-  label->SetInput(text.c_str());
-  label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-  std::array<double, 3> at = point;
-  label->GetPositionCoordinate()->SetValue(at.data());
-  vtkTextProperty* property = label->GetTextProperty();
-  property->SetFontSize(static_cast<int>(Pixels(kLabelSize, options)));
-  property->SetColor(kGraticuleColor[0], kGraticuleColor[1], kGraticuleColor[2]);
-  property->SetBackgroundColor(1.0, 1.0, 1.0);
-  property->SetBackgroundOpacity(0.75);
-  property->SetJustificationToCentered();
-  property->SetVerticalJustificationToCentered();
-  return label;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -107,7 +89,11 @@ ViewMarks::ViewMarks(vtkRenderer* renderer, const PlacedHeights& heights, const 
   : Renderer(renderer)
   , Heights(heights)
   , Wanted(options)
+  , Sight(vtkSmartPointer<vtkTerrainViewpoint>::New())
 {
+  this->Sight->SetHeights(heights.Image);
+  this->Sight->SetExaggeration(heights.Exaggeration);
+  this->Sight->SetRefraction(1.0); // straight lines, as the picture has them
 }
 
 //------------------------------------------------------------------------------
@@ -156,23 +142,76 @@ vtkIdType ViewMarks::ReadTrack(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-void ViewMarks::AddGraticuleLabels()
+std::optional<std::array<double, 2>> ViewMarks::Find(
+  LabelPlacer& placer, const double point[3], double pixels) const
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const std::optional<std::array<double, 2>> at = placer.ToPixels(point);
+  std::array<double, 3> seen = BringNearer(point, camera);
+  const double away =
+    std::sqrt(vtkMath::Distance2BetweenPoints(camera->GetPosition(), seen.data()));
+  const double rise = 2.0 * pixels / this->Wanted.Size[1] * away *
+    std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    seen[axis] += rise * camera->GetViewUp()[axis];
+  }
+  return at && this->Sight->IsVisible(camera->GetPosition(), seen.data()) ? at : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+void ViewMarks::AddTitles(LabelPlacer& placer) const
+{
+  const double width = this->Wanted.Size[0];
+  const double height = this->Wanted.Size[1];
+  const double title = TextPixels(kTitleStyle.Size, this->Wanted);
+  const double caption = TextPixels(kCaptionStyle.Size, this->Wanted);
+  const auto place =
+    [&](const std::string& option, const std::string& text, double y, const TextStyle& style)
+  {
+    if (!text.empty() && !placer.PlaceCentred(text, 0.5 * width, y, style))
+    {
+      throw Failure(option,
+        "'" + text +
+          "' is wider than the picture has room for: shorten it, or "
+          "draw a larger picture (--size)");
+    }
+  };
+  place("--title", this->Wanted.Marks.Title, height - 1.2 * title, kTitleStyle);
+  place("--caption", this->Wanted.Marks.Caption, 1.2 * caption, kCaptionStyle);
+}
+
+//------------------------------------------------------------------------------
+void ViewMarks::AddLabels(LabelPlacer& placer)
+{
+  this->Placed.clear();
+  for (const Label& label : this->Labels)
+  {
+    const std::optional<std::array<double, 2>> at =
+      this->Find(placer, label.Point.data(), TextPixels(kPlaceStyle.Size, this->Wanted));
+    const std::optional<PixelBox> box =
+      at ? placer.PlaceAbove(label.Text, (*at)[0], (*at)[1], kPlaceStyle) : std::nullopt;
+    if (box)
+    {
+      std::ostringstream text;
+      text << label.Text << ": " << box->Left << ' ' << box->Low << ' ' << box->Right << ' '
+           << box->High;
+      this->Placed.push_back(text.str());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ViewMarks::AddGraticuleLabels(LabelPlacer& placer) const
 {
   auto* texts = this->GraticuleLabels
     ? vtkStringArray::SafeDownCast(this->GraticuleLabels->GetPointData()->GetAbstractArray("Label"))
     : nullptr;
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  const vtkNew<vtkTerrainViewpoint> viewpoint;
-  viewpoint->SetHeights(this->Heights.Image);
-  viewpoint->SetExaggeration(this->Heights.Exaggeration);
-  viewpoint->SetRefraction(1.0); // straight lines, as the picture has them
   for (vtkIdType i = 0; texts && i < this->GraticuleLabels->GetNumberOfPoints(); ++i)
   {
-    const std::array<double, 3> point = BringNearer(this->GraticuleLabels->GetPoint(i), camera);
-    if (IsInFront(camera, point.data()) &&
-      viewpoint->IsVisible(camera->GetPosition(), point.data()))
+    if (const auto at = this->Find(placer, this->GraticuleLabels->GetPoint(i), 0.0))
     {
-      this->Renderer->AddViewProp(MakeLabel(texts->GetValue(i), point, this->Wanted));
+      placer.PlaceCentred(texts->GetValue(i), (*at)[0], (*at)[1], kGraticuleStyle);
     }
   }
 }
@@ -218,6 +257,15 @@ void ViewMarks::Read(Statistics& statistics)
   {
     statistics.SetCount("track_points", points);
   }
+  if (!this->Wanted.Marks.Labels.empty())
+  {
+    this->Labels = ReadLabels(this->Wanted.Marks.Labels, this->Heights);
+  }
+  if (this->Wanted.Marks.Peaks > 0)
+  {
+    const std::vector<Label> peaks = FindPeakLabels(this->Wanted.Marks.Peaks, this->Heights);
+    this->Labels.insert(this->Labels.end(), peaks.begin(), peaks.end());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -237,8 +285,12 @@ void ViewMarks::Refresh()
     this->Renderer->RemoveViewProp(prop);
   }
   const std::vector<vtkSmartPointer<vtkProp>> before = PropsOf(this->Renderer);
-  this->AddGraticuleLabels();
   AddOverlay(this->Renderer, this->Heights, this->Wanted);
+  LabelPlacer placer(this->Renderer, this->Wanted);
+  placer.ReserveProps();
+  this->AddTitles(placer);
+  this->AddLabels(placer);
+  this->AddGraticuleLabels(placer);
   this->OfThisView = PropsOf(this->Renderer);
   this->OfThisView.erase(this->OfThisView.begin(),
     this->OfThisView.begin() + static_cast<std::ptrdiff_t>(before.size()));

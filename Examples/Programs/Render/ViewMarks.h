@@ -7,11 +7,15 @@
 #ifndef terrain_render_ViewMarks_h
 #define terrain_render_ViewMarks_h
 
+#include "LabelPlacer.h"
+#include "Labels.h"
+
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkTerrainViewpoint.h"
 
 #include <vector>
 
@@ -20,10 +24,12 @@ struct Options;
 struct PlacedHeights;
 
 /**
- * Track, graticule, scale bar, north arrow. Lines and points are drawn nearer than they are, so
- * that the ground beside them does not hide them; their place in the picture stays the same. Texts
- * stand where the eye sees their points. All of it is brought up to date by Refresh() after the
- * camera of the renderer was set.
+ * Track, graticule, scale bar, north arrow, title, caption, labels. Lines and points are drawn
+ * nearer than they are, so that the ground beside them does not hide them; their place in the
+ * picture stays the same. Texts stand where the eye sees their points, and cover one another
+ * nowhere: labels of a file come first, then summits, then those of the graticule. A shoulder that
+ * hides a place by less than the height of a text does not count, for round summits are never seen
+ * from below. All of it is brought up to date by Refresh() after the camera was set.
  */
 class ViewMarks
 {
@@ -38,6 +44,13 @@ public:
   /// For the camera as it is.
   void Refresh();
 
+  /// Texts of the labels that Refresh() has placed, each with the pixels of its left, low, right
+  /// and high border: "2,549 m: 100 200 180 220".
+  const std::vector<std::string>& GetPlaced() const
+  {
+    return this->Placed;
+  }
+
 private:
   /// Lines and points as they are, and as they are drawn.
   struct Nearer
@@ -50,12 +63,21 @@ private:
   void ReadGraticule();
   /// Returns the number of points as drawn.
   vtkIdType ReadTrack(const std::string& path);
-  void AddGraticuleLabels();
+  void AddTitles(LabelPlacer& placer) const;
+  void AddLabels(LabelPlacer& placer);
+  void AddGraticuleLabels(LabelPlacer& placer) const;
+  /// Where a point of the ground is in the picture, if the eye sees it or what is so many pixels
+  /// above it; else empty.
+  std::optional<std::array<double, 2>> Find(
+    LabelPlacer& placer, const double point[3], double pixels) const;
 
   vtkSmartPointer<vtkRenderer> Renderer;
   const PlacedHeights& Heights;
   const Options& Wanted;
+  vtkSmartPointer<vtkTerrainViewpoint> Sight;
   std::vector<Nearer> Lines;
+  std::vector<Label> Labels;
+  std::vector<std::string> Placed;
   /// Of the graticule; null for none.
   vtkSmartPointer<vtkPolyData> GraticuleLabels;
   /// What is made anew for each view.

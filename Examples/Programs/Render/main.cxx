@@ -18,6 +18,7 @@
 #include "Outputs.h"
 #include "Placing.h"
 #include "Progress.h"
+#include "Scenery.h"
 #include "Statistics.h"
 #include "Terrain.h"
 #include "View.h"
@@ -160,8 +161,11 @@ void Render(Options options)
   window->AddRenderer(renderer);
   ViewMarks marks(renderer, heights, options);
   marks.Read(statistics);
+  AddWater(renderer, terrain, heights, options);
+  AddFog(renderer, options);
   AddLegend(renderer, terrain, options);
   marks.Refresh();
+  statistics.SetTexts("labels", marks.GetPlaced());
   RefineTerrain(terrain, renderer, options, statistics);
   DrawOutputs({ window, renderer, terrain, heights }, marks, options, watch, statistics);
 }
