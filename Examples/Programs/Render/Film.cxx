@@ -33,8 +33,8 @@ std::vector<std::string> EncoderOf(const std::string& extension)
   const std::string even = "pad=ceil(iw/2)*2:ceil(ih/2)*2";
   if (extension == ".mp4")
   {
-    return { "-vf", even, "-c:v", "libx264", "-preset", "fast", "-crf", "18", "-pix_fmt", "yuv420p",
-      "-movflags", "+faststart", "-f", "mp4" };
+    return { "-vf", even, "-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-pix_fmt",
+      "yuv420p", "-movflags", "+faststart", "-f", "mp4" };
   }
   if (extension == ".webm")
   {

@@ -30,6 +30,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -240,11 +241,46 @@ std::string TimeLeft(double seconds)
   return text.str();
 }
 
+/// Encodes frames beside the drawing of the next ones, and writes them.
+class FrameWriter
+{
+public:
+  explicit FrameWriter(double dots)
+    : Dots(dots)
+  {
+  }
+
+  /// Takes a frame over, after the one before is written. Throws a Failure.
+  void Take(const std::string& name, const vtkSmartPointer<vtkImageData>& picture)
+  {
+    this->Finish();
+    this->Name = name;
+    this->Bytes = std::async(std::launch::async,
+      [picture, dots = this->Dots] { return EncodePicture(picture, dots, PictureUse::Passing); });
+  }
+  /// Writes what was taken. Throws a Failure.
+  void Finish()
+  {
+    if (this->Bytes.valid())
+    {
+      const PendingFile file(this->Name);
+      WriteEncoded(this->Bytes.get(), file);
+      file.Commit();
+    }
+  }
+
+private:
+  double Dots;
+  std::string Name;
+  std::future<std::vector<unsigned char>> Bytes;
+};
+
 /// Draws the frames that are missing; returns their number.
 std::size_t DrawMissing(const FlightStage& stage, const std::vector<FlightView>& views,
   const std::string& folder, const Options& options, Statistics& statistics)
 {
   ProgressBar progress;
+  FrameWriter writer(options.Dots);
   const Stopwatch watch;
   std::size_t drawn = 0;
   for (std::size_t k = 0; k < views.size(); ++k)
@@ -256,20 +292,20 @@ std::size_t DrawMissing(const FlightStage& stage, const std::vector<FlightView>&
       continue;
     }
     const Stopwatch frame;
-    const PendingFile file(name);
     SetView(stage, views[k], options);
     stage.Marks.Refresh();
     RefineTerrain(stage.Ground, stage.Renderer, options, statistics);
     const vtkSmartPointer<vtkImageData> picture = stage.Frame.Draw();
     ThrowOnError(name);
-    WritePicture(picture, options.Dots, file, PictureUse::Passing);
-    file.Commit();
+    writer.Take(name, picture);
     statistics.AddTime("flight_frame", frame.GetMilliseconds());
     ++drawn;
     const double each = watch.GetMilliseconds() / 1e3 / static_cast<double>(drawn);
     progress.Show(static_cast<double>(k + 1) / static_cast<double>(views.size()),
       TimeLeft(each * static_cast<double>(views.size() - k - 1)));
   }
+  writer.Finish();
+  statistics.AddTime("flight", watch.GetMilliseconds());
   return drawn;
 }
 }

@@ -99,20 +99,28 @@ std::string SuffixOf(const std::string& name)
   return suffix;
 }
 
-bool IsJPEG(const std::string& name)
-{
-  const std::string suffix = SuffixOf(name);
-  return suffix == ".jpg" || suffix == ".jpeg";
-}
-
-/// The bytes of a file with a picture; null or empty if they cannot be had.
+/// The bytes of a file with a picture; none if it cannot be encoded.
 template <typename Writer>
-vtkSmartPointer<vtkUnsignedCharArray> Encode(vtkImageData* picture, Writer* writer)
+std::vector<unsigned char> Encode(vtkImageData* picture, Writer* writer)
 {
   writer->SetInputData(picture);
   writer->WriteToMemoryOn();
   writer->Write();
-  return writer->GetResult();
+  vtkUnsignedCharArray* result = writer->GetResult();
+  const vtkIdType size = result ? result->GetNumberOfValues() : 0;
+  return size > 0 ? std::vector<unsigned char>(result->GetPointer(0), result->GetPointer(0) + size)
+                  : std::vector<unsigned char>();
+}
+
+std::vector<unsigned char> EncodeJPEG(vtkImageData* picture, double dots)
+{
+  const vtkNew<vtkJPEGWriter> writer;
+  std::vector<unsigned char> bytes = Encode(picture, writer.Get());
+  if (dots > 0.0)
+  {
+    TellDotsOfJPEG(bytes, dots);
+  }
+  return bytes;
 }
 
 /// The rows of the image from the top down, into the band.
@@ -166,6 +174,13 @@ void PendingFile::Commit() const
 }
 
 //------------------------------------------------------------------------------
+bool IsJPEG(const std::string& name)
+{
+  const std::string suffix = SuffixOf(name);
+  return suffix == ".jpg" || suffix == ".jpeg";
+}
+
+//------------------------------------------------------------------------------
 std::string WhyNotPicture(const std::string& name)
 {
   const std::string suffix = SuffixOf(name);
@@ -190,32 +205,34 @@ vtkSmartPointer<vtkImageData> CapturePicture(vtkRenderWindow* window, bool withA
 }
 
 //------------------------------------------------------------------------------
-void WritePicture(vtkImageData* picture, double dots, const PendingFile& file, PictureUse use)
+std::vector<unsigned char> EncodePicture(vtkImageData* picture, double dots, PictureUse use)
 {
-  const bool isJPEG = IsJPEG(file.GetPath());
-  vtkSmartPointer<vtkUnsignedCharArray> bytes;
-  if (isJPEG)
+  const vtkNew<vtkPNGWriter> writer;
+  writer->SetCompressionLevel(use == PictureUse::Passing ? 1 : 5);
+  std::vector<unsigned char> bytes = Encode(picture, writer.Get());
+  if (dots > 0.0 && !bytes.empty())
   {
-    const vtkNew<vtkJPEGWriter> writer;
-    bytes = Encode(picture, writer.Get());
+    TellDotsOfPNG(bytes, dots);
   }
-  else
-  {
-    const vtkNew<vtkPNGWriter> writer;
-    writer->SetCompressionLevel(use == PictureUse::Passing ? 1 : 5);
-    bytes = Encode(picture, writer.Get());
-  }
-  if (!bytes || bytes->GetNumberOfValues() == 0)
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void WriteEncoded(const std::vector<unsigned char>& bytes, const PendingFile& file)
+{
+  if (bytes.empty())
   {
     file.Fail("the picture could not be encoded");
   }
-  const auto size = static_cast<std::size_t>(bytes->GetNumberOfValues());
-  std::vector<unsigned char> content(bytes->GetPointer(0), bytes->GetPointer(0) + size);
-  if (dots > 0.0)
-  {
-    isJPEG ? TellDotsOfJPEG(content, dots) : TellDotsOfPNG(content, dots);
-  }
-  file.Write(content.data(), content.size());
+  file.Write(bytes.data(), bytes.size());
+}
+
+//------------------------------------------------------------------------------
+void WritePicture(vtkImageData* picture, double dots, const PendingFile& file)
+{
+  WriteEncoded(IsJPEG(file.GetPath()) ? EncodeJPEG(picture, dots)
+                                      : EncodePicture(picture, dots, PictureUse::Lasting),
+    file);
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 class vtkRenderWindow;
@@ -52,6 +53,9 @@ private:
   vtkNew<vtkTerrainOutputFile> File;
 };
 
+/// True for the name of a JPEG file.
+bool IsJPEG(const std::string& name);
+
 /// Why a picture cannot have a name: its suffix is that of another format. Empty if it can.
 std::string WhyNotPicture(const std::string& name);
 
@@ -65,10 +69,14 @@ enum class PictureUse
   Passing
 };
 
-/// Writes a picture of bytes, as JPEG for .jpg and .jpeg, else as PNG; dots per inch of 0 are not
-/// told. Throws a Failure.
-void WritePicture(vtkImageData* picture, double dots, const PendingFile& file,
-  PictureUse use = PictureUse::Lasting);
+/// A picture of bytes as PNG; dots per inch of 0 are not told. Empty if it cannot be encoded.
+std::vector<unsigned char> EncodePicture(vtkImageData* picture, double dots, PictureUse use);
+
+/// Writes an encoded picture. Throws a Failure.
+void WriteEncoded(const std::vector<unsigned char>& bytes, const PendingFile& file);
+
+/// Encodes and writes a picture, as JPEG for .jpg and .jpeg, else as PNG. Throws a Failure.
+void WritePicture(vtkImageData* picture, double dots, const PendingFile& file);
 
 /// Writes an image of float scalars, its lowest row first, as a GeoTIFF of float32 whose row 0 is
 /// on top and whose NoData value is NaN. Throws a Failure.
