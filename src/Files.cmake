@@ -55,6 +55,7 @@ set(private_sources
   raster/GDALTable
   raster/GridCoordinates
   raster/GridResample
+  raster/HeldFiles
   raster/InputFiles
   raster/PreparedFile
   raster/RasterArray
@@ -71,6 +72,7 @@ set(private_sources
   raster/RasterRepairs
   raster/RasterSamples
   raster/RasterTile
+  raster/RasterTileAlone
   raster/RasterTileSource
   raster/RasterTiles
   raster/RasterUnits

@@ -195,7 +195,8 @@ class TestFormats(unittest.TestCase):
             with self.subTest(form.title):
                 self.assertEqual(rows[form.title], row_of(form, check(form, path)))
                 count += 1
-        self.assertGreater(count, FEWEST_ROWS)
+        missing = ", ".join(form.title for form in FORMATS if is_missing(form))
+        self.assertGreaterEqual(count, FEWEST_ROWS, f"formats that this GDAL lacks: {missing}")
 
     def assert_same(self, one, other, title):
         for name in ("GetDimensions", "GetBounds", "GetSpacing"):  # whichever row comes first
@@ -226,8 +227,8 @@ class TestFormats(unittest.TestCase):
     def test_tiles_of_folders_are_what_they_are_alone(self):
         count = 0
         for form, path in self.written():
-            if form.place is None or os.path.splitext(path)[1] not in TILES or form.driver == "(none)" or any(
-                    word in form.title for word in ("longitude", "latitudes", "Vertical Mapper")):
+            if form.place is None or os.path.splitext(path)[1] not in TILES or form.driver == "(none)" or callable(
+                    form.heights):
                 continue
             with self.subTest(form.title):
                 alone, _ = read(path, form)

@@ -2,89 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files of the kinds that people bring, each written here: heights, places and holes. Skipped without GDAL."""
 import os
-import tempfile
-import unittest
 
 import numpy as np
 import vtkTerrainTesting
-from vtkmodules.vtkCommonCore import vtkObject
+from vtkTerrainRasters import COLUMNS, ROWS, RasterCase, gdal, ground
 
 from vtkterrain import array_from_heights, heights_from_array, vtkTerrainRasterReader
 
-try:
-    from osgeo import gdal, osr
 
-    gdal.UseExceptions()
-except ImportError:
-    gdal = None
-
-ROWS, COLUMNS = 40, 50
-
-
-def ground():
-    """Row 0 in the north: a slope that rises to the east and the south, a block in the north-west."""
-    row, column = np.mgrid[0:ROWS, 0:COLUMNS]
-    heights = 100.0 + 2.0 * column + row
-    heights[4:8, 4:8] = 400.0
-    return heights
-
-
-@unittest.skipIf(gdal is None, "GDAL's Python module is not installed")
-class TestIntake(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.mkdtemp()
-        vtkObject.GlobalWarningDisplayOff()
-
-    def path(self, name):
-        path = os.path.join(self.folder, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        return path
-
-    def write(self, name, heights, transform=(5e5, 10.0, 0.0, 5e6, 0.0, -10.0), system="EPSG:32631",
-              kind=None, unit=None, nodata=None, driver="GTiff"):
-        kind = gdal.GDT_Float32 if kind is None else kind
-        memory = gdal.GetDriverByName("MEM").Create("", heights.shape[1], heights.shape[0], 1, kind)
-        memory.SetGeoTransform(transform)
-        if system:
-            reference = osr.SpatialReference()
-            reference.SetFromUserInput(system)
-            memory.SetProjection(reference.ExportToWkt(["FORMAT=WKT2_2019"]))
-        memory.GetRasterBand(1).WriteArray(heights)
-        if unit:
-            memory.GetRasterBand(1).SetUnitType(unit)
-        if nodata is not None:
-            memory.GetRasterBand(1).SetNoDataValue(nodata)
-        gdal.GetDriverByName(driver).CreateCopy(self.path(name), memory)
-        return self.path(name)
-
-    def netcdf(self, name, heights, y, x, order=("lat", "lon"), **attributes):
-        text = gdal.ExtendedDataType.CreateString()
-        number = gdal.ExtendedDataType.Create(gdal.GDT_Float64)
-        file = gdal.GetDriverByName("netCDF").CreateMultiDimensional(self.path(name))
-        group = file.GetRootGroup()
-        places = {"lat": (y, "degrees_north"), "lon": (x, "degrees_east")}
-        axes = {}
-        for key in order:
-            axes[key] = group.CreateDimension(key, None, None, len(places[key][0]))
-            array = group.CreateMDArray(key, [axes[key]], number)
-            array.CreateAttribute("units", [], text).Write(places[key][1])
-            array.Write(np.asarray(places[key][0], dtype=np.float64))
-        z = group.CreateMDArray("z", [axes[key] for key in order], number)
-        for key, value in attributes.items():
-            z.CreateAttribute(key, [], text).Write(value)
-        z.Write(np.ascontiguousarray(heights, dtype=np.float64))
-        return self.path(name)
-
-    def read(self, path, **options):
-        reader = vtkTerrainRasterReader()
-        reader.SetFileName(path)
-        for name, value in options.items():
-            getattr(reader, f"Set{name}")(value)
-        reader.Update()
-        self.assertEqual(reader.GetErrorMessage(), "")
-        image = reader.GetOutput()
-        return array_from_heights(image)[::-1].astype(float), image, reader.GetWarningMessage()
-
+class TestIntake(RasterCase):
     def test_units_by_name_and_by_number(self):
         for unit, metres in (("fathom", 1.8288), ("US feet", 1200 / 3937), ("Feet (US)", 1200 / 3937), ("yd", 0.9144),
                              ("mm", 1e-3), ("international feet", 0.3048)):
@@ -174,15 +100,6 @@ class TestIntake(unittest.TestCase):
         path = self.write("special.cub", z, (0, 100, 0, 0, 0, -100), moon, gdal.GDT_Int16, driver="ISIS3")
         self.assertEqual(np.isnan(self.read(path)[0]).sum(), 5)
 
-    def test_turned_rasters_are_refused_with_what_to_do(self):
-        path = self.write("turned.tif", ground(), (5e5, 8.0, 3.0, 5e6, 3.0, -8.0))
-        reader = vtkTerrainRasterReader()
-        reader.SetFileName(path)
-        reader.Update()
-        self.assertIn("gdalwarp -dstnodata -9999", reader.GetErrorMessage())
-        gdal.Warp(self.path("north-up.tif"), path, dstNodata=-9999)
-        self.assertAlmostEqual(np.nanmin(self.read(self.path("north-up.tif"))[0]), 100.0)
-
     def test_sites_of_a_folder(self):
         z, step = ground(), 0.0003
         self.write("sites/a.tif", z[:20], (-97.0, step, 0.0, 30.0, 0.0, -step), "EPSG:4326")
@@ -226,11 +143,6 @@ class TestIntake(unittest.TestCase):
         reader.SetFileName(self.path("points.csv"))
         reader.Update()
         self.assertIn("call the right columns x, y and z", reader.GetErrorMessage())
-
-    def test_distances_from_the_centre_of_a_body_are_told(self):
-        moon = "+proj=eqc +lat_ts=0 +R=1737400 +units=m"
-        path = self.write("radii.tif", ground() + 1737400.0, (0, 100, 0, 0, 0, -100), moon, gdal.GDT_Float64)
-        self.assertIn("from the centre of its body", self.read(path)[2])
 
     def test_flip_and_describe(self):
         path = self.write("flip.tif", ground())

@@ -151,6 +151,9 @@
   ENTRY(GDALTranslateOptionsFree)                                                                  \
   ENTRY(GDALTranslateOptionsNew)                                                                   \
   ENTRY(GDALVersionInfo)                                                                           \
+  ENTRY(GDALWarp)                                                                                  \
+  ENTRY(GDALWarpAppOptionsFree)                                                                    \
+  ENTRY(GDALWarpAppOptionsNew)                                                                     \
   ENTRY(OCTClone)                                                                                  \
   ENTRY(OCTDestroyCoordinateTransformation)                                                        \
   ENTRY(OCTNewCoordinateTransformation)                                                            \
@@ -194,7 +197,8 @@
   ENTRY(VSIFree)                                                                                   \
   ENTRY(VSIGetNextDirEntry)                                                                        \
   ENTRY(VSIOpenDir)                                                                                \
-  ENTRY(VSIStatL)
+  ENTRY(VSIStatL)                                                                                  \
+  ENTRY(VSIUnlink)
 // clang-format on
 
 namespace terrain

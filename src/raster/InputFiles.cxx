@@ -109,7 +109,15 @@ bool IsInDirectory(const std::string& path, const std::string& directory)
 std::vector<std::string> RasterFile::GetFileNames() const
 {
   const GDALMessages messages;
-  return ListFiles(this->Dataset);
+  std::vector<std::string> files = ListFiles(this->Dataset);
+  files.erase(std::remove_if(files.begin(), files.end(),
+                [](const std::string& file) { return file.compare(0, 8, "/vsimem/") == 0; }),
+    files.end());
+  for (const auto& held : this->Held)
+  {
+    files.push_back(held->GetSource());
+  }
+  return files;
 }
 
 //------------------------------------------------------------------------------

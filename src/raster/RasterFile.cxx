@@ -33,7 +33,7 @@ bool IsColor(GDALColorInterp color)
 RasterFile::RasterFile(std::string fileName, const std::string& part)
   : Name(std::move(fileName))
 {
-  this->Dataset = OpenRaster(this->Name, part, this->Record);
+  this->Dataset = OpenRaster(this->Name, part, this->Record, this->Held);
   GDALDriverH driver = GDALGetDatasetDriver(this->Dataset);
   if (driver && std::strcmp(GDALGetDriverShortName(driver), "MEM") != 0)
   {
@@ -252,7 +252,7 @@ void RasterFile::GetScaleAndOffset(double& scale, double& offset) const
   scale = hasScale && std::isfinite(scale) && scale != 0.0 ? scale : 1.0;
   offset = hasOffset && std::isfinite(offset) ? offset : 0.0;
   scale *= this->Heights.Factor;
-  offset *= this->Heights.Factor;
+  offset = this->Heights.Factor * offset + this->Heights.Offset;
 }
 
 //------------------------------------------------------------------------------

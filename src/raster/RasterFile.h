@@ -17,6 +17,7 @@
 #define vtkTerrain_raster_RasterFile_h
 
 #include "raster/GridCoordinates.h"
+#include "raster/HeldFiles.h"
 #include "raster/RasterHoles.h"
 #include "raster/RasterMessages.h"
 #include "raster/RasterRecord.h"
@@ -130,6 +131,11 @@ public:
   /// Finds everything else; once, after SelectBand. Throws.
   void TakeIn(const RasterOptions& options);
 
+  /// The name that was opened: of the data, where that of a header was given.
+  const std::string& GetName() const
+  {
+    return this->Name;
+  }
   int GetBand() const
   {
     return this->BandNumber;
@@ -194,6 +200,9 @@ public:
   void ReadMask(int overview, const RasterWindow& window, unsigned char* buffer,
     std::int64_t pixelBytes, std::int64_t lineBytes) const;
 
+  /// All samples, before scale and offset, NaN for those that are no heights. Throws.
+  std::vector<double> ReadHeights();
+
   /// The smallest overview of at least 1 / reduction of the full width and height, else -1.
   int FindOverview(double reduction) const;
   /// Size of an overview, or of the full resolution for -1.
@@ -218,6 +227,7 @@ private:
   void TakePlace(const GridPlace& place, const std::string& system);
   void SetReference(const std::string& definition, const std::string& source);
   void TurnFileAxes();
+  void PlaceSheared();
   void WarnOfPlace();
   void CheckSystem();
   void MakeLayout();
@@ -227,16 +237,17 @@ private:
   std::vector<double> SampleBand() const;
   std::vector<double> GetDeclaredNoData() const;
   void FindHeights(const RasterOptions& options);
+  void TakeRadii();
   void Resample();
   /// Heights of an even grid over the uneven one's; none if it spans no area.
   std::vector<double> MakeEven(EvenGrid& grid);
-  std::vector<double> ReadHeights();
   void ReplaceByHeights(std::vector<double> heights, int width, int height);
   void Replace(GDALDatasetH dataset);
   void CheckSanity();
   void CheckBytes();
 
   std::string Name;
+  HeldFiles Held;
   GDALDatasetH Dataset = nullptr;
   GDALRasterBandH Band = nullptr;
   int BandNumber = 0;

@@ -302,6 +302,42 @@ void RasterFile::FindHeights(const RasterOptions& options)
       "scale", NumberText(offset) + " + " + NumberText(scale) + " x sample", "band");
   }
   this->Heights = FindHeightMeaning(facts, this->Record);
+  this->TakeRadii();
+}
+
+//------------------------------------------------------------------------------
+// Distances from the centre of a body, as grids of planets have them, become heights above the
+// ellipsoid of the CRS, or above the offset that the band itself names.
+void RasterFile::TakeRadii()
+{
+  constexpr double kLeastRadius = 0.9;
+  constexpr double kSmallestBody = 1e4; // metres
+  double scale = 1.0;
+  double offset = 0.0;
+  this->GetScaleAndOffset(scale, offset);
+  OGRErr error = OGRERR_NONE;
+  const double named = this->Reference ? OSRGetSemiMajor(this->Reference, &error) : 0.0;
+  const double radius = error == OGRERR_NONE && named > 0.0 ? named : offset;
+  const double low = offset + std::min(scale * this->Holes.Low, scale * this->Holes.High);
+  const double high = offset + std::max(scale * this->Holes.Low, scale * this->Holes.High);
+  if (this->Holes.Low > this->Holes.High || radius < kSmallestBody || low < kLeastRadius * radius ||
+    high > radius / kLeastRadius)
+  {
+    return;
+  }
+  this->Heights.Offset = -radius;
+  const bool isNamed = radius != offset;
+  this->Record.Take("radii",
+    "heights are distances from the centre less " + NumberText(radius) + " m",
+    isNamed ? "ellipsoid of the CRS" : "offset of the band");
+  const double inverse = isNamed ? OSRGetInvFlattening(this->Reference, &error) : 0.0;
+  if (inverse > 0.0)
+  {
+    this->Record.Warn("its heights are distances from the centre of a flattened body: they are "
+                      "drawn above a sphere of its largest radius, " +
+      NumberText(radius) + " m, so that they fall towards the poles by up to " +
+      NumberText(radius / inverse) + " m (gdal_calc.py subtracts the radius of each latitude)");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -338,6 +374,7 @@ std::vector<double> RasterFile::ReadHeights()
 std::vector<double> RasterFile::MakeEven(EvenGrid& grid)
 {
   GridPlace& place = this->Uneven;
+  place.IsGeographic = place.IsGeographic || (this->Reference && OSRIsGeographic(this->Reference));
   const auto width = static_cast<std::size_t>(this->GetWidth());
   const std::vector<double> heights = this->ReadHeights();
   if (!place.IsField)
@@ -417,6 +454,7 @@ void RasterFile::TakeIn(const RasterOptions& options)
   const GDALMessages messages;
   this->FindPlace(options);
   this->TurnFileAxes();
+  this->PlaceSheared();
   this->FindHoles(options);
   this->FindHeights(options);
   this->Resample();
@@ -461,7 +499,6 @@ void RasterFile::CheckSanity()
   constexpr double kMostOfOne = 0.9;
   constexpr double kNeedle = 10.0; // cells
   constexpr double kFewest = 0.01;
-  constexpr double kLeastRadius = 0.9;
   constexpr double kSmallestRaster = 64.0;
   const FillFindings& seen = this->Holes.Seen;
   const double samples =
@@ -483,13 +520,6 @@ void RasterFile::CheckSanity()
   const std::string range = "heights from " + NumberText(std::min(ends[0], ends[1])) + " to " +
     NumberText(std::max(ends[0], ends[1])) + " m, cells of " + NumberText(cellX) + " x " +
     NumberText(cellY) + " m";
-  OGRErr error = OGRERR_NONE;
-  const double radius = this->Reference ? OSRGetSemiMajor(this->Reference, &error) : 0.0;
-  if (error == OGRERR_NONE && std::min(ends[0], ends[1]) > kLeastRadius * radius && radius > 0.0)
-  {
-    this->Record.Warn("its heights are distances from the centre of its body, whose radius is " +
-      NumberText(radius) + " m, and are drawn as such (" + range + ")");
-  }
   if (relief > kSteepestRelief * longest)
   {
     this->Record.Warn("it is more than three times as high as it is wide (" + range +

@@ -136,7 +136,8 @@ std::string ArchiveFolder(const std::string& name)
   return ends(".tar") || ends(".tgz") || ends(".tar.gz") ? "/vsitar/{" + name + "}" : std::string();
 }
 
-GDALDatasetH OpenArchive(std::string& name, std::string& part, RasterRecord& record)
+GDALDatasetH OpenArchive(
+  std::string& name, std::string& part, RasterRecord& record, HeldFiles& held)
 {
   if (Extension(name) == "gz" && ArchiveFolder(name).empty())
   {
@@ -161,7 +162,7 @@ GDALDatasetH OpenArchive(std::string& name, std::string& part, RasterRecord& rec
   }
   if (rasters.size() > 1)
   {
-    GDALDatasetH dataset = OpenRasterTiles(folder, part, record);
+    GDALDatasetH dataset = OpenRasterTiles(folder, part, record, held);
     part.clear();
     name = folder;
     return dataset;
@@ -326,7 +327,7 @@ const Part& ChoosePart(
 }
 
 /// Any dataset under this name, with or without bands. `part` becomes empty where it was used.
-GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record)
+GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record, HeldFiles& held)
 {
   const GDALMessages messages;
   GDALDatasetH dataset = OpenBeside(name, false, record);
@@ -339,11 +340,12 @@ GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record)
     const std::vector<std::string> rasters = FindRasters(name);
     if (rasters.size() == 1)
     {
+      TellOfOthers(name, record);
       name = rasters.front();
       record.Take("file", name, "the one raster in the folder");
-      return OpenAny(name, part, record);
+      return OpenAny(name, part, record, held);
     }
-    dataset = OpenRasterTiles(name, part, record);
+    dataset = OpenRasterTiles(name, part, record, held);
     part.clear();
     return dataset;
   }
@@ -353,7 +355,7 @@ GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record)
   }
   if (!dataset)
   {
-    dataset = OpenArchive(name, part, record);
+    dataset = OpenArchive(name, part, record, held);
   }
   if (!dataset)
   {
@@ -383,7 +385,8 @@ void RegisterDrivers()
 }
 
 //------------------------------------------------------------------------------
-GDALDatasetH OpenRaster(std::string& name, const std::string& wanted, RasterRecord& record)
+GDALDatasetH OpenRaster(
+  std::string& name, const std::string& wanted, RasterRecord& record, HeldFiles& held)
 {
   std::string part = wanted;
   RegisterDrivers();
@@ -392,7 +395,7 @@ GDALDatasetH OpenRaster(std::string& name, const std::string& wanted, RasterReco
   {
     throw RasterError(whyNot);
   }
-  GDALDatasetH dataset = OpenAny(name, part, record);
+  GDALDatasetH dataset = OpenAny(name, part, record, held);
   const std::vector<Part> parts = ListParts(dataset);
   if (GDALGetRasterCount(dataset) > 0 && (part.empty() || parts.empty()))
   {

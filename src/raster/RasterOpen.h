@@ -8,6 +8,7 @@
 #ifndef vtkTerrain_raster_RasterOpen_h
 #define vtkTerrain_raster_RasterOpen_h
 
+#include "raster/HeldFiles.h"
 #include "raster/RasterRecord.h"
 
 #include <gdal.h>
@@ -24,6 +25,7 @@ void RegisterDrivers();
 /// the part of the wanted name or number (from 1 on) of a file of several; without a name the only
 /// part that is called as heights are. `name` becomes that of what was opened. Warnings of GDAL go
 /// to the record. Throws RasterError. The caller closes it.
-GDALDatasetH OpenRaster(std::string& name, const std::string& wanted, RasterRecord& record);
+GDALDatasetH OpenRaster(
+  std::string& name, const std::string& wanted, RasterRecord& record, HeldFiles& held);
 }
 #endif

@@ -25,24 +25,27 @@ namespace
 {
 // A raster sheared by less than this many cells over its whole length is not sheared.
 constexpr double kShearTolerance = 0.01;
+// Samples of a sheared raster, which is resampled in memory.
+constexpr std::int64_t kMostSheared = std::int64_t{ 1 } << 27;
 // Metres per degree of longitude are never less than this share of those at the equator.
 constexpr double kPoleShare = 1e-6;
 
-void CheckAxes(const std::array<double, 6>& transform, double width, double height)
+void CheckAxes(const std::array<double, 6>& transform)
 {
   const bool finite =
     std::all_of(transform.begin(), transform.end(), [](double x) { return std::isfinite(x); });
-  if (!finite || (transform[1] == 0.0 && transform[2] == 0.0) ||
-    (transform[5] == 0.0 && transform[4] == 0.0))
+  if (!finite || transform[1] * transform[5] == transform[2] * transform[4])
   {
-    throw RasterError("its georeference is degenerate");
+    throw RasterError("its georeference is degenerate (gdal_translate -a_ullr X0 Y1 X1 Y0 IN "
+                      "OUT.tif places it)");
   }
-  if (std::fabs(transform[2]) * height > kShearTolerance * std::fabs(transform[1]) ||
-    std::fabs(transform[4]) * width > kShearTolerance * std::fabs(transform[5]))
-  {
-    throw RasterError("its rows do not run east (rotated or sheared georeference); warp "
-                      "it to a north-up grid first (gdalwarp -dstnodata -9999 IN OUT.tif)");
-  }
+}
+
+/// True if rows do not run east.
+bool IsSheared(const std::array<double, 6>& transform, double width, double height)
+{
+  return std::fabs(transform[2]) * height > kShearTolerance * std::fabs(transform[1]) ||
+    std::fabs(transform[4]) * width > kShearTolerance * std::fabs(transform[5]);
 }
 
 /// Degrees to metres, true at the centre of the file, which becomes x = 0, y = 0.
@@ -408,6 +411,43 @@ void RasterFile::TurnFileAxes()
 }
 
 //------------------------------------------------------------------------------
+// Rows that do not run east: each sample has coordinates of its own.
+void RasterFile::PlaceSheared()
+{
+  const std::array<double, 6> t = this->Transform;
+  const std::int64_t width = this->GetWidth();
+  const std::int64_t height = this->GetHeight();
+  if (!this->HasTransform || !IsSheared(t, static_cast<double>(width), static_cast<double>(height)))
+  {
+    return;
+  }
+  CheckAxes(t);
+  if (width * height > kMostSheared)
+  {
+    throw RasterError("its rows do not run east (rotated or sheared georeference), and it is too "
+                      "large to be resampled in memory; warp it to a north-up grid first (gdalwarp "
+                      "-dstnodata -9999 IN OUT.tif)");
+  }
+  GridPlace place;
+  place.IsField = true;
+  place.IsGeographic = this->Reference && OSRIsGeographic(this->Reference);
+  place.X.reserve(static_cast<std::size_t>(width * height));
+  place.Y.reserve(static_cast<std::size_t>(width * height));
+  for (std::int64_t row = 0; row < height; ++row)
+  {
+    for (std::int64_t column = 0; column < width; ++column)
+    {
+      const double c = static_cast<double>(column) + 0.5;
+      const double r = static_cast<double>(row) + 0.5;
+      place.X.push_back(t[0] + c * t[1] + r * t[2]);
+      place.Y.push_back(t[3] + c * t[4] + r * t[5]);
+    }
+  }
+  this->Uneven = std::move(place);
+  this->Record.Take("rows", "do not run east: resampled", "rotated or sheared geotransform");
+}
+
+//------------------------------------------------------------------------------
 void RasterFile::WarnOfPlace()
 {
   const auto width = static_cast<double>(this->GetWidth());
@@ -508,7 +548,7 @@ void RasterFile::MakeLayout()
   this->Layout.HasGeoTransform = true;
   this->Layout.NorthFirst = this->Transform[5] < 0.0;
   this->Layout.EastFirst = this->Transform[1] < 0.0;
-  CheckAxes(this->Transform, width, height);
+  CheckAxes(this->Transform);
   if (this->Reference && OSRIsGeographic(this->Reference))
   {
     LayOutDegrees(this->Reference, width, height, this->Layout);

@@ -6,6 +6,7 @@
 #include "raster/RasterFile.h"
 #include "raster/RasterMessages.h"
 #include "raster/RasterReference.h"
+#include "raster/RasterTileAlone.h"
 #include "raster/RasterUnits.h"
 #include "raster/Words.h"
 
@@ -74,6 +75,14 @@ bool AreSparse(const std::vector<RasterTile>& tiles)
   return covered <= kLeastCover * area && area / cell >= kSmallRaster;
 }
 
+bool IsSamePlace(const RasterTile& tile, const std::array<double, 6>& transform)
+{
+  constexpr double kSame = 1e-6; // of a cell
+  const double step = kSame * tile.GeoTransform[1];
+  return std::equal(transform.begin(), transform.end(), tile.GeoTransform.begin(),
+    [step](double a, double b) { return std::abs(a - b) <= step; });
+}
+
 bool AreNear(const RasterTile& a, const RasterTile& b)
 {
   const double reachX = kSiteGap * std::max(a.East() - a.West(), b.East() - b.West());
@@ -115,18 +124,58 @@ std::vector<std::vector<std::size_t>> FindSites(const std::vector<RasterTile>& t
   return sites;
 }
 
+/// What GDAL says of a tile.
+void DescribeTile(GDALDatasetH dataset, GDALRasterBandH band, RasterTile& tile)
+{
+  tile.Width = GDALGetRasterXSize(dataset);
+  tile.Height = GDALGetRasterYSize(dataset);
+  tile.Bands = GDALGetRasterCount(dataset);
+  GDALGetBlockSize(band, &tile.Block[0], &tile.Block[1]);
+  tile.Type = GDALGetRasterDataType(band);
+  if (GDALGetGeoTransform(dataset, tile.GeoTransform.data()) != CE_None)
+  {
+    tile.GeoTransform = {};
+  }
+  int given = 0;
+  tile.NoData = GDALGetRasterNoDataValue(band, &given);
+  tile.HasNoData = given != 0;
+  const int flags = GDALGetMaskFlags(band);
+  tile.HasMask = (flags & (GMF_ALL_VALID | GMF_NODATA)) == 0;
+  tile.IsColour = IsColour(dataset);
+  const double scale = GDALGetRasterScale(band, &given);
+  tile.BandScale = given && std::isfinite(scale) && scale != 0.0 ? scale : 1.0;
+  const double offset = GDALGetRasterOffset(band, &given);
+  tile.BandOffset = given && std::isfinite(offset) ? offset : 0.0;
+  OGRSpatialReferenceH reference = GDALGetSpatialRef(dataset);
+  HeightFacts facts = FactsOfBand(dataset, band, reference);
+  RasterRecord own;
+  const HeightMeaning meaning = FindHeightMeaning(facts, own);
+  tile.Unit = meaning.Unit;
+  tile.Description = !facts.Description.empty() ? facts.Description
+    : facts.LongName.empty()                    ? facts.Variable
+                                                : facts.LongName;
+  tile.Warnings = own.GetWarnings();
+  tile.Scale = meaning.Factor * tile.BandScale;
+  tile.Offset = meaning.Factor * tile.BandOffset;
+  tile.IsGeographic = reference && OSRIsGeographic(reference);
+  tile.System = HorizontalSystem(reference);
+}
+
 /// What GDAL does not say of the place of a tile, as it is found where the tile is read alone.
-void PlaceAsAlone(RasterTile& tile)
+void PlaceAsAlone(RasterTile& tile, bool isArray, HeldFiles& held)
 {
   RasterFile file(tile.Path);
   file.SelectBand(0);
   file.TakeIn(RasterOptions());
-  if (file.IsReplaced() || file.IsTurned())
-  {
-    throw RasterError("its tile " + FileName(tile) +
-      " is no even grid from the north as it stands: make it one of the others' kind (gdalwarp)");
-  }
   const RasterLayout& layout = file.GetLayout();
+  // GDAL turns rows that run from the south, the array behind them does not.
+  const bool isAsShown = !isArray ||
+    (IsFromNorth(tile) && layout.HasGeoTransform && IsSamePlace(tile, layout.GeoTransform));
+  if (file.IsReplaced() || file.IsTurned() || !isAsShown || layout.GeoTransform[5] > 0.0)
+  {
+    HoldAsAlone(tile, held);
+    return;
+  }
   OGRSpatialReferenceH reference = MakeReference(layout.CRS);
   tile.System = HorizontalSystem(reference);
   tile.IsGeographic = layout.IsGeographic;
@@ -134,10 +183,37 @@ void PlaceAsAlone(RasterTile& tile)
   {
     OSRRelease(reference);
   }
-  // GDAL turns rows that run from the south, the array behind them does not.
-  if (layout.HasGeoTransform && layout.GeoTransform[5] < 0.0)
+  if (layout.HasGeoTransform)
   {
     tile.GeoTransform = layout.GeoTransform;
+  }
+}
+
+/// True if an image has one band that is no colour.
+bool HasPlainBand(const std::string& path)
+{
+  try
+  {
+    RasterFile(path).SelectBand(0);
+    return true;
+  }
+  catch (const RasterError&)
+  {
+    return false;
+  }
+}
+
+/// The data that a file is for which GDAL does not open; empty if there is none.
+std::string DataBehind(const std::string& path)
+{
+  try
+  {
+    const std::string data = FindDataOf(path);
+    return data == path ? std::string() : data;
+  }
+  catch (const RasterError&)
+  {
+    return {};
   }
 }
 
@@ -188,7 +264,7 @@ bool IsNamedAsProduct(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-RasterTile ReadRasterTile(const std::string& path)
+RasterTile ReadRasterTile(const std::string& path, HeldFiles& held)
 {
   const GDALMessages messages;
   RasterTile tile;
@@ -203,38 +279,15 @@ RasterTile ReadRasterTile(const std::string& path)
     {
       GDALClose(dataset);
     }
+    const std::string data = DataBehind(path);
+    if (!data.empty())
+    {
+      return ReadRasterTile(data, held);
+    }
     throw RasterError("its tile " + FileName(tile) + " is not a raster that GDAL can open" +
       (messages.GetFailure().empty() ? "" : " (" + messages.GetFailure() + ")"));
   }
-  tile.Width = GDALGetRasterXSize(dataset);
-  tile.Height = GDALGetRasterYSize(dataset);
-  tile.Bands = GDALGetRasterCount(dataset);
-  GDALGetBlockSize(band, &tile.Block[0], &tile.Block[1]);
-  tile.Type = GDALGetRasterDataType(band);
-  if (GDALGetGeoTransform(dataset, tile.GeoTransform.data()) != CE_None)
-  {
-    tile.GeoTransform = {};
-  }
-  int given = 0;
-  tile.NoData = GDALGetRasterNoDataValue(band, &given);
-  tile.HasNoData = given != 0;
-  const int flags = GDALGetMaskFlags(band);
-  tile.HasMask = (flags & (GMF_ALL_VALID | GMF_NODATA)) == 0;
-  tile.IsColour = IsColour(dataset);
-  const double scale = GDALGetRasterScale(band, &given);
-  tile.BandScale = given && std::isfinite(scale) && scale != 0.0 ? scale : 1.0;
-  const double offset = GDALGetRasterOffset(band, &given);
-  tile.BandOffset = given && std::isfinite(offset) ? offset : 0.0;
-  OGRSpatialReferenceH reference = GDALGetSpatialRef(dataset);
-  HeightFacts facts = FactsOfBand(dataset, band, reference);
-  RasterRecord own;
-  const HeightMeaning meaning = FindHeightMeaning(facts, own);
-  tile.Unit = meaning.Unit;
-  tile.Warnings = own.GetWarnings();
-  tile.Scale = meaning.Factor * tile.BandScale;
-  tile.Offset = meaning.Factor * tile.BandOffset;
-  tile.IsGeographic = reference && OSRIsGeographic(reference);
-  tile.System = HorizontalSystem(reference);
+  DescribeTile(dataset, band, tile);
   const std::string format = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
   GDALClose(dataset);
   if (format == "XYZ") // whose type is the least that holds its numbers
@@ -242,9 +295,19 @@ RasterTile ReadRasterTile(const std::string& path)
     tile.Type = GDT_Float32;
   }
   const bool isText = format == "XYZ" || format == "AAIGrid";
-  if (isText || (tile.System.empty() && IsOneOf(format, { "netCDF", "Zarr", "HDF5Image" })))
+  const bool isArray = tile.System.empty() && IsOneOf(format, { "netCDF", "Zarr", "HDF5Image" });
+  if (IsNamedAsProduct(path)) // which is left out, or the folder refused for it
   {
-    PlaceAsAlone(tile);
+    return tile;
+  }
+  if (isText || isArray)
+  {
+    PlaceAsAlone(tile, isArray, held);
+  }
+  else if ((tile.GeoTransform != std::array<double, 6>{} && !IsFromNorth(tile)) ||
+    (tile.IsColour && tile.Bands > 1 && HasPlainBand(path)))
+  {
+    HoldAsAlone(tile, held);
   }
   return tile;
 }
@@ -270,8 +333,7 @@ void CheckTiles(const std::vector<RasterTile>& tiles)
   const RasterTile& first = tiles.front();
   for (const RasterTile& tile : tiles)
   {
-    if (!(tile.GeoTransform[1] > 0.0) || !(tile.GeoTransform[5] < 0.0) ||
-      tile.GeoTransform[2] != 0.0 || tile.GeoTransform[4] != 0.0)
+    if (!IsFromNorth(tile))
     {
       throw RasterError("its tile " + FileName(tile) +
         " has no place, or its rows do not run from the north: make it one of the others' kind "
@@ -282,7 +344,9 @@ void CheckTiles(const std::vector<RasterTile>& tiles)
       throw RasterError("its " + std::to_string(tiles.size()) +
         " tiles make no one raster: " + FileName(first) + " is in " + NameOfSystem(first.System) +
         ", " + FileName(tile) + " in " + NameOfSystem(tile.System) +
-        "; warp them into one file first (gdalwarp TILES OUT.tif), or open them one by one");
+        "; name the CRS of that without one (gdal_translate -a_srs EPSG:N IN OUT.tif), or open "
+        "them "
+        "one by one");
     }
   }
 }

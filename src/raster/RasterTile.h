@@ -8,6 +8,7 @@
 #ifndef vtkTerrain_raster_RasterTile_h
 #define vtkTerrain_raster_RasterTile_h
 
+#include "raster/HeldFiles.h"
 #include "raster/RasterRecord.h"
 
 #include <gdal.h>
@@ -37,6 +38,8 @@ struct RasterTile
   double BandScale = 1.0;
   double BandOffset = 0.0;
   std::string Unit;
+  /// What the band is called.
+  std::string Description;
   bool HasNoData = false;
   double NoData = 0.0;
   bool HasMask = false;
@@ -69,8 +72,9 @@ struct RasterTile
 /// True for names that hold a word of products that are no heights (hillshade, mask, slope, ...).
 bool IsNamedAsProduct(const std::string& path);
 
-/// Opens a tile and looks at what it says. Throws RasterError that names it.
-RasterTile ReadRasterTile(const std::string& path);
+/// Opens a tile and looks at what it says; one that GDAL alone does not show as it is read alone is
+/// held in memory. Throws RasterError that names it.
+RasterTile ReadRasterTile(const std::string& path, HeldFiles& held);
 
 /// Leaves out what are no heights: by name, colours, and bytes beside wider types; warns of them.
 void LeaveOutProducts(std::vector<RasterTile>& tiles, RasterRecord& record);

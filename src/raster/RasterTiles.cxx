@@ -6,6 +6,7 @@
 #include "raster/RasterMessages.h"
 #include "raster/RasterReference.h"
 #include "raster/RasterTile.h"
+#include "raster/RasterTileAlone.h"
 
 #include <algorithm>
 #include <array>
@@ -21,14 +22,53 @@ namespace
 constexpr std::array<const char*, 30> kTileExtensions{ { "tif", "tiff", "hgt", "dem", "asc", "img",
   "dt0", "dt1", "dt2", "bil", "bip", "bsq", "flt", "grd", "jp2", "sdat", "nc", "xyz", "bag", "bt",
   "cub", "gxf", "grb", "grib", "grib2", "hf2", "mtw", "ntf", "rst", "sigdem" } };
+// Files that may hold several rasters, or none, which are told of.
+constexpr std::array<const char*, 10> kOtherExtensions{ { "zip", "tar", "tgz", "gz", "7z", "gpkg",
+  "h5", "hdf", "csv", "dat" } };
+constexpr std::size_t kListedOthers = 5;
 // Folders below each other that are looked into.
 constexpr int kDeepest = 6;
 
-bool IsTile(const char* name)
+template <std::size_t N>
+bool EndsAsOneOf(const std::array<const char*, N>& extensions, const char* name)
 {
   const char* extension = CPLGetExtension(name);
-  return std::any_of(kTileExtensions.begin(), kTileExtensions.end(),
+  return std::any_of(extensions.begin(), extensions.end(),
     [extension](const char* other) { return EQUAL(extension, other); });
+}
+
+/// Names of the files below a directory with one of these extensions, sorted.
+template <std::size_t N>
+std::vector<std::string> FindFiles(
+  const std::string& directory, const std::array<const char*, N>& extensions)
+{
+  std::vector<std::string> files;
+  VSIDIR* entries = VSIOpenDir(directory.c_str(), kDeepest, nullptr);
+  if (!entries)
+  {
+    throw RasterError("it is a directory that cannot be listed, or an empty one");
+  }
+  while (const VSIDIREntry* entry = VSIGetNextDirEntry(entries))
+  {
+    if (EndsAsOneOf(extensions, entry->pszName) && !VSI_ISDIR(entry->nMode))
+    {
+      files.emplace_back(CPLFormFilename(directory.c_str(), entry->pszName, nullptr));
+    }
+  }
+  VSICloseDir(entries);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Names of files that are not looked into, for a message; empty for none.
+std::string ListOthers(const std::string& directory)
+{
+  std::vector<std::string> names;
+  for (const std::string& file : FindFiles(directory, kOtherExtensions))
+  {
+    names.emplace_back(CPLGetFilename(file.c_str()));
+  }
+  return names.empty() ? std::string() : ListText(names, kListedOthers);
 }
 
 std::string Escaped(const std::string& text)
@@ -198,8 +238,9 @@ std::string DescribeMosaic(const Mosaic& mosaic)
     text += "<NoDataValue>" + Exact(mosaic.NoData) + "</NoDataValue>";
     if (mosaic.IsUniform)
     {
-      text += "<UnitType>" + Escaped(first.Unit) + "</UnitType><Offset>" + Exact(first.BandOffset) +
-        "</Offset><Scale>" + Exact(first.BandScale) + "</Scale>";
+      text += "<Description>" + Escaped(first.Description) + "</Description><UnitType>" +
+        Escaped(first.Unit) + "</UnitType><Offset>" + Exact(first.BandOffset) + "</Offset><Scale>" +
+        Exact(first.BandScale) + "</Scale>";
       text += first.Scale * first.BandScale < 0.0
         ? "<Metadata><MDI key=\"positive\">down</MDI></Metadata>"
         : "";
@@ -221,39 +262,38 @@ std::string DescribeMosaic(const Mosaic& mosaic)
 //------------------------------------------------------------------------------
 std::vector<std::string> FindRasters(const std::string& directory)
 {
-  std::vector<std::string> tiles;
-  VSIDIR* entries = VSIOpenDir(directory.c_str(), kDeepest, nullptr);
-  if (!entries)
+  return FindFiles(directory, kTileExtensions);
+}
+
+//------------------------------------------------------------------------------
+void TellOfOthers(const std::string& directory, RasterRecord& record)
+{
+  const std::string others = ListOthers(directory);
+  if (!others.empty())
   {
-    throw RasterError("it is a directory that cannot be listed, or an empty one");
+    record.Warn("not looked into in the folder: " + others + " (unpack it, or open it alone)");
   }
-  while (const VSIDIREntry* entry = VSIGetNextDirEntry(entries))
-  {
-    if (IsTile(entry->pszName) && !VSI_ISDIR(entry->nMode))
-    {
-      tiles.emplace_back(CPLFormFilename(directory.c_str(), entry->pszName, nullptr));
-    }
-  }
-  VSICloseDir(entries);
-  std::sort(tiles.begin(), tiles.end());
-  return tiles;
 }
 
 //------------------------------------------------------------------------------
 GDALDatasetH OpenRasterTiles(
-  const std::string& directory, const std::string& site, RasterRecord& record)
+  const std::string& directory, const std::string& site, RasterRecord& record, HeldFiles& held)
 {
   std::vector<RasterTile> tiles;
   for (const std::string& path : FindRasters(directory))
   {
-    tiles.push_back(ReadRasterTile(path));
+    tiles.push_back(ReadRasterTile(path, held));
   }
   if (tiles.empty())
   {
-    throw RasterError("it is a directory without elevation tiles");
+    const std::string others = ListOthers(directory);
+    throw RasterError("it is a directory without elevation tiles" +
+      (others.empty() ? "" : "; unpack, or open alone, what it holds: " + others));
   }
+  TellOfOthers(directory, record);
   const std::size_t found = tiles.size();
   LeaveOutProducts(tiles, record);
+  BringIntoOneSystem(tiles, held, record);
   CheckTiles(tiles);
   for (const RasterTile& tile : tiles)
   {

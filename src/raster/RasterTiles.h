@@ -7,6 +7,7 @@
 #ifndef vtkTerrain_raster_RasterTiles_h
 #define vtkTerrain_raster_RasterTiles_h
 
+#include "raster/HeldFiles.h"
 #include "raster/RasterRecord.h"
 
 #include <gdal.h>
@@ -20,6 +21,9 @@ namespace terrain
 /// those below it, sorted; empty if there are none. Throws RasterError if it cannot be listed.
 std::vector<std::string> FindRasters(const std::string& directory);
 
+/// Warns of files of a directory that may hold rasters and are not looked into.
+void TellOfOthers(const std::string& directory, RasterRecord& record);
+
 /// Opens the rasters of a directory as one virtual raster in memory, at the finest of their
 /// resolutions. They must have one horizontal CRS; tiles on both sides of 180 degrees are joined.
 /// Units, scales, vertical axes and NoData are those of each tile; where they differ the raster is
@@ -29,6 +33,6 @@ std::vector<std::string> FindRasters(const std::string& directory);
 /// Of tiles at sites far from each other those of one are opened: of the one that covers most, with
 /// a warning, or of the one with the number `site`, from 1 on.
 GDALDatasetH OpenRasterTiles(
-  const std::string& directory, const std::string& site, RasterRecord& record);
+  const std::string& directory, const std::string& site, RasterRecord& record, HeldFiles& held);
 }
 #endif

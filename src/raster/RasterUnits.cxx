@@ -220,6 +220,6 @@ HeightMeaning FindHeightMeaning(const HeightFacts& facts, RasterRecord& record)
     return meaning;
   }
   const Unit unit = FindUnit(facts, record);
-  return { unit.Metres * (FindSense(facts, record) ? -1.0 : 1.0), unit.Name };
+  return { unit.Metres * (FindSense(facts, record) ? -1.0 : 1.0), 0.0, unit.Name };
 }
 }

@@ -40,11 +40,14 @@ struct HeightFacts
   double High = -1.0;
 };
 
-/// Heights in metres are Factor times the band's (scale and offset of the band applied before).
+/// Heights in metres are Offset + Factor times the band's (scale and offset of the band applied
+/// before).
 struct HeightMeaning
 {
   /// Below 0 where they count down.
   double Factor = 1.0;
+  /// Metres: below 0 where the band holds distances from the centre of a body.
+  double Offset = 0.0;
   /// As the file names it; empty if it does not.
   std::string Unit;
 };
