@@ -279,6 +279,13 @@ void vtkTerrainRasterReader::WarnOf(const vtkTerrainRasterPlan& plan)
   {
     this->Warn(warning);
   }
+  const terrain::RasterSites& sites = plan.File->GetRecord().GetSites();
+  this->NumberOfSites = sites.Count;
+  this->Site = sites.Taken;
+  if (this->WarnOfSites && !sites.Warning.empty())
+  {
+    this->Warn(sites.Warning);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -398,6 +405,7 @@ int vtkTerrainRasterReader::RequestInformation(vtkInformation* vtkNotUsed(reques
   this->ErrorMessage.clear();
   this->WarningMessage.clear();
   this->Internals->ToldFill.clear();
+  this->NumberOfSites = this->Site = 1;
   this->SetErrorCode(vtkErrorCode::NoError);
   if (terrain::IsHierarchyFile(this->FileName))
   {
@@ -590,6 +598,9 @@ void vtkTerrainRasterReader::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "UseCache: " << this->UseCache << "\n"
      << indent << "MemoryBudget: " << this->MemoryBudget << "\n"
      << indent << "Level: " << this->Level << "\n"
+     << indent << "WarnOfSites: " << this->WarnOfSites << "\n"
+     << indent << "NumberOfSites: " << this->NumberOfSites << "\n"
+     << indent << "Site: " << this->Site << "\n"
      << indent << "ErrorMessage: " << this->ErrorMessage << "\n"
      << indent << "WarningMessage: " << this->WarningMessage << "\n";
 }

@@ -289,6 +289,18 @@ public:
     return this->Level;
   }
 
+  ///@{
+  /// Sites far from each other of a folder without a Part, as the last update found them: how many
+  /// there are (1 for all else), and the number of the one that was read, which covers most. SetPart
+  /// takes another, from 1 on. A warning says so unless WarnOfSites is off, for who reads them all.
+  /// Default: on.
+  vtkGetMacro(NumberOfSites, int);
+  vtkGetMacro(Site, int);
+  vtkSetMacro(WarnOfSites, bool);
+  vtkGetMacro(WarnOfSites, bool);
+  vtkBooleanMacro(WarnOfSites, bool);
+  ///@}
+
   /// Why the last update failed, one line; empty if it did not.
   const char* GetErrorMessage() const;
   /// What was warned of since the size was last asked for, a line each; empty if nothing.
@@ -365,6 +377,9 @@ private:
   bool UseLevels = false;
   bool UseCache = true;
   bool WarnOfLevels = true;
+  bool WarnOfSites = true;
+  int NumberOfSites = 1;
+  int Site = 1;
   vtkIdType MemoryBudget = vtkIdType{ 1 } << 30;
   int Level = 0;
   std::shared_ptr<terrain::TileSource> Tiles;

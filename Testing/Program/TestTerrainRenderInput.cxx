@@ -4,6 +4,8 @@
 // and no file.
 #include "TerrainRenderFixture.h"
 
+#include <vtk_jsoncpp.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -148,7 +150,7 @@ TEST_F(TerrainRenderInput, Rotation)
   rotated.Width = 8;
   rotated.Height = 8;
   rotated.GeoTransform = { 0.0, 0.8, 0.6, 0.0, 0.6, -0.8 };
-  this->ExpectHeightsRefused(this->WriteRaster("rotated.tif", rotated), "rotat");
+  this->ExpectDrawn(this->Draw(this->WriteRaster("rotated.tif", rotated)), 1000);
 }
 
 TEST_F(TerrainRenderInput, ThreeBandsAreHeightsOfTheFirst)
@@ -197,6 +199,58 @@ TEST_F(TerrainRenderInput, CameraThatLooksAway)
   const RunResult result = this->Draw(this->WriteHill(), { "--camera", "32,-24,50,32,-24,90" });
   this->ExpectDrawn(result, 0);
   EXPECT_EQ(this->ReadDepths().CountHits(), 0);
+}
+
+TEST_F(TerrainRenderInput, SitesOfAFolderAreTerrainsOfOnePicture)
+{
+  constexpr double kAway = 1500.0; // of tiles of 480 m: more than 4 million samples round both
+  std::filesystem::create_directory(this->Path("isles"));
+  RasterDescription tile;
+  tile.Width = tile.Height = 48;
+  tile.CoordinateSystem = "EPSG:32631";
+  tile.GeoTransform = { 500000.0, 0.5, 0.0, 5000000.0, 0.0, -0.5 };
+  tile.Sample = [](int i, int j) { return 0.1 * (i + j); };
+  this->WriteRaster("isles/a.tif", tile);
+  tile.GeoTransform[0] += kAway;
+  tile.GeoTransform[3] += kAway;
+  tile.Sample = [](int i, int j) { return 100.0 + 0.1 * (i + j); };
+  this->WriteRaster("isles/b.tif", tile);
+  const std::vector<std::string> whole{ this->Path("isles"), "--output", "picture.png", "--depth",
+    "depth.tif", "--size", "800x800", "--stats", "stats.json" };
+  const auto read = [this]
+  {
+    Json::Value stats;
+    std::istringstream text(this->ReadText("stats.json"));
+    EXPECT_TRUE(Json::parseFromStream(Json::CharReaderBuilder(), text, &stats, nullptr));
+    return stats;
+  };
+  const RunResult both = this->Run(whole);
+  EXPECT_EQ(both.Status, 0) << both.Errors;
+  EXPECT_NE(both.Errors.find("--part N"), std::string::npos) << both.Errors;
+  Json::Value stats = read();
+  EXPECT_EQ(stats["sites"].asInt(), 2);
+  EXPECT_NEAR(stats["bounds"][1].asDouble() - stats["bounds"][0].asDouble(), kAway + 23.5, 1e-6);
+  EXPECT_NEAR(stats["height_range"][0].asDouble(), 0.0, 1e-5);
+  EXPECT_NEAR(stats["height_range"][1].asDouble(), 109.4, 1e-4);
+  const Depths depths = this->ReadDepths();
+  int left = 0;
+  int right = 0;
+  for (int row = 0; row < depths.Height; ++row)
+  {
+    for (int column = 0; column < depths.Width; ++column)
+    {
+      int& half = 2 * column < depths.Width ? left : right;
+      half += std::isfinite(depths.At(column, row)) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(left, 10);
+  EXPECT_GT(right, 10);
+  std::vector<std::string> second = whole;
+  second.insert(second.end(), { "--part", "2" });
+  EXPECT_EQ(this->Run(second).Status, 0);
+  stats = read();
+  EXPECT_FALSE(stats.isMember("sites"));
+  EXPECT_NEAR(stats["height_range"][0].asDouble(), 100.0, 1e-5);
 }
 
 TEST_F(TerrainRenderInput, RealFilesOfManyFormats)

@@ -67,7 +67,8 @@ class TestFolders(RasterCase):
         file = gdal.GetDriverByName("netCDF").CreateMultiDimensional(self.path("plain/z.nc"))
         group = file.GetRootGroup()
         axes = []
-        for name, values in (("y", 5e6 - 10.0 * (np.arange(ROWS) + 0.5)), ("x", 5e5 + 10.0 * (np.arange(COLUMNS) + 0.5))):
+        places = {"y": 5e6 - 10.0 * (np.arange(ROWS) + 0.5), "x": 5e5 + 10.0 * (np.arange(COLUMNS) + 0.5)}
+        for name, values in places.items():
             axes.append(group.CreateDimension(name, None, None, values.size))
             group.CreateMDArray(name, [axes[-1]], number).Write(values)
         group.CreateMDArray("z", axes, number).Write(ground())
@@ -153,7 +154,8 @@ class TestFolders(RasterCase):
 
     def test_rows_that_do_not_run_east(self):
         column, row = np.meshgrid(np.arange(60) + 0.5, np.arange(40) + 0.5)
-        for t in ((5e5, 8.0, 3.0, 5e6, 3.0, -8.0), (5e5, 10.0, 2.0, 5e6, 0.0, -10.0), (5e5, 0.0, 10.0, 5e6, -10.0, 0.0)):
+        for t in ((5e5, 8.0, 3.0, 5e6, 3.0, -8.0), (5e5, 10.0, 2.0, 5e6, 0.0, -10.0),
+                  (5e5, 0.0, 10.0, 5e6, -10.0, 0.0)):
             z = slope(t[0] + column * t[1] + row * t[2], t[3] + column * t[4] + row * t[5])
             path = self.write("sheared.tif", z, t)
             for options in ({}, {"CoordinateSystem": "EPSG:32632"}):
@@ -166,9 +168,11 @@ class TestFolders(RasterCase):
     @unittest.skipIf(importlib.util.find_spec("rioxarray") is None, "rioxarray is not installed")
     def test_rows_that_do_not_run_east_in_an_array(self):
         import rioxarray
+
         from vtkterrain.xarrays import heights_from_dataarray
 
-        for t, system in (((5e5, 8.0, 3.0, 5e6, 3.0, -8.0), "EPSG:32631"), ((7, .001, .0003, 50, .0003, -.001), "EPSG:4326")):
+        for t, system in (((5e5, 8.0, 3.0, 5e6, 3.0, -8.0), "EPSG:32631"),
+                          ((7.0, 0.001, 0.0003, 50.0, 0.0003, -0.001), "EPSG:4326")):
             path = self.write("sheared.tif", ground(), t, system)
             by_name = _intake.lay_out(self.read(path)[1])
             array = heights_from_dataarray(rioxarray.open_rasterio(path)[0])
@@ -177,6 +181,49 @@ class TestFolders(RasterCase):
 
     def test_a_place_that_is_none_is_refused(self):
         self.assertIn("degenerate", self.refusal(self.write("flat.tif", ground(), (5e5, 10.0, 0.0, 5e6, 10.0, 0.0))))
+
+
+@unittest.skipIf(importlib.util.find_spec("pyvista") is None, "PyVista is not installed")
+class TestSites(RasterCase):
+    def test_each_site_is_a_terrain_of_one_scene(self):
+        import pyvista
+
+        from vtkterrain.plotting import add_terrain
+
+        lowest = {"a": 0.0, "b": 500.0, "c": 1000.0}
+        for name, base in lowest.items():
+            for tile in range(2 if name == "b" else 1):
+                west = 5e5 + 30.0 * base + 10.0 * COLUMNS * tile
+                self.write(f"isles/{name}{tile}.tif", ground() + base, (west, 10.0, 0.0, 5e6 + 30.0 * base, 0.0, -10.0))
+        plotter = pyvista.Plotter(off_screen=True)
+        with self.assertWarnsRegex(UserWarning, "3 sites far from each other"):
+            first = add_terrain(plotter, self.path("isles"), name="isles")
+        terrains = [actor for actor in plotter.renderer.actors.values() if isinstance(actor, type(first))]
+        self.assertIs(terrains[0], first)
+        bounds = sorted(actor.GetBounds() for actor in terrains)
+        expected = [(5e5 + 30.0 * base + 5.0, base + 100.0) for base in lowest.values()]
+        np.testing.assert_allclose([(each[0], each[4]) for each in bounds], expected)
+        self.assertAlmostEqual(first.GetBounds()[4], 600.0)  # two tiles cover most
+        for actor in terrains:
+            np.testing.assert_allclose(actor.GetLookupTable().GetRange(), (100.0, 1400.0))
+            colors = [np.zeros(3), np.zeros(3)]
+            for each, color in zip((actor, first), colors):
+                each.GetLookupTable().GetColor(1300.0, color)
+            np.testing.assert_allclose(*colors)
+        plotter.close()
+
+    def test_one_site_alone(self):
+        import pyvista
+
+        from vtkterrain.plotting import add_terrain
+
+        self.write("isles/a.tif", ground())
+        self.write("isles/b.tif", ground() + 10.0, (6e5, 10.0, 0.0, 5.1e6, 0.0, -10.0))
+        plotter = pyvista.Plotter(off_screen=True)
+        actor = add_terrain(plotter, self.path("isles"), part=2)
+        self.assertAlmostEqual(actor.GetBounds()[0], 6e5 + 5.0)
+        self.assertEqual(sum(isinstance(each, type(actor)) for each in plotter.renderer.actors.values()), 1)
+        plotter.close()
 
 
 class TestRadii(RasterCase):
@@ -206,6 +253,7 @@ class TestRadii(RasterCase):
     @unittest.skipIf(importlib.util.find_spec("rioxarray") is None, "rioxarray is not installed")
     def test_heights_from_the_centre_in_an_array(self):
         import rioxarray
+
         from vtkterrain.xarrays import heights_from_dataarray
 
         array = heights_from_dataarray(rioxarray.open_rasterio(self.write_radii("moon.tif"))[0])

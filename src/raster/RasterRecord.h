@@ -21,6 +21,15 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// Sites of a folder that are far from each other, and the one that was taken for covering most.
+struct RasterSites
+{
+  int Count = 1;
+  int Taken = 1;
+  /// Empty where there is one, or one was named.
+  std::string Warning;
+};
+
 /// Lines "topic: value (source)" in the order in which they were found, one a topic, and sentences
 /// of warning, each once.
 class RasterRecord
@@ -41,6 +50,15 @@ public:
   {
     return this->Warnings;
   }
+  /// Not among the warnings: whoever draws all sites does not tell of it.
+  void SetSites(const RasterSites& sites)
+  {
+    this->Sites = sites;
+  }
+  const RasterSites& GetSites() const
+  {
+    return this->Sites;
+  }
 
 private:
   struct Entry
@@ -51,6 +69,7 @@ private:
   };
   std::vector<Entry> Entries;
   std::vector<std::string> Warnings;
+  RasterSites Sites;
 };
 
 /// A number as people write it, up to 10 digits.

@@ -431,10 +431,11 @@ void ChooseSite(std::vector<RasterTile>& tiles, const std::string& wanted, Raste
   record.Take("part", names[chosen], isNumber ? "given" : "site that covers most");
   if (!isNumber)
   {
-    record.Warn("its tiles lie at " + std::to_string(sites.size()) +
-      " sites far from each other, of which number " + names[chosen] +
-      " is taken, which covers most (--part N chooses another of " + ListText(names, kListedTiles) +
-      ")");
+    record.SetSites({ static_cast<int>(sites.size()), static_cast<int>(chosen) + 1,
+      "its tiles lie at " + std::to_string(sites.size()) +
+        " sites far from each other, of which number " + names[chosen] +
+        " is taken, which covers most (--part N chooses another of " +
+        ListText(names, kListedTiles) + ")" });
   }
   std::vector<RasterTile> kept;
   kept.reserve(sites[chosen].size());

@@ -183,6 +183,8 @@ std::string DescribePlan(const vtkTerrainRasterPlan& plan)
   {
     text += "warning: " + warning + "\n";
   }
+  const std::string& sites = file.GetRecord().GetSites().Warning;
+  text += sites.empty() ? "" : "warning: " + sites + "\n";
   return text;
 }
 }

@@ -13,6 +13,7 @@
 #include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTerrainActor.h"
 #include "vtkTerrainDepthPass.h"
 
 #include <optional>
@@ -137,7 +138,9 @@ vtkSmartPointer<vtkImageData> DrawDepths(
   for (int i = 0; i < props->GetNumberOfItems(); ++i)
   {
     auto* prop = static_cast<vtkProp*>(props->GetItemAsObject(i));
-    prop->SetVisibility(prop == terrain || prop == walls);
+    // a folder of far sites has several terrains
+    prop->SetVisibility(
+      prop == terrain || prop == walls || vtkTerrainActor::SafeDownCast(prop) != nullptr);
   }
   const vtkNew<vtkTerrainDepthPass> pass;
   renderer->SetPass(pass);

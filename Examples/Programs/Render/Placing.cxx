@@ -243,3 +243,27 @@ PlacedHeights PlaceHeights(
   statistics.SetText("crs", placed.Georeference->GetCoordinateSystemName());
   return placed;
 }
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> PlaceBeside(
+  const PlacedHeights& first, vtkImageData* read, const Options& options, ProgressBar& progress)
+{
+  if (first.IsGlobe())
+  {
+    return LayOnGlobe(read, HeightsName(options));
+  }
+  const PlaceOptions& wanted = options.Place;
+  const bool isGrid = first.Georeference->GetFrame() == FrameType::Grid;
+  if (isGrid && wanted.Cell == 0.0 && wanted.Vertical == HeightType::AsIs)
+  {
+    if (first.Georeference->IsGeographic())
+    {
+      throw Failure(
+        HeightsName(options), "maps in degrees are laid out round the middle of each site");
+    }
+    return read;
+  }
+  PlacedHeights other = first;
+  other.Image = read;
+  return Resample(other, options, progress);
+}

@@ -52,4 +52,8 @@ struct PlacedHeights
 PlacedHeights PlaceHeights(
   vtkImageData* read, const Options& options, ProgressBar& progress, Statistics& statistics);
 
+/// Brings other heights of the same CRS into the scene of the first. Throws a Failure.
+vtkSmartPointer<vtkImageData> PlaceBeside(
+  const PlacedHeights& first, vtkImageData* read, const Options& options, ProgressBar& progress);
+
 #endif

@@ -74,6 +74,7 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options, bool draws
   reader->UseLevelsOn();
   reader->SetMaximumSize(options.LargestTexture);
   options.Input.Apply(reader);
+  reader->WarnOfSitesOff(); // all are drawn
   reader->UpdateInformation();
   if (drawsTiles && reader->GetLevel() > 0)
   {
@@ -290,7 +291,8 @@ ReadHeightsResult ReadHeights(
     statistics.SetCount("level", reader->GetLevel());
   }
   DescribeHeights(heights, statistics);
-  return { heights, drawsTiles && reader ? reader->GetTileSource() : nullptr };
+  return { heights, drawsTiles && reader ? reader->GetTileSource() : nullptr,
+    reader ? reader->GetNumberOfSites() : 1, reader ? reader->GetSite() : 1 };
 }
 
 //------------------------------------------------------------------------------
@@ -406,7 +408,9 @@ void DescribeTerrain(const Terrain& terrain, vtkImageData* heights, Statistics& 
   statistics.SetNumbers("cell", { spacing[0], spacing[1] });
   const double base = heights->GetOrigin()[2];
   const std::array<double, 2> range = HeightRange(terrain.Actor, heights);
-  statistics.SetNumbers("height_range", { base + range[0], base + range[1] });
+  statistics.SetNumbers("height_range",
+    { std::min(base + range[0], terrain.OtherHeights[0]),
+      std::max(base + range[1], terrain.OtherHeights[1]) });
   statistics.SetCount("texture_bytes", terrain.Actor->GetTerrainMapper()->GetTextureMemorySize());
   statistics.SetCount("tiles", terrain.Actor->GetTerrainMapper()->GetNumberOfTiles());
 }

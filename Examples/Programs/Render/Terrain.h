@@ -12,6 +12,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTerrainActor.h"
 
+#include <array>
 #include <memory>
 
 class ProgressBar;
@@ -33,6 +34,8 @@ struct Terrain
   vtkSmartPointer<vtkActor> Walls;
   /// Of all of the terrain, in world coordinates, whatever part of it the view needs.
   vtkBoundingBox Bounds;
+  /// Lowest and highest height of further sites; none if the first is above the second.
+  std::array<double, 2> OtherHeights{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
 };
 
 /// True if the technique strips draws a prepared file without reading it whole: nothing that is
@@ -44,6 +47,9 @@ struct ReadHeightsResult
 {
   vtkSmartPointer<vtkImageData> Image;
   std::shared_ptr<terrain::TileSource> Tiles;
+  /// Of a folder: how many sites far from each other it has, and which of them this is.
+  int Sites = 1;
+  int Site = 1;
 };
 
 /// Reads the file of heights, or raises the built-in landscape. A raster larger than a texture is

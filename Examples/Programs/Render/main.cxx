@@ -19,6 +19,7 @@
 #include "Placing.h"
 #include "Progress.h"
 #include "Scenery.h"
+#include "Sites.h"
 #include "Statistics.h"
 #include "Terrain.h"
 #include "View.h"
@@ -34,6 +35,7 @@
 #include <memory>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -151,14 +153,17 @@ void Render(Options options)
   CheckOutputs(options);
   auto progress = std::make_unique<ProgressBar>();
   const auto [read, heights] = ReadAndPlace(options, *progress, statistics);
-  const Terrain terrain = PrepareTerrain(
+  Terrain terrain = PrepareTerrain(
     { heights.Image, read.Tiles }, heights.Exaggeration, options, *progress, statistics);
+  const std::vector<Terrain> sites =
+    PrepareSites(read, heights, options, terrain, *progress, statistics);
   DrapePicture(terrain, heights, options, statistics);
   progress.reset();
 
   const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(options);
   const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(terrain, heights, options);
   window->AddRenderer(renderer);
+  AddSites(sites, renderer, options);
   ViewMarks marks(renderer, heights, options);
   marks.Read(statistics);
   AddWater(renderer, terrain, heights, options);

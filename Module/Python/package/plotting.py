@@ -27,8 +27,8 @@ from ._intake import _run, join_as_it_is, lay_on_globe, lay_out, make_reader, re
 from ._looks import Scalars, color_terrain
 from ._looks import apply as apply_look
 from ._shapes import check_plotter, take_coordinates, to_heights
-from .heights import heights_from_array
-from .vtkTerrain import vtkTerrainGeoreference, vtkTerrainHierarchy, vtkTerrainPicker
+from .heights import array_from_heights, heights_from_array
+from .vtkTerrain import vtkTerrainActor, vtkTerrainGeoreference, vtkTerrainHierarchy, vtkTerrainPicker
 
 # Samples a side that every graphics driver takes; larger rasters are drawn at a level.
 _LARGEST_TEXTURE = 16384
@@ -58,6 +58,8 @@ def heights_from(heights, *, scene=None, **place):
     ``place`` are its options ``crs``, ``nodata``, ``height_unit``, ``flip``, ``band`` and ``part``, and
     those of ``heights_from_array``, which only plain arrays have.
     """
+    if isinstance(heights, _LaidOut):
+        return heights.image
     is_file = isinstance(heights, (str, os.PathLike))
     is_grid = isinstance(heights, vtkDataSet)
     is_array = not (is_file or is_grid or hasattr(heights, "dims"))
@@ -76,13 +78,64 @@ def heights_from(heights, *, scene=None, **place):
     if isinstance(heights, vtkImageData):
         return lay_out(heights, scene)
     if is_file:
-        reader = make_reader(os.fspath(heights), **place)
-        reader.UseLevelsOn()
-        reader.SetMaximumSize(_LARGEST_TEXTURE)
-        return lay_out(read(reader), scene)
+        return lay_out(read(_reader_of_file(heights, **place)), scene)
     from .xarrays import heights_from_dataarray
 
     return heights_from_dataarray(heights, scene=scene, **place)
+
+
+class _LaidOut:
+    """Heights in their scene, and the range of all that share their colours, if others do."""
+
+    def __init__(self, image):
+        self.image = image
+        self.range = None
+
+
+def _is_folder(heights):
+    return isinstance(heights, (str, os.PathLike)) and os.path.isdir(heights)
+
+
+def _reader_of_file(heights, **place):
+    reader = make_reader(os.fspath(heights), **place)
+    reader.UseLevelsOn()
+    reader.SetMaximumSize(_LARGEST_TEXTURE)
+    return reader
+
+
+def _heights_of_sites(heights, scene, place):
+    """Heights of all sites of a folder, that which covers most first; those that cannot join it warn."""
+    reader = _reader_of_file(heights, **place)
+    reader.WarnOfSitesOff()
+    images = [_LaidOut(lay_out(read(reader), scene))]
+    if reader.GetNumberOfSites() > 1:
+        warnings.warn(f"the tiles of '{heights}' lie at {reader.GetNumberOfSites()} sites far from each other, a "
+                      "terrain each (part=1 and so on draws one alone)", stacklevel=3)
+    for site in range(1, reader.GetNumberOfSites() + 1):
+        if site == reader.GetSite():
+            continue
+        try:
+            images.append(_LaidOut(lay_out(read(_reader_of_file(heights, **place, part=site)), scene)))
+        except (OSError, ValueError) as error:
+            warnings.warn(f"site {site} of '{heights}' is not drawn (part={site} draws it alone): {error}",
+                          stacklevel=3)
+    return images
+
+
+def _relief_of(heights):
+    """The colours of a relief map between two heights."""
+    actor = vtkTerrainActor()
+    actor.SetInputData(heights_from_array(np.repeat([heights], 2, axis=0).astype(float), nodata="none"))
+    return actor.GetLookupTable()
+
+
+def _share_range(sites):
+    """Lowest and highest of all heights, which each is told."""
+    arrays = [array_from_heights(each.image) for each in sites]
+    ranges = np.array([[np.nanmin(array), np.nanmax(array)] for array in arrays], dtype=float)
+    for each in sites:
+        each.range = ranges[:, 0].min(), ranges[:, 1].max()
+    return sites[0].range
 
 
 def terrain_scene(plotter):
@@ -155,9 +208,10 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         Heights: an array of rows, from the south, and columns; an image of W x H x 1 points with one
         scalar each; a RectilinearGrid that is evenly spaced, whose scalars are heights, or a
         StructuredGrid on a regular grid, whose z are; a DataArray (see ``vtkterrain.xarrays``); or the
-        name of any raster that GDAL opens, of any size, or of a file of terrain-prepare. A raster of more
-        than 16384 samples a side is drawn from tiles, as far as a view needs them, after one pass over
-        the file on first use.
+        name of any raster that GDAL opens, of any size, of a folder of tiles, or of a file of
+        terrain-prepare. A folder of sites far from each other gives a terrain for each; that of the one
+        that covers most is returned. A raster of more than 16384 samples a side is drawn from tiles, as
+        far as a view needs them, after one pass over the file on first use.
     technique : {"pyramid", "linear", "exponential", "equidistant", "mesh", "strips"}
         How the surface is found. "pyramid" is exact; "mesh" draws all cells as triangles, "strips"
         as few as the view needs. Of a prepared file, "strips" reads no more than it draws.
@@ -217,6 +271,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         ``vtkterrain.heights_from_array`` takes them, or ``x`` and ``y``, even coordinates, one a column
         and a row or as ``numpy.meshgrid`` gives them.
     """
+    given = dict(locals())
     check_plotter(plotter)
     _check_words(scalar_bar_args, name, sun_angle, sky_light, scene)
     actor = Terrain()
@@ -235,6 +290,13 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     is_drawn_as_it_is = not place and frame is None and (_is_prepared(heights) or _is_large(heights))
     if frame == "globe":
         scene.SetFrame(vtkTerrainGeoreference.FrameType.Globe)
+    others = []
+    if not is_drawn_as_it_is and _is_folder(heights) and "part" not in place:
+        heights, *others = _heights_of_sites(heights, scene, place)
+        place = {}
+        if others and not any(given[word] is not None for word in ("clim", "scalars", "color", "texture")):
+            clim = _share_range([heights, *others])
+    if frame == "globe":
         actor.SetInputData(lay_on_globe(heights_from(heights, scene=scene, **place)))
     elif not is_drawn_as_it_is:
         actor.SetInputData(heights_from(heights, scene=scene, **place))
@@ -244,6 +306,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         raise OSError(actor.GetErrorMessage())
     if actor.GetHeights() is not None and technique not in ("mesh", "strips"):
         _check_size(actor.GetHeights())
+    if isinstance(heights, _LaidOut) and heights.range:
+        actor.SetLookupTable(_relief_of(heights.range))
     if not actor.HasSurface():
         raise ValueError("there is no surface to draw: no four neighbouring samples all have heights")
     if is_drawn_as_it_is:
@@ -269,6 +333,12 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     plotter.mapper = actor.mapper
     if silhouette:
         plotter.add_silhouette(actor.surface, **({} if silhouette is True else silhouette))
+    for number, site in enumerate(others, 2):
+        is_named = {} if name is None else {"name": f"{name} {number}"}
+        words = {**given, **options, **is_named, "scene": scene, "exaggeration": actor.exaggeration,
+                 "clim": clim, "show_scalar_bar": False,
+                 "label": None, "render": False}
+        add_terrain(heights=site, **{key: word for key, word in words.items() if key not in ("heights", "options")})
     if label is not None:
         plotter.renderer._labels[actor.GetAddressAsString("")] = (
             pyvista.Rectangle(), label, pyvista.Color(color or "tan"))

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A folder of tiles at sites far from each other: a terrain for each, in one scene.
+ */
+#ifndef terrain_render_Sites_h
+#define terrain_render_Sites_h
+
+#include "Terrain.h"
+
+#include <vector>
+
+struct PlacedHeights;
+
+/// Prepares the sites beside the one that was read and is `terrain`, placed in the scene of its
+/// heights. All get the colours of one range, and the terrain's bounds hold them all. A site that
+/// cannot join the scene is left out with a warning.
+std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, const PlacedHeights& heights,
+  const Options& options, Terrain& terrain, ProgressBar& progress, Statistics& statistics);
+
+/// Adds them to the renderer of the first.
+void AddSites(const std::vector<Terrain>& sites, vtkRenderer* renderer, const Options& options);
+
+#endif
