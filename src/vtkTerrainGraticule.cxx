@@ -243,8 +243,8 @@ vtkSmartPointer<vtkPolyData> vtkTerrainGraticule::MakeLines(const Frame& frame)
 }
 
 /// Where along a line of an axis its labels stand, in coordinates of the grid: at its southern or
-/// western end. On a globe, which is seen from any side, half a step beside the crossings nearest to
-/// the equator, or to every quarter turn.
+/// western end. On a globe, which is seen from any side, half a step beside the crossings nearest
+/// to the equator, or to every quarter turn.
 std::vector<double> vtkTerrainGraticule::LabelPlaces(
   const Frame& frame, int axis, double value) const
 {

@@ -5,10 +5,10 @@
 #include "data/GlobeSurface.h"
 #include "data/ImageHeights.h"
 #include "data/ImageSurface.h"
+#include "parts/AssemblyPart.h"
 #include "render/SurfaceScope.h"
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainActor.h"
-#include "parts/AssemblyPart.h"
 
 #include "core/rays/RayQuery.h"
 #include "core/surface/Cutting.h"

@@ -92,13 +92,6 @@ terrain::RasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* samp
   }
 }
 
-/// The smallest type that has NaN and every value of another.
-int FloatingTypeOf(int type)
-{
-  const bool isWide = type == VTK_INT || type == VTK_UNSIGNED_INT || type == VTK_DOUBLE;
-  return isWide ? VTK_DOUBLE : VTK_FLOAT;
-}
-
 void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
 {
   vtkNew<vtkStringArray> array;
@@ -314,7 +307,7 @@ void vtkTerrainRasterReader::Complete(vtkTerrainRasterPlan& plan) const
   {
     plan.Name = terrain::kDefaultName; // the bands' descriptions are of their times
   }
-  plan.ScalarType = this->NoDataAsNaN ? FloatingTypeOf(plan.ScalarType) : plan.ScalarType;
+  plan.ScalarType = this->NoDataAsNaN ? terrain::FloatingTypeOf(plan.ScalarType) : plan.ScalarType;
   this->ChooseLevel(plan);
   terrain::PlaceSamples(plan);
   this->PlaceLevel(plan);

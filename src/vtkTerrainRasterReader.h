@@ -291,9 +291,9 @@ public:
 
   ///@{
   /// Sites far from each other of a folder without a Part, as the last update found them: how many
-  /// there are (1 for all else), and the number of the one that was read, which covers most. SetPart
-  /// takes another, from 1 on. A warning says so unless WarnOfSites is off, for who reads them all.
-  /// Default: on.
+  /// there are (1 for all else), and the number of the one that was read, which covers most.
+  /// SetPart takes another, from 1 on. A warning says so unless WarnOfSites is off, for who reads
+  /// them all. Default: on.
   vtkGetMacro(NumberOfSites, int);
   vtkGetMacro(Site, int);
   vtkSetMacro(WarnOfSites, bool);

@@ -55,5 +55,12 @@ inline void FillHidden(vtkImageData* image)
       ghosts->GetPointer(0), image->GetNumberOfPoints()));
   }
 }
+
+/// The smallest type that has NaN and every value of another.
+inline int FloatingTypeOf(int type)
+{
+  const bool isWide = type == VTK_INT || type == VTK_UNSIGNED_INT || type == VTK_DOUBLE;
+  return isWide ? VTK_DOUBLE : VTK_FLOAT;
+}
 }
 #endif

@@ -5,8 +5,8 @@
 
 #include "data/GlobeData.h"
 #include "data/ImageHeights.h"
-#include "render/SurfaceScope.h"
 #include "parts/AssemblyPart.h"
+#include "render/SurfaceScope.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainMesh.h"

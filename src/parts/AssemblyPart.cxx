@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AssemblyPart.h"
+#include "parts/AssemblyPart.h"
 
 #include "render/SurfaceScope.h"
 #include "vtkTerrainActor.h"

@@ -16,8 +16,8 @@
 
 namespace terrain
 {
-/// The name of the data that a file is the header of, or lies beside; its own name otherwise. Throws
-/// RasterError.
+/// The name of the data that a file is the header of, or lies beside; its own name otherwise.
+/// Throws RasterError.
 std::string FindDataOf(const std::string& path);
 
 /// True if a tile has a place, its rows run from the north and its columns from the west.
@@ -28,8 +28,8 @@ bool IsFromNorth(const RasterTile& tile);
 void HoldAsAlone(RasterTile& tile, HeldFiles& held);
 
 /// Puts those tiles that are not in the CRS of the first into it, bilinear, by virtual rasters of
-/// GDAL; warns of it in one sentence. Tiles without a CRS beside such that have one are left as they
-/// are. Throws RasterError.
+/// GDAL; warns of it in one sentence. Tiles without a CRS beside such that have one are left as
+/// they are. Throws RasterError.
 void BringIntoOneSystem(std::vector<RasterTile>& tiles, HeldFiles& held, RasterRecord& record);
 }
 #endif
