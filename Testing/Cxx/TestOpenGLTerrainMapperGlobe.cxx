@@ -248,6 +248,58 @@ TEST(OpenGLTerrainMapperGlobe, ShowsWhatIsThere)
   expectAgreement(part, 50);
 }
 
+// Holes without data, through which space is seen and no underside.
+TEST(OpenGLTerrainMapperGlobe, HasHoles)
+{
+  const auto heights = MakeDegrees(170.0, -15.0, 0.5, 61, 61, hills);
+  vtkUnsignedCharArray* ghosts = heights->AllocatePointGhostArray();
+  for (vtkIdType i = 0; i < heights->GetNumberOfPoints(); ++i)
+  {
+    const bool hidden = (i % 61 > 20 && i % 61 < 30) || (i * 7) % 37 == 0;
+    ghosts->SetValue(i, hidden ? vtkDataSetAttributes::HIDDENPOINT : 0);
+  }
+  Globe part(LayOnGlobe(heights));
+  part.Look({ 185.0, -3.0, 2e6 }, { 183.0, 1.0, 0.0 });
+  expectAgreement(part, 50);
+  const Agreement result = part.Compare();
+  EXPECT_GT(result.Pixels - result.Hits, 150);
+}
+
+// Contours of heights that rise to the north, against what the picker tells of their pixels.
+TEST(OpenGLTerrainMapperGlobe, HasContours)
+{
+  Globe part(
+    LayOnGlobe(MakeDegrees(0.0, -30.0, 1.0, 61, 61, [](int, int j) { return 100.0 * j; })));
+  part.Look({ 30.0, 0.0, 4e6 }, { 30.0, 0.0, 0.0 });
+  part.Shown.Camera()->SetViewUp(0.0, 0.0, 1.0);
+  part.Shown.Actor->GetProperty()->LightingOff();
+  part.Shown.Actor->GetProperty()->SetColor(0.0, 1.0, 0.0);
+  part.Shown.Mapper->ScalarVisibilityOff();
+  part.Shown.Mapper->SetContours(true);
+  part.Shown.Mapper->SetContourInterval(500.0);
+  part.Shown.Mapper->SetContourWidth(1.0);
+  part.Shown.Mapper->SetContourColor(1.0, 0.0, 0.0);
+  const vtkSmartPointer<vtkImageData> picture = vtkTerrainTesting::Render(part.Shown.Scene.Window);
+  const vtkNew<vtkTerrainPicker> picker;
+  int lines = 0;
+  int wrong = 0;
+  for (int y = 0; y < DrawingHeight; ++y)
+  {
+    const double x = DrawingWidth / 2 + 0.5;
+    const auto apart = [&](double row)
+    {
+      picker->Pick(x, row, 0.0, part.Shown.Scene.Renderer);
+      return std::remainder(picker->GetHeight(), 500.0);
+    };
+    const bool isLine = picture->GetScalarComponentAsDouble(DrawingWidth / 2, y, 0, 0) > 100.0;
+    const bool crosses = apart(y - 0.5) * apart(y + 1.5) < 0.0 && std::abs(apart(y + 0.5)) < 200.0;
+    lines += isLine ? 1 : 0;
+    wrong += isLine && !crosses ? 1 : 0;
+  }
+  EXPECT_GE(lines, 3);
+  EXPECT_EQ(wrong, 0);
+}
+
 // The planet is opaque: from within it, and from behind it, nothing is seen of the underside.
 TEST(OpenGLTerrainMapperGlobe, HidesItsUnderside)
 {

@@ -117,6 +117,63 @@ TEST(Globe, IsWatertight)
   EXPECT_EQ(leaks, 0);
 }
 
+// A million points of a planet, poles and date line among them, each seen by one of a thousand eyes.
+TEST(Globe, PicksPlacesToAMillimetre)
+{
+  const double step = 0.25;
+  const terrain::TestGlobe globe{ "smooth",
+    terrain::MakeGrid({}, -180.0, step, 1441, terrain::Parallels(-90.0, step, 721)),
+    [step](int i, int j)
+    {
+      const double cosine = std::cos((step * j - 90.0) * kDegree);
+      return std::floor(
+        4000.0 + 2500.0 * std::sin(0.05 * i) * cosine * cosine + 1500.0 * std::sin(0.09 * j));
+    } };
+  const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
+  const terrain::GlobeGrid& grid = globe.Grid;
+  const auto position = [&world, &grid](const glm::dvec2& cells)
+  {
+    const glm::ivec2 cell = glm::min(glm::ivec2(cells), grid.Cells() - 1);
+    const glm::dvec2 part = cells - glm::dvec2(cell);
+    const auto row = static_cast<std::size_t>(cell.y);
+    const auto height = [&](int i, int j) { return world.Height(cell.x + i, cell.y + j); };
+    return grid.Body.ToPosition({ grid.West + cells.x * grid.Step,
+      glm::mix(grid.Latitudes[row], grid.Latitudes[row + 1], part.y),
+      glm::mix(glm::mix(height(0, 0), height(1, 0), part.x),
+        glm::mix(height(0, 1), height(1, 1), part.x), part.y) });
+  };
+  std::mt19937 generator(23);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  double farthest = 0.0;
+  int missed = 0;
+  for (int view = 0; view < 1000; ++view)
+  {
+    const glm::dvec2 below(1440.0 * uniform(generator), 720.0 * uniform(generator));
+    const double above = 1e4 * std::pow(2000.0, uniform(generator));
+    const glm::dvec3 ground = position(below);
+    const glm::dvec3 eye = ground + above * glm::normalize(ground);
+    const terrain::WorldTracer<double, std::uint16_t> tracer(world, eye);
+    const double reach = std::min(0.5 * above / grid.Body.Equatorial, 0.5) / grid.Step;
+    for (int k = 0; k < 1000; ++k)
+    {
+      const glm::dvec2 away(2.0 * uniform(generator) - 1.0, 2.0 * uniform(generator) - 1.0);
+      glm::dvec2 target = below + reach * away;
+      target.x -= 1440.0 * std::floor(target.x / 1440.0);
+      target.y = std::clamp(target.y, 0.0, 720.0);
+      terrain::GlobeReferenceRay ray;
+      ray.Origin = eye;
+      ray.Direction = glm::normalize(position(target) - eye);
+      ray.End = 1e8;
+      const auto hit = tracer.Trace(ray);
+      missed += hit.Found ? 0 : 1;
+      const glm::dvec3 found = position(glm::dvec2(hit.Cell) + hit.Fraction);
+      farthest = std::max(farthest, hit.Found ? glm::length(found - position(target)) : 0.0);
+    }
+  }
+  EXPECT_EQ(missed, 0);
+  EXPECT_LT(farthest, 1e-3);
+}
+
 // Heights may be met from below, and the far side is seen through a hole.
 TEST(Globe, HasTwoSides)
 {
