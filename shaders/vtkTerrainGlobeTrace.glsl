@@ -322,21 +322,34 @@ float terrainGlobeDifference(
   return height - terrainGlobeHeights.y - terrainGlobeHeights.x * terrainPatchCode(codes, fraction);
 }
 
+// How a path meets a cell: the first root of a parabola through its differences, as a part of its way
+// through the cell, < 0 for none.
+struct TerrainGlobeMeeting
+{
+  float begin;
+  float length;
+  float a;
+  float b;
+  float part;
+  bool between; // on the line where the path comes in
+  bool front;
+};
+
 // side: the sign of the difference where the path left the cell before, 0 if not known.
-TerrainGlobeHit terrainGlobeMeetCell(
+TerrainGlobeMeeting terrainGlobeMeetCell(
   TerrainGlobePath path, TerrainGlobeStep at, float end, inout float side)
 {
-  TerrainGlobeHit hit = TerrainGlobeHit(false, 0.0, at.node, vec2(0.0), true, 0);
   vec4 codes = terrainCellCodes(at.node);
   bool valid = terrainCellValid(codes);
   codes -= terrainGlobeHeights.z;
   float length = end - at.t;
   float values[3];
+  vec2 fraction;
   // a loop, so that the function stands in the program once
   for (int i = 0; i < 3; ++i)
   {
-    values[i] = terrainGlobeDifference(
-      path, at.node, codes, at.t + 0.5 * float(i) * length, hit.fraction);
+    values[i] =
+      terrainGlobeDifference(path, at.node, codes, at.t + 0.5 * float(i) * length, fraction);
   }
   bool between = side * values[0] < 0.0;
   float a = 2.0 * (values[0] + values[2] - 2.0 * values[1]);
@@ -344,57 +357,87 @@ TerrainGlobeHit terrainGlobeMeetCell(
   float t = between ? 0.0 : terrainFirstRoot(values[0], values[2], a);
   bool above = side != 0.0 ? side > 0.0 : values[0] > 0.0 || (values[0] == 0.0 && b <= 0.0);
   side = valid ? sign(values[2]) : 0.0;
-  hit.found = valid && t >= 0.0;
-  if (hit.found)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      float slope = b + 2.0 * a * t;
-      float off = terrainGlobeDifference(path, at.node, codes, at.t + t * length, hit.fraction);
-      t = i < 2 && !between && abs(slope) > abs(off) ? clamp(t - off / slope, 0.0, 1.0) : t;
-    }
-    hit.t = at.t + t * length;
-    hit.front = above;
-  }
-  return hit;
+  return TerrainGlobeMeeting(at.t, length, a, b, valid ? t : -1.0, between, above);
 }
 
+// The hit where a path meets a cell, its root refined.
+TerrainGlobeHit terrainGlobeRefine(TerrainGlobePath path, ivec2 cell, TerrainGlobeMeeting meeting)
+{
+  vec4 codes = terrainCellCodes(cell) - terrainGlobeHeights.z;
+  vec2 fraction;
+  float t = meeting.part;
+  for (int i = 0; i < 3; ++i)
+  {
+    float slope = meeting.b + 2.0 * meeting.a * t;
+    float off =
+      terrainGlobeDifference(path, cell, codes, meeting.begin + t * meeting.length, fraction);
+    t = i < 2 && !meeting.between && abs(slope) > abs(off) ? clamp(t - off / slope, 0.0, 1.0) : t;
+  }
+  return TerrainGlobeHit(
+    true, meeting.begin + t * meeting.length, cell, fraction, meeting.front, 0);
+}
+
+// True for nodes, and for what lies outside of a partial raster.
+bool terrainGlobeIsWide(TerrainGlobeStep at)
+{
+  return at.level > 0 || at.node.x < 0 || at.node.y < 0;
+}
+
+// Two loops in turn, as in terrainTracePyramidWithin(): what a cell takes is not done for each node.
 TerrainGlobeHit terrainGlobeTracePart(TerrainGlobePath path)
 {
   TerrainGlobeHit hit = TerrainGlobeHit(false, 0.0, ivec2(0), vec2(0.0), true, 0);
   TerrainGlobeStep at = terrainGlobeFirstStep(path, path.begin);
+  TerrainGlobeMeeting meeting;
+  ivec2 cell = ivec2(0);
   int most = 8 * (terrainSize.x + terrainSize.y) + 64;
   float side = 0.0;
   bool ended = false;
+  bool found = false;
   int crossings = 0;
   do
   {
-    ++crossings;
-    ivec4 fence = terrainGlobeFence(at);
-    TerrainGlobeSpan span = terrainGlobeNodeSpan(path, at, fence);
-    bool outside = at.node.x < 0 || at.node.y < 0;
-    float from = at.t;
-    bool down = false;
-    if (outside || at.level > 0)
+    do
     {
-      down = !outside &&
-        terrainGlobeVisitNode(path, at, span, (fence.y + fence.w) >> 1, from);
-      side = down ? side : 0.0;
-    }
-    else
+      if (!ended && terrainGlobeIsWide(at))
+      {
+        ++crossings;
+        ivec4 fence = terrainGlobeFence(at);
+        TerrainGlobeSpan span = terrainGlobeNodeSpan(path, at, fence);
+        float from = at.t;
+        bool down = at.node.x >= 0 && at.node.y >= 0 &&
+          terrainGlobeVisitNode(path, at, span, (fence.y + fence.w) >> 1, from);
+        side = down ? side : 0.0;
+        ended = (span.ends && !down) || crossings >= most;
+        if (down)
+        {
+          at = terrainGlobeDown(path, at, from);
+        }
+        else
+        {
+          at = terrainGlobeAcross(path, at, span, fence);
+        }
+      }
+    } while (!ended && terrainGlobeIsWide(at));
+    do
     {
-      hit = terrainGlobeMeetCell(path, at, span.t, side);
-    }
-    ended = hit.found || (span.ends && !down) || crossings >= most;
-    if (down)
-    {
-      at = terrainGlobeDown(path, at, from);
-    }
-    else
-    {
-      at = terrainGlobeAcross(path, at, span, fence);
-    }
+      if (!ended && !terrainGlobeIsWide(at))
+      {
+        ++crossings;
+        ivec4 fence = terrainGlobeFence(at);
+        TerrainGlobeSpan span = terrainGlobeNodeSpan(path, at, fence);
+        meeting = terrainGlobeMeetCell(path, at, span.t, side);
+        cell = at.node;
+        found = meeting.part >= 0.0;
+        ended = found || span.ends || crossings >= most;
+        at = terrainGlobeAcross(path, at, span, fence);
+      }
+    } while (!ended && !terrainGlobeIsWide(at));
   } while (!ended);
+  if (found)
+  {
+    hit = terrainGlobeRefine(path, cell, meeting);
+  }
   hit.crossings = crossings;
   return hit;
 }

@@ -12,18 +12,22 @@
 // compute-linear, compute-exponential, compute-equidistant (in a compute shader), pyramid-alone
 // (pyramid without beams), pyramid-within (with a tolerance of a pixel), pyramid-detail (with 64
 // cells of detail along a cell), compute and compute-detail (the same in a compute shader), full
-// (every cell two triangles). Names that end in -shadows are drawn with hard shadows, in -soft with
+// (every cell two triangles), globe and compute-globe (pyramid-alone and compute, the same samples in
+// degrees on a globe, turned so that the views are the same). Names that end in -shadows are drawn with hard shadows, in -soft with
 // those of the sun's disc, in -sky with the light of the sky: pyramid-shadows, compute-soft. If
 // there are such, all are lit by a sun 20 degrees high in the south-east, not by a headlight.
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainDetailSource.h"
+#include "vtkTerrainGlobe.h"
 #include "vtkTerrainSource.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -50,6 +54,9 @@
 namespace
 {
 using Clock = std::chrono::steady_clock;
+
+/// Metres.
+constexpr double kGlobeRadius = 6378137.0;
 
 double millisecondsSince(Clock::time_point start)
 {
@@ -139,6 +146,31 @@ void shine(vtkRenderer* renderer)
   renderer->AddLight(sun);
 }
 
+/// The samples on the globe, in degrees about (0, 0).
+vtkSmartPointer<vtkImageData> layOnGlobe(vtkImageData* image)
+{
+  const double degrees = vtkMath::DegreesFromRadians(image->GetSpacing()[0] / kGlobeRadius);
+  vtkNew<vtkImageData> heights;
+  heights->ShallowCopy(image);
+  heights->SetOrigin(0.0, 0.0, 0.0);
+  heights->SetSpacing(degrees, degrees, 1.0);
+  vtkNew<vtkTerrainGlobe> globe;
+  globe->SetInputData(heights);
+  globe->SetRadii(kGlobeRadius, kGlobeRadius);
+  globe->Update();
+  return globe->GetOutput();
+}
+
+/// East, north and up at (0, 0) along x, y and z.
+void turnToMap(vtkActor* actor)
+{
+  constexpr double axes[16] = { 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0,
+    -kGlobeRadius, 0.0, 0.0, 0.0, 1.0 };
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(axes);
+  actor->SetUserMatrix(matrix);
+}
+
 Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMesh* hull)
 {
   using Modes = vtkOpenGLTerrainMapper::ComputeModes;
@@ -159,7 +191,7 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
   mapper->SetSkyLight(endsIn(name, "-sky") ? 0.35 : 0.0);
   mapper->SetTechnique(techniqueOf(name));
   mapper->SetComputeMode(compute ? Modes::On : Modes::Off);
-  mapper->SetUseBeams(name != "pyramid-alone");
+  mapper->SetUseBeams(name != "pyramid-alone" && !endsIn(name, "globe"));
   mapper->SetPixelTolerance(name == "pyramid-within" ? 1.0 : 0.0);
   if (name == "pyramid-detail" || name == "compute-detail")
   {
@@ -172,6 +204,11 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
   entry.Name = name;
   entry.Actor = vtkSmartPointer<vtkActor>::New();
   entry.Actor->SetMapper(mapper);
+  if (endsIn(name, "globe"))
+  {
+    mapper->SetHeightsData(layOnGlobe(image));
+    turnToMap(entry.Actor);
+  }
   entry.Actor->VisibilityOff();
   return entry;
 }

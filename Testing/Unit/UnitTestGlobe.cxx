@@ -117,7 +117,8 @@ TEST(Globe, IsWatertight)
   EXPECT_EQ(leaks, 0);
 }
 
-// A million points of a planet, poles and date line among them, each seen by one of a thousand eyes.
+// A million points of a planet, poles and date line among them, each seen by one of a thousand
+// eyes.
 TEST(Globe, PicksPlacesToAMillimetre)
 {
   const double step = 0.25;
