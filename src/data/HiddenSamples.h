@@ -34,7 +34,11 @@ void FillHidden(T* samples, const unsigned char* ghosts, vtkIdType count)
       hasHeight = true;
     }
   }
-  for (vtkIdType k = 0; hasHeight && k < count; ++k)
+  if (!hasHeight)
+  {
+    return;
+  }
+  for (vtkIdType k = 0; k < count; ++k)
   {
     samples[k] = (ghosts[k] & isHidden) != 0 ? lowest : samples[k];
   }
