@@ -57,7 +57,8 @@ void HeightOptions::Declare(CLI::App& app)
     ->check(CLI::Range(1, 65536));
   app
     .add_option("--part", this->Part,
-      "part of a file of several: name of the variable or table, or its number from 1 on")
+      "part of a file of several: name of the variable or table, or its number from 1 on; of a "
+      "folder of far sites the number of one")
     ->type_name("NAME")
     ->group(group);
   app

@@ -68,7 +68,8 @@ std::string ChooseFrame(PlacedHeights& placed, const std::string& name)
   }
   if (placed.Georeference->GetWhyNot().empty())
   {
-    return placed.Georeference->GetWarning();
+    const std::string warning = placed.Georeference->GetWarning();
+    return warning.empty() ? warning : warning + " (--frame local)";
   }
   return std::string("it reaches too far for a flat scene, and is laid out as a map that is true "
                      "to scale in its middle: ") +
