@@ -11,7 +11,7 @@ import numpy as np
 import vtkTerrainTesting
 from vtkTerrainRasters import COLUMNS, ROWS, RasterCase, gdal, ground
 
-from vtkterrain import _intake, array_from_heights, vtkTerrainRasterReader
+from vtkterrain import _intake, array_from_heights, heights_from_array, vtkTerrainRasterReader
 
 UTM = (5e5, 10.0, 0.0, 5e6, 0.0, -10.0)
 MOON = "+proj=eqc +lat_ts=0 +R=1737400 +units=m"
@@ -181,6 +181,24 @@ class TestFolders(RasterCase):
 
     def test_a_place_that_is_none_is_refused(self):
         self.assertIn("degenerate", self.refusal(self.write("flat.tif", ground(), (5e5, 10.0, 0.0, 5e6, 10.0, 0.0))))
+
+
+class TestFill(RasterCase):
+    def test_what_is_too_large_for_a_height_is_none_by_every_road(self):
+        for fill in (-3.4028234663852886e38, 9.969209968386869e36, 1.70141e38, np.inf, -np.inf):
+            z = np.where(ground() > 190.0, fill, ground()).astype("f4")
+            by_name, _, _ = self.read(self.write("fill.tif", z))
+            arrays = [array_from_heights(heights_from_array(z, first_row="north"))[::-1]]
+            if importlib.util.find_spec("xarray"):
+                import xarray
+
+                from vtkterrain.xarrays import heights_from_dataarray
+
+                data = xarray.DataArray(z, dims=("y", "x"), coords={
+                    "y": 5e6 - 10.0 * np.arange(ROWS), "x": 5e5 + 10.0 * np.arange(COLUMNS)})
+                arrays.append(array_from_heights(heights_from_dataarray(data))[::-1])
+            for heights in (by_name, *arrays):
+                np.testing.assert_array_equal(np.isnan(heights), ground() > 190.0, err_msg=str(fill))
 
 
 @unittest.skipIf(importlib.util.find_spec("pyvista") is None, "PyVista is not installed")

@@ -7,6 +7,8 @@
 #ifndef terrain_render_Annotations_h
 #define terrain_render_Annotations_h
 
+#include <string>
+
 class vtkRenderer;
 struct Options;
 struct PlacedHeights;
@@ -18,5 +20,8 @@ void AddOverlay(vtkRenderer* renderer, const PlacedHeights& heights, const Optio
 /// Adds the colours of heights beside the picture's right border, with round numbers, if the
 /// options ask for that.
 void AddLegend(vtkRenderer* renderer, const Terrain& terrain, const Options& options);
+
+/// A number that is a multiple of a round step, with commas between thousands: "1,500", "0.25".
+std::string GroupedNumber(double number, double step);
 
 #endif

@@ -3,6 +3,8 @@
 #include "Labels.h"
 
 #include "Annotations.h"
+
+#include "Annotations.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "Placing.h"

@@ -187,25 +187,6 @@ double RoundUp(double least)
   return 10.0 * power;
 }
 
-/// A number that is a multiple of a round step, with commas between thousands: "1,500", "0.25".
-std::string GroupedNumber(double number, double step)
-{
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
-  const double power = std::pow(10.0, decimals);
-  std::string text = std::to_string(std::llround(std::abs(number) * power));
-  text.insert(0, std::max(0, decimals + 1 - static_cast<int>(text.size())), '0');
-  const std::size_t whole = text.size() - static_cast<std::size_t>(decimals);
-  std::string grouped;
-  for (std::size_t k = 0; k < whole; ++k)
-  {
-    grouped += k > 0 && (whole - k) % 3 == 0 ? "," : "";
-    grouped += text[k];
-  }
-  grouped += decimals > 0 ? "." + text.substr(whole) : "";
-  const bool isZero = grouped.find_first_not_of("0.,") == std::string::npos;
-  return (number < 0.0 && !isZero ? "\xE2\x88\x92" : "") + grouped; // the sign for minus
-}
-
 /// The bar of colours, its numbers and its title, at the right side of the picture.
 class Legend
 {
@@ -305,6 +286,25 @@ private:
   Rectangles Shapes;
   std::vector<LegendText> Texts;
 };
+}
+
+//------------------------------------------------------------------------------
+std::string GroupedNumber(double number, double step)
+{
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
+  const double power = std::pow(10.0, decimals);
+  std::string text = std::to_string(std::llround(std::abs(number) * power));
+  text.insert(0, std::max(0, decimals + 1 - static_cast<int>(text.size())), '0');
+  const std::size_t whole = text.size() - static_cast<std::size_t>(decimals);
+  std::string grouped;
+  for (std::size_t k = 0; k < whole; ++k)
+  {
+    grouped += k > 0 && (whole - k) % 3 == 0 ? "," : "";
+    grouped += text[k];
+  }
+  grouped += decimals > 0 ? "." + text.substr(whole) : "";
+  const bool isZero = grouped.find_first_not_of("0.,") == std::string::npos;
+  return (number < 0.0 && !isZero ? "\xE2\x88\x92" : "") + grouped; // the sign for minus
 }
 
 //------------------------------------------------------------------------------

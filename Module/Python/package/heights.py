@@ -9,6 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
 from ._intake import describe_samples, make_reader, read
 
 _CODES_OF_VTK_TYPES = "bBhHiIlLqQfd"
+_FILL = 1e30  # from here on no height, declared or not
 
 
 def _fill_masked(array):
@@ -42,6 +43,15 @@ def _numbers(values):
         return np.asarray(values, dtype=float)
     except (TypeError, ValueError):
         return np.empty(0)
+
+
+def _without_fill(samples):
+    """The samples with NaN for infinities and for what is too large to be a height, themselves without any."""
+    if samples.dtype.kind != "f":
+        return samples
+    if max(np.fmax.reduce(samples, axis=None), -np.fmin.reduce(samples, axis=None)) < _FILL:
+        return samples
+    return np.where(np.abs(samples) < _FILL, samples, np.nan).astype(samples.dtype)
 
 
 def _check_place(spacing, origin):
@@ -119,7 +129,7 @@ def heights_from_array(array, spacing=(1.0, 1.0), origin=(0.0, 0.0), *, first_ro
         raise ValueError(f"heights must be an array of rows and columns, not of shape {samples.shape}")
     if (first_row == "north") != bool(flip):
         samples = samples[::-1]
-    samples = _take_in(samples, spacing, nodata, height_unit)
+    samples = _without_fill(_take_in(samples, spacing, nodata, height_unit))
     rows, columns = samples.shape
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)

@@ -121,6 +121,12 @@ public:
     return slot < 0 ? nullptr : this->Slots[static_cast<std::size_t>(slot)].get();
   }
 
+  /// What a slot holds; null if nothing.
+  const Tile* GetTile(std::size_t slot) const
+  {
+    return this->Slots[slot].get();
+  }
+
   ///@{
   /// Twins of the functions in shaders/vtkTerrainTiles.glsl, which have the prefix terrain and
   /// document them.
