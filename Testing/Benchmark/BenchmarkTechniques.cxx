@@ -12,10 +12,11 @@
 // compute-linear, compute-exponential, compute-equidistant (in a compute shader), pyramid-alone
 // (pyramid without beams), pyramid-within (with a tolerance of a pixel), pyramid-detail (with 64
 // cells of detail along a cell), compute and compute-detail (the same in a compute shader), full
-// (every cell two triangles), globe and compute-globe (pyramid-alone and compute, the same samples in
-// degrees on a globe, turned so that the views are the same). Names that end in -shadows are drawn with hard shadows, in -soft with
-// those of the sun's disc, in -sky with the light of the sky: pyramid-shadows, compute-soft. If
-// there are such, all are lit by a sun 20 degrees high in the south-east, not by a headlight.
+// (every cell two triangles), globe and compute-globe (pyramid-alone and compute, the same samples
+// in degrees on a globe, turned so that the views are the same). Names that end in -shadows are
+// drawn with hard shadows, in -soft with those of the sun's disc, in -sky with the light of the
+// sky: pyramid-shadows, compute-soft. If there are such, all are lit by a sun 20 degrees high in
+// the south-east, not by a headlight.
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainDetailSource.h"
