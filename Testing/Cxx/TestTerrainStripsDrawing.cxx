@@ -182,10 +182,12 @@ TEST(TerrainStripsDrawing, MatchesBaselines)
     EXPECT_NEAR(vtkTerrainTesting::DrawnShare(drawn), share, 0.005) << tolerance;
   }
   picture.Strips->DepthColorsOn();
+  const auto colored = vtkTerrainTesting::Render(picture.Scene.Window);
+  EXPECT_NEAR(vtkTerrainTesting::DrawnShare(colored), 0.687, 0.005);
+  // how wide edges are is VTK's: it has changed since 9.1
   picture.Actor->GetProperty()->EdgeVisibilityOn();
   const auto depths = vtkTerrainTesting::Render(picture.Scene.Window);
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(depths, "TerrainStripsDepths", { 40, 0.01 }));
-  EXPECT_NEAR(vtkTerrainTesting::DrawnShare(depths), 0.660, 0.005);
 }
 
 TEST(TerrainStripsDrawing, TheTerrainMapperShadesThemByTheHeights)

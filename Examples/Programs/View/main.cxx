@@ -85,10 +85,15 @@ void CheckDisplay()
     throw Failure(
       "DISPLAY", "is not set, and a window needs an X server (terrain-render does not)");
   }
-  // The library is the one that VTK has loaded. The connection stays open: a server may reset
-  // itself when its only one closes, just before the window connects.
+  // VTK loads the library as well, at the latest for its window. The connection stays open: a
+  // server may reset itself when its only one closes, just before the window connects.
+  void* library = dlopen("libX11.so.6", RTLD_NOW | RTLD_GLOBAL);
+  if (!library)
+  {
+    throw Failure("libX11.so.6", "is not installed, and a window needs it");
+  }
   using Open = void* (*)(const char* name);
-  const auto open = reinterpret_cast<Open>(dlsym(RTLD_DEFAULT, "XOpenDisplay"));
+  const auto open = reinterpret_cast<Open>(dlsym(library, "XOpenDisplay"));
   if (open && !open(display))
   {
     throw Failure(display, "does not open: there is no such X server, or it refuses this user");
