@@ -144,6 +144,17 @@ class TestFolders(RasterCase):
             # the grid is that of the first
             np.testing.assert_allclose((x[0, 0] - 5e5 - 5.0) % 10.0, 0.0, atol=1e-6)
 
+    def test_integers_of_another_system_have_nothing_round_them(self):
+        self.write_zones()
+        turned = gdal.Open(self.path("zones/b.tif"))
+        shape, transform = (turned.RasterYSize, turned.RasterXSize), turned.GetGeoTransform()
+        del turned
+        self.write("zones/b.tif", np.full(shape, 500), transform, "EPSG:32632", gdal.GDT_Int16)
+        heights, image, _ = self.read(self.path("zones"))
+        beside = heights[places_of(image)[0] > 500610.0]
+        self.assertGreater(np.isnan(beside).sum(), 10)
+        np.testing.assert_allclose(beside[np.isfinite(beside)], 500.0)
+
     def test_a_tile_without_a_system_beside_others_is_refused_and_the_remedy_works(self):
         self.write("half/a.tif", ground())
         self.write("half/b.tif", ground(), (5e5 + 10.0 * COLUMNS, 10.0, 0.0, 5e6, 0.0, -10.0), None)
