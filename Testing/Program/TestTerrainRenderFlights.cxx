@@ -197,6 +197,22 @@ TEST_F(TerrainRenderFlights, GoesOnWhereItStopped)
   EXPECT_EQ(this->ReadText("again/frame-00006.png"), last);
 }
 
+TEST_F(TerrainRenderFlights, TerminalsSeeTheTimeThatIsLeft)
+{
+  const std::string terminal = "/usr/bin/script";
+  const std::string typescript = this->Path("typescript");
+  if (this->RunCommand({ terminal, "-qec", "true", typescript }).Status != 0)
+  {
+    GTEST_SKIP() << "there is no terminal to be had";
+  }
+  const RunResult shown = this->RunCommand({ terminal, "-qec",
+    Program() + " " + this->Hill + " --size 64x48 --flight spin:1 --fps 4 --output spin",
+    typescript });
+  EXPECT_EQ(shown.Status, 0);
+  EXPECT_NE(shown.Output.find("] 50 % drawing, 0:0"), std::string::npos) << shown.Output;
+  EXPECT_NE(shown.Output.find("100 % drawing, 0:00 left"), std::string::npos) << shown.Output;
+}
+
 TEST_F(TerrainRenderFlights, FullDiskKeepsFramesMade)
 {
   // the first frame shows the sky alone, and takes less than the disk has; those of the hill more

@@ -20,7 +20,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
 )
 
-from vtkterrain import heights_from_array, vtkTerrainActor, vtkTerrainPicker
+from vtkterrain import heights_from_array, vtkTerrainActor, vtkTerrainPeaks, vtkTerrainPicker
 
 ROWS, COLUMNS = 61, 81
 SHIFT = (1000.0, 2000.0, 30.0)
@@ -199,6 +199,27 @@ class TestExporters(unittest.TestCase):
         self.scene.terrain.VisibilityOff()
         document = json.loads(self.write("vtkGLTFExporter", "hidden.gltf").read_text())
         self.assertEqual(document.get("meshes") or [], [])
+
+
+class TestPeaks(unittest.TestCase):
+    def test_most_prominent_first(self):
+        x, y = np.meshgrid(np.arange(60.0), np.arange(40.0))
+        heights = sum(top * np.exp(-((x - i) ** 2 + (y - j) ** 2) / 20.0)
+                      for top, i, j in ((30.0, 15, 10), (50.0, 40, 25), (20.0, 20, 30)))
+        peaks = vtkTerrainPeaks()
+        peaks.SetInputData(heights_from_array(heights, spacing=(2.0, 3.0), origin=(100.0, 200.0)))
+        peaks.SetNumberOfPeaks(2)
+        peaks.SetExaggeration(3.0)
+        peaks.Update()
+        found = peaks.GetOutput()
+        np.testing.assert_allclose(vtk_to_numpy(found.GetPoints().GetData()),
+                                   [(180, 275, 150), (130, 230, 90)], atol=0.5)
+        np.testing.assert_allclose(vtk_to_numpy(found.GetPointData().GetArray("Height")), (50, 30), atol=0.2)
+        prominences = vtk_to_numpy(found.GetPointData().GetArray("Prominence"))
+        self.assertTrue(49 < prominences[0] <= 50.5 and 25 < prominences[1] < 30.5, prominences)
+        peaks.SetMinimumProminence(40.0)
+        peaks.Update()
+        self.assertEqual(peaks.GetOutput().GetNumberOfPoints(), 1)
 
 
 if __name__ == "__main__":

@@ -119,7 +119,7 @@ std::string ReadValue(LineReader& reader)
   {
     return reader.ReadQuoted();
   }
-  const std::string value = reader.ReadUntil(" \t,]#");
+  std::string value = reader.ReadUntil(" \t,]#");
   if (!IsPlain(value))
   {
     throw TextError{ value.empty() ? "there is no value"

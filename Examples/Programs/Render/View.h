@@ -11,6 +11,8 @@
 
 #include <string>
 
+class vtkBoundingBox;
+class vtkCamera;
 class vtkRenderWindow;
 class vtkRenderer;
 struct Options;

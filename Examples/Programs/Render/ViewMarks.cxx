@@ -68,6 +68,7 @@ std::vector<vtkSmartPointer<vtkProp>> PropsOf(vtkRenderer* renderer)
 {
   std::vector<vtkSmartPointer<vtkProp>> props;
   vtkPropCollection* all = renderer->GetViewProps();
+  props.reserve(static_cast<std::size_t>(all->GetNumberOfItems()));
   for (int i = 0; i < all->GetNumberOfItems(); ++i)
   {
     props.emplace_back(static_cast<vtkProp*>(all->GetItemAsObject(i)));
@@ -217,12 +218,12 @@ void ViewMarks::AddGraticuleLabels(LabelPlacer& placer) const
 }
 
 //------------------------------------------------------------------------------
-void ViewMarks::ReadGraticule()
+void ViewMarks::ReadGraticule(vtkTerrainGraticule::GridType grid)
 {
   const vtkNew<vtkTerrainGraticule> graticule;
   graticule->SetInputData(this->Heights.Image);
   graticule->SetGeoreference(this->Heights.Georeference);
-  graticule->SetGrid(*this->Wanted.Place.Graticule);
+  graticule->SetGrid(grid);
   graticule->SetExaggeration(this->Heights.Exaggeration);
   if (this->Heights.IsGlobe())
   {
@@ -244,9 +245,9 @@ void ViewMarks::ReadGraticule()
 //------------------------------------------------------------------------------
 void ViewMarks::Read(Statistics& statistics)
 {
-  if (this->Wanted.Place.Graticule)
+  if (const auto& grid = this->Wanted.Place.Graticule)
   {
-    this->ReadGraticule();
+    this->ReadGraticule(*grid);
   }
   vtkIdType points = 0;
   for (const std::string& path : this->Wanted.Place.Tracks)

@@ -15,6 +15,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkTerrainGraticule.h"
 #include "vtkTerrainViewpoint.h"
 
 #include <vector>
@@ -60,7 +61,7 @@ private:
   };
 
   void AddLines(vtkPolyData* lines, const double color[3], double width, double pointSize);
-  void ReadGraticule();
+  void ReadGraticule(vtkTerrainGraticule::GridType grid);
   /// Returns the number of points as drawn.
   vtkIdType ReadTrack(const std::string& path);
   void AddTitles(LabelPlacer& placer) const;
