@@ -83,7 +83,7 @@ class SurfaceMapper:
     GetInput = GetDataSetInput = GetInputAsDataSet = _get_dataset
 
     def GetInputAlgorithm(self):  # noqa: N802
-        """What makes the mesh; None without an image of heights."""
+        """What makes the mesh; None without an image of heights, and on a globe."""
         surface = self._terrain().GetSurfaceActor()
         return surface and surface.GetMapper().GetInputAlgorithm()
 

@@ -386,8 +386,8 @@ def _serialize_surface(parent, terrain, terrain_id, context, depth):
 
     surface = terrain.GetSurfaceActor()
     if surface is None:
-        warnings.warn("a browser that renders by itself (mode \"client\") cannot show strips of a prepared file: use "
-                      "the mode \"server\"", RuntimeWarning, stacklevel=2)
+        warnings.warn("a browser that renders by itself (mode \"client\") cannot show strips of a prepared file, nor a "
+                      "globe: use the mode \"server\"", RuntimeWarning, stacklevel=2)
         return None
     warnings.warn("a browser that renders by itself (mode \"client\") cannot show terrain, only a mesh of it, within "
                   f"{terrain.GetUsedSurfaceError():.3g} of each height: use the mode \"server\"", RuntimeWarning,
