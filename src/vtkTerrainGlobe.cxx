@@ -129,7 +129,7 @@ int vtkTerrainGlobe::RequestData(
   output->SetOrigin(plan.Grid.West / terrain::kDegree,
     latitudes[second] / terrain::kDegree - static_cast<double>(second) * along, 0.0);
   output->SetSpacing(step, along, 1.0);
-  output->GetDirectionMatrix()->Identity();
+  output->SetDirectionMatrix(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
   output->GetFieldData()->RemoveArray("LayoutOrigin");
   output->GetFieldData()->RemoveArray("LayoutScale");
   terrain::GlobeData::Add(output, plan.Grid);

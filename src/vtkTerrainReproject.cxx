@@ -400,7 +400,7 @@ int vtkTerrainReproject::RequestData(
   output->SetExtent(extent);
   output->SetOrigin(internals.Origin);
   output->SetSpacing(internals.Spacing, internals.Spacing, 1.0);
-  output->GetDirectionMatrix()->Identity();
+  output->SetDirectionMatrix(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
   output->AllocateScalars(info);
   vtkDataArray* scalars = output->GetPointData()->GetScalars();
   const char* name = internals.Tiles.front()->Image->GetPointData()->GetScalars()->GetName();

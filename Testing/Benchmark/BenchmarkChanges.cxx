@@ -62,6 +62,7 @@ Times Median(const std::vector<Times>& times)
   const auto median = [&times](double Times::*which)
   {
     std::vector<double> values;
+    values.reserve(times.size());
     for (const Times& time : times)
     {
       values.push_back(time.*which);

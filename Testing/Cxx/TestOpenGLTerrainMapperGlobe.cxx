@@ -285,7 +285,7 @@ TEST(OpenGLTerrainMapperGlobe, HasContours)
   int wrong = 0;
   for (int y = 0; y < DrawingHeight; ++y)
   {
-    const double x = DrawingWidth / 2 + 0.5;
+    const double x = 0.5 * DrawingWidth + 0.5;
     const auto apart = [&](double row)
     {
       picker->Pick(x, row, 0.0, part.Shown.Scene.Renderer);

@@ -171,7 +171,7 @@ TEST(TerrainGlobe, TurnsRowsFromNorth)
   const auto turned = vtkSmartPointer<vtkImageData>::New();
   turned->DeepCopy(heights);
   turned->SetOrigin(10.0, 23.0, 0.0);
-  turned->GetDirectionMatrix()->SetElement(1, 1, -1.0);
+  turned->SetDirectionMatrix(1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0);
   for (int j = 0; j < 4; ++j)
   {
     for (int i = 0; i < 5; ++i)

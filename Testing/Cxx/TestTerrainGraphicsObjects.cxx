@@ -155,7 +155,7 @@ TEST(TerrainGraphicsObjects, DrapesAreFilteredAsTheDriverIsToldTo)
     EXPECT_EQ(found, anisotropic ? 16.0f : 1.0f);
   }
   before.empty() ? unsetenv("VTKTERRAIN_DRIVER") : setenv("VTKTERRAIN_DRIVER", before.c_str(), 1);
-  constexpr std::size_t numbers = 48 * 32 * 3;
+  constexpr std::size_t numbers = std::size_t{ 48 } * 32 * 3;
   EXPECT_TRUE(
     std::equal(PixelsOf(pictures[0]), PixelsOf(pictures[0]) + numbers, PixelsOf(pictures[1])));
 }

@@ -68,7 +68,7 @@ TEST(TerrainHorizon, CellsInDegreesHaveTheWidthOfTheirLatitude)
   for (int row = 0; row < kRows; ++row)
   {
     const double expected = kRise / cellWidth(kSouth + row * kCell);
-    const double found = std::tan(degrees->GetComponent(row * kColumns, 1) * kDegree);
+    const double found = std::tan(degrees->GetComponent(vtkIdType{ row } * kColumns, 1) * kDegree);
     worst = std::max(worst, std::abs(found / expected - 1.0));
   }
   // The horizon's own error, of an angle, does not show on a plane.

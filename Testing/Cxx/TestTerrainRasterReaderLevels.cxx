@@ -124,7 +124,8 @@ void FindRange(const std::vector<double>& values, int level, int i, int j, doubl
   {
     for (int x = std::max((i - 1) * size, 0); x <= std::min((i + 1) * size, kWidth - 1); ++x)
     {
-      const double value = values[static_cast<std::size_t>((kHeight - 1 - y) * kWidth + x)];
+      const double value =
+        values[static_cast<std::size_t>(kHeight - 1 - y) * kWidth + static_cast<std::size_t>(x)];
       range[0] = std::min(range[0], value);
       range[1] = std::max(range[1], value);
     }
@@ -208,7 +209,7 @@ TEST_F(RasterLevels, ABudgetCoarsens)
   reader->SetFileName(this->Path);
   reader->SetMaximumSize(700);
   reader->UseLevelsOn();
-  reader->SetMemoryBudget(8 * 200 * 200);
+  reader->SetMemoryBudget(vtkIdType{ 8 } * 200 * 200);
   reader->Update();
   EXPECT_EQ(reader->GetLevel(), 3);
   reader->SetMemoryBudget(1); // no level is that small: the coarsest one

@@ -38,7 +38,7 @@ std::vector<double> Count(std::size_t samples, double first = 0.0)
 /// An empty folder.
 std::filesystem::path MakeFolder(const std::string& name)
 {
-  const std::filesystem::path folder = TemporaryFile(name);
+  std::filesystem::path folder = TemporaryFile(name);
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;

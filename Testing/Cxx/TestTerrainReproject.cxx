@@ -164,7 +164,7 @@ TEST(TerrainReproject, TurnsRowsFromNorth)
   const auto turned = vtkSmartPointer<vtkImageData>::New();
   turned->DeepCopy(heights);
   turned->SetOrigin(kGrids[0].X, kGrids[0].Y + 29 * kGrids[0].Cell, 0.0);
-  turned->GetDirectionMatrix()->SetElement(1, 1, -1.0);
+  turned->SetDirectionMatrix(1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0);
   for (int j = 0; j < 30; ++j)
   {
     for (int i = 0; i < 40; ++i)

@@ -160,7 +160,8 @@ TEST(TerrainUniformPasser, PassesWhatIsRead)
   for (const std::string passed : { "vec3 first", "int second", "mat3 fourth", "vec2 fifth" })
   {
     EXPECT_TRUE(has(fragment, "flat in " + passed + "VSOutput;")) << passed;
-    EXPECT_TRUE(has(vertex, "uniform " + passed + ";\nflat out " + passed + "VSOutput;")) << passed;
+    const std::string declared = std::string("uniform ").append(passed).append(";\nflat out ");
+    EXPECT_TRUE(has(vertex, declared + passed + "VSOutput;")) << passed;
   }
   for (const std::string kept :
     { "float shared", "int third", "vec4 array[2]", "sampler2D texture" })

@@ -215,12 +215,20 @@ TEST_F(TerrainRenderFlights, TerminalsSeeTheTimeThatIsLeft)
 
 TEST_F(TerrainRenderFlights, FullDiskKeepsFramesMade)
 {
-  // the first frame shows the sky alone, and takes less than the disk has; those of the hill more
+  // The first frame shows the sky alone, and takes less than the disk has; those of the hill more.
   this->WriteText("down.csv",
     "seconds,x,y,z,look_x,look_y,look_z\n0,32,-90,60,32,-91,200\n2,32,-90,60,32,-24,5\n");
-  const RunResult result = this->Run({ this->Hill, "--size", "200x150", "--flight", "down.csv",
-                                       "--fps", "4", "--output", "down", "--contours", "1" },
-    4000);
+  const auto fly = [this](const std::string& output, long disk)
+  {
+    return this->Run({ this->Hill, "--size", "200x150", "--flight", "down.csv", "--fps", "4",
+                       "--output", output, "--contours", "1" },
+      disk);
+  };
+  ASSERT_EQ(fly("whole", 0).Status, 0);
+  const std::uintmax_t sky = fs::file_size(this->Path("whole/frame-00001.png"));
+  const std::uintmax_t hill = fs::file_size(this->Path("whole/frame-00008.png"));
+  ASSERT_LT(sky + 500, hill);
+  const RunResult result = fly("down", static_cast<long>((sky + hill) / 2));
   EXPECT_EQ(result.Status, 1);
   EXPECT_EQ(std::count(result.Errors.begin(), result.Errors.end(), '\n'), 1) << result.Errors;
   EXPECT_NE(result.Errors.find("down/frame-0000"), std::string::npos) << result.Errors;

@@ -153,6 +153,9 @@ vtkSmartPointer<vtkActor> MakeWallActor(vtkTerrainActor* terrain, vtkImageData* 
   actor->SetMapper(mapper);
   actor->GetProperty()->DeepCopy(terrain->GetProperty());
   actor->GetProperty()->SetInterpolationToFlat();
+  // a wall sees half of the sky
+  actor->GetProperty()->SetAmbient(
+    terrain->GetProperty()->GetAmbient() + 0.5 * terrain->GetSkyLight());
   terrain->PlaceAsDrawn(actor);
   return actor;
 }

@@ -9,6 +9,7 @@
 #include "Progress.h"
 #include "Statistics.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
