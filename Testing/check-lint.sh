@@ -20,7 +20,7 @@ sed "s|$passed/separate/module/|$build_dir/module/|g" "$passed/separate/compile_
   >"$passed/compile_commands.json"
 
 # shellcheck disable=SC2046
-common=$(cat .clang-tidy $(git ls-files '*.h') | cksum | tr -d ' ')
+common=$(cat .clang-tidy Testing/.clang-tidy $(git ls-files '*.h') | cksum | tr -d ' ')
 [ $# -gt 0 ] || set -- 'src/*.cxx' 'Examples/*.cxx' 'Testing/*.cxx' 'Module/ParaView/*.cxx'
 # shellcheck disable=SC2046 # file names here have no spaces
 for file in $(git ls-files "$@"); do

@@ -4,6 +4,7 @@
 // shaders/vtkTerrainGlobeTrace.glsl against its twin, core/globe/GlobeTraversal.h in float: the
 // same rays at the same worlds, step for step.
 #include "vtkTerrainTestTextures.h"
+#include "vtkTerrainTestTwins.h"
 #include "vtkTerrainTesting.h"
 
 #include "../Unit/UnitTestGlobe.h"
@@ -14,9 +15,9 @@ namespace
 {
 using terrain::GlobeRays;
 using vtkTerrainTesting::FieldTextures;
+using vtkTerrainTesting::NumberOfRays;
 using vtkTerrainTesting::ReadShader;
 
-constexpr int NumberOfRays = 1000;
 using Texel = std::uint16_t;
 
 std::string declarations(terrain::Features features)
@@ -80,6 +81,9 @@ private:
   vtkNew<vtkOpenGLBufferObject> Buffer;
 };
 
+/// Eight times what float rounds of a place, as a part of its distance from the anchor.
+constexpr float kRoundedPlace = 1e-6f;
+
 /// Rays of a kind about one anchor, on the GPU and by the twin: how many end differently.
 void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int kind)
 {
@@ -117,6 +121,9 @@ void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int k
         lines.SetUniforms(program);
       });
   ASSERT_EQ(drawn.size(), 4u * NumberOfRays);
+  // Rays far from the anchor begin at places that float rounds to a metre; other drivers fuse sums
+  // of such.
+  const float rounded = vtkTerrainTesting::CalculatesAsTwin(window) ? 0.0f : kRoundedPlace;
   int different = 0;
   int turned = 0;
   int hits = 0;
@@ -126,8 +133,10 @@ void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int k
     const bool found = drawn[4 * k] != 0.0f;
     hits += hit.Found ? 1 : 0;
     const bool front = drawn[4 * k + 3] != 0.0f;
-    const bool same =
-      found == hit.Found && (!found || std::abs(drawn[4 * k + 1] - hit.T) <= 1e-5f * hit.T + 0.1f);
+    const float* origin = &inputs[0][4 * k];
+    const float far = glm::length(glm::vec3(origin[0], origin[1], origin[2]));
+    const bool same = found == hit.Found &&
+      (!found || std::abs(drawn[4 * k + 1] - hit.T) <= 1e-5f * hit.T + 0.1f + rounded * far);
     different += same ? 0 : 1;
     turned += same && found && front != hit.Front ? 1 : 0;
   }

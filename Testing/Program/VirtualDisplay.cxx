@@ -306,7 +306,7 @@ void VirtualDisplay::Release(unsigned int button, int x, int y)
 void VirtualDisplay::Type(char character, int x, int y)
 {
   this->Move(x, y);
-  const auto symbol = static_cast<KeySym>(character); // the symbols of ASCII are its codes
+  const KeySym symbol = static_cast<unsigned char>(character); // the symbols of ASCII are its codes
   const KeyCode code = XKeysymToKeycode(this->Display, symbol);
   XEvent event{};
   event.xkey.display = this->Display;
