@@ -43,6 +43,7 @@ def main():
     running = []
     for command in commands(build):
         words = [f"{headers}" if re.search(r"/include/python3\.\d+$", word) else word for word in command]
+        words = ["-Os" if re.match(r"-O\d$", word) else word for word in words]  # it only hands calls on
         result = words.index("-o") + 1
         if "-c" in words:
             objects[words[result]] = str(scratch / pathlib.Path(words[result]).name)
