@@ -4,8 +4,9 @@
 // How much of each light a point of the surface sees over the surface. Twin of discs and ends:
 // src/core/rays/SurfaceShading.h. Needs vtkTerrainView.glsl; to cast rays, vtkTerrainOutlook.glsl; in a
 // fragment shader, vtkTerrainSurface.glsl.
-// Defines: TERRAIN_SHADOWS, how many lights cast shadows; TERRAIN_CLIP_PLANES and TERRAIN_COLUMNS
-// as in vtkTerrainCast.glsl; TERRAIN_READ_LIGHTS if a compute shader has cast the rays (vtkTerrainLightCS.glsl).
+// Defines: TERRAIN_SHADOWS, how many lights cast shadows; TERRAIN_SHADOW_BOUNDS if there are bounds of
+// one's rays (vtkTerrainOutlook.glsl); TERRAIN_CLIP_PLANES and TERRAIN_COLUMNS as in vtkTerrainCast.glsl;
+// TERRAIN_READ_LIGHTS if a compute shader has cast the rays (vtkTerrainLightCS.glsl).
 // Constant: terrainShareSteps, steps of a share in a texel (kShareSteps in src/render/Features.h).
 //
 // A sun is a disc of even brightness, whose share above a level horizon is that of the circle beyond a
@@ -33,6 +34,10 @@ uniform vec4 terrainLightsVC[TERRAIN_SHADOWS];    // sun: the same way in view c
 uniform vec4 terrainLightDiscs[TERRAIN_SHADOWS];  // altitude and radius of the disc, radians; tangent in
                                                   // the model over that in codes per cell; share of
                                                   // the light that a shadow takes away
+
+#ifdef TERRAIN_SHADOW_BOUNDS
+uniform int terrainBoundedLight; // whose rays terrainShadowBounds is for
+#endif
 
 // The share of a sun's disc above a horizon; disc: terrainLightDiscs.
 float terrainDiscShare(vec4 disc, float tangent)
@@ -73,6 +78,9 @@ float terrainLightShare(int light, TerrainOutlook outlook, vec3 positionVC, vec3
     wayVC.xyz *= pace;
   }
   outlook.direction = wayGC.xy;
+#ifdef TERRAIN_SHADOW_BOUNDS
+  outlook.bounded = light == terrainBoundedLight;
+#endif
   outlook.low = wayGC.z;
   outlook.high = wayGC.w;
   outlook.end = terrainPlaneEnd(positionVC, wayVC.xyz, end);
@@ -92,7 +100,7 @@ void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERR
 {
   vec4 codes = terrainCellCodes(surface.cell);
   TerrainOutlook outlook = TerrainOutlook(surface.cell, surface.fraction, codes,
-    terrainPatchCode(codes, surface.fraction), vec2(0.0), 0.0, 0.0, 0.0);
+    terrainPatchCode(codes, surface.fraction), vec2(0.0), 0.0, 0.0, 0.0, false);
 #ifdef TERRAIN_COLUMNS
   // The pixel's ray has come through the air before a wall: the way begins there.
   vec3 ray = terrainAtPixelGC(pixel);

@@ -23,7 +23,53 @@ struct TerrainOutlook
   float low;       // tangents, codes per cell: lower horizons count as this
   float high;      // the search ends where the horizon is higher
   float end;       // distance at which it ends, cells
+  bool bounded;    // the rays are those of terrainShadowBounds
 };
+
+#ifdef TERRAIN_SHADOW_BOUNDS
+// Bounds of what stands before rays of one direction: src/core/rays/ShadowBounds.h, which documents all.
+// Constant: terrainShadowMargin, kShadowMargin there.
+uniform sampler2D terrainShadowBounds;
+uniform vec4 terrainBoundsAxes;  // Major, Minor
+uniform vec4 terrainBoundsPlace; // MajorStart, Slope, FirstStrip; nodes a cell
+uniform vec2 terrainBoundsRises; // LowRise, HighRise
+uniform int terrainBoundsLevel;
+
+// A ray among the bounds.
+struct TerrainStrip
+{
+  int strip;
+  float column;   // where it starts
+  float pace;     // columns a cell
+  vec2 codes;     // its own numbers with both rises
+};
+
+TerrainStrip terrainFindStrip(TerrainOutlook outlook)
+{
+  vec2 position = vec2(outlook.cell) + outlook.fraction;
+  float major = dot(terrainBoundsAxes.xy, position) + terrainBoundsPlace.x;
+  float across = dot(terrainBoundsAxes.zw, position) - terrainBoundsPlace.y * major;
+  return TerrainStrip(int((across - terrainBoundsPlace.z) * terrainBoundsPlace.w),
+    major * terrainBoundsPlace.w, dot(terrainBoundsAxes.xy, outlook.direction) * terrainBoundsPlace.w,
+    outlook.code - terrainBoundsRises * major);
+}
+
+// True if something hides the ray from the next column on.
+bool terrainIsHidden(TerrainStrip strip)
+{
+  int column = int(strip.column + 0.5 * terrainShadowMargin) + 1;
+  return column < textureSize(terrainShadowBounds, 0).x &&
+    strip.codes.y < texelFetch(terrainShadowBounds, ivec2(column, strip.strip), 0).y;
+}
+
+// True if the ray meets nothing from a distance on.
+bool terrainIsFree(TerrainStrip strip, float s)
+{
+  ivec2 size = textureSize(terrainShadowBounds, 0);
+  int column = clamp(int(strip.column + s * strip.pace - 0.5 * terrainShadowMargin), 0, size.x - 1);
+  return strip.codes.x > texelFetch(terrainShadowBounds, ivec2(column, strip.strip), 0).x;
+}
+#endif
 
 // The highest tangent to three points of the surface, height over distance, that lie above the ray of
 // a tangent by more than rounding; else that tangent.
@@ -157,19 +203,12 @@ TerrainStep terrainPassTop(
   return terrainNextStep(path, at, span, down, down ? clamp(meets, at.s, span.s) : span.s);
 }
 
-// The horizon of a point as a tangent: that of outlook.low if nothing is higher, and any that is above
-// outlook.high for all such.
-float terrainHorizonTangent(TerrainOutlook outlook)
+#ifdef TERRAIN_TILES
+// The tangent at which a ray ends that goes on from a step through the nodes of tiles.
+float terrainOutlookTiles(TerrainOutlook outlook, TerrainPath path, TerrainStep at, float tangent, bool ended)
 {
-  TerrainStep at;
-  TerrainPath path = terrainOutlookPath(outlook, at);
-  bool ended;
-  float tangent = terrainLeaveCell(outlook, path, at, ended);
-  ended = ended || tangent > outlook.high || !(path.sEnd > 0.0);
-  terrainAim(path, at, tangent);
   int most = 2 * (terrainSize.x + terrainSize.y) + terrainPyramidTop;
   int crossings = 0;
-#ifdef TERRAIN_TILES
   while (!ended)
   {
     ++crossings;
@@ -194,8 +233,21 @@ float terrainHorizonTangent(TerrainOutlook outlook)
     at = next;
     terrainAim(path, at, tangent);
   }
+  return tangent;
+}
 #else
-  // Two loops in turn, as in terrainTracePyramidWithin().
+// The tangent at which a ray ends that goes on from a step through the pyramid: two loops in turn, as in
+// terrainTracePyramidWithin().
+float terrainOutlookNodes(TerrainOutlook outlook, TerrainPath path, TerrainStep at, float tangent, bool ended)
+{
+#ifdef TERRAIN_SHADOW_BOUNDS
+  TerrainStrip strip = terrainFindStrip(outlook);
+  bool hidden = outlook.bounded && !ended && terrainIsHidden(strip);
+  tangent = hidden ? 1e30 : tangent;
+  ended = ended || hidden;
+#endif
+  int most = 2 * (terrainSize.x + terrainSize.y) + terrainPyramidTop;
+  int crossings = 0;
   do
   {
     do
@@ -203,6 +255,13 @@ float terrainHorizonTangent(TerrainOutlook outlook)
       if (!ended && at.level > 0)
       {
         ++crossings;
+#ifdef TERRAIN_SHADOW_BOUNDS
+        if (outlook.bounded && at.level >= terrainBoundsLevel && terrainIsFree(strip, at.s))
+        {
+          ended = true;
+          break;
+        }
+#endif
         ivec2 node = (at.cell >> at.level) ^ path.mirror;
         TERRAIN_VISIT(node, at.level)
         TerrainSpan span = terrainNodeSpan(path, at);
@@ -226,6 +285,23 @@ float terrainHorizonTangent(TerrainOutlook outlook)
       }
     } while (!ended && at.level == 0);
   } while (!ended);
-#endif
   return tangent;
+}
+#endif
+
+// The horizon of a point as a tangent: that of outlook.low if nothing is higher, and any that is above
+// outlook.high for all such.
+float terrainHorizonTangent(TerrainOutlook outlook)
+{
+  TerrainStep at;
+  TerrainPath path = terrainOutlookPath(outlook, at);
+  bool ended;
+  float tangent = terrainLeaveCell(outlook, path, at, ended);
+  ended = ended || tangent > outlook.high || !(path.sEnd > 0.0);
+  terrainAim(path, at, tangent);
+#ifdef TERRAIN_TILES
+  return terrainOutlookTiles(outlook, path, at, tangent, ended);
+#else
+  return terrainOutlookNodes(outlook, path, at, tangent, ended);
+#endif
 }

@@ -93,6 +93,7 @@ set(private_sources
   render/PyramidTexture
   render/Scene
   render/ShaderText
+  render/ShadowBoundsTexture
   render/SkyTexture
   render/SlopeTexture
   render/SurfaceProgram

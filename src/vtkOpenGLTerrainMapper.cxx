@@ -231,6 +231,7 @@ vtkTerrainCountMacro(NumberOfUploadedTexels, vtkIdType, Scene.Surface.GetNumberO
 vtkTerrainCountMacro(TextureMemorySize, vtkIdType, Scene.Surface.GetMemorySize());
 vtkTerrainCountMacro(NumberOfTiles, int, Scene.GetNumberOfTiles());
 vtkTerrainCountMacro(Complete, bool, Scene.IsComplete());
+vtkTerrainCountMacro(NumberOfShadowBoundsBuilds, int, Scene.ShadowBounds.GetNumberOfBuilds());
 vtkTerrainCountMacro(NumberOfShaderBuilds, int, ShaderBuilds);
 vtkTerrainCountMacro(NumberOfBufferBuilds, int, BufferBuilds);
 

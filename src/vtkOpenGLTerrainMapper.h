@@ -291,6 +291,10 @@ public:
   /// Number of texels that went to the graphics card, those of the pyramid included.
   vtkIdType GetNumberOfUploadedTexels() const;
 
+  /// Number of times that bounds of a sun's rays over the heights were built, which tell for most
+  /// points whether they are in shadow.
+  int GetNumberOfShadowBoundsBuilds() const;
+
   ///@{
   /// Number of times that shaders and vertex buffers were built.
   int GetNumberOfShaderBuilds() const;

@@ -48,7 +48,7 @@ std::vector<Features> singleFeatures()
     { &Features::IntegerHeights, &Features::BuffersPyramid, &Features::Gathers, &Features::Globe,
       &Features::Tiles, &Features::Detail, &Features::Columns, &Features::Within, &Features::Block,
       &Features::BelowBox, &Features::ReadsSightings, &Features::ShiftsDepth, &Features::Textured,
-      &Features::Paints, &Features::ReadsLights, &Features::Sky })
+      &Features::Paints, &Features::ReadsLights, &Features::Sky, &Features::BoundsShadows })
   {
     add(member, true);
   }
@@ -84,9 +84,9 @@ TEST(TerrainFeatures, DefineEveryNameThatShadersAskFor)
     defined += features.Defines();
   }
   const std::string name = "TERRAIN_";
-  for (const char* shader :
-    { "Beam", "BeamCS", "Cast", "Color", "Columns", "Gradient", "Heights", "Pyramid", "Ray",
-      "Search", "Sighting", "SightingCS", "Surface", "TileTrace", "Tiles", "Trace", "View" })
+  for (const char* shader : { "Beam", "BeamCS", "Cast", "Color", "Columns", "Gradient", "Heights",
+         "Light", "LightCS", "Outlook", "Pyramid", "Ray", "Search", "Sighting", "SightingCS",
+         "Surface", "TileTrace", "Tiles", "Trace", "View" })
   {
     const std::string text = vtkTerrainTesting::ReadShader(std::string("vtkTerrain") + shader);
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))

@@ -3,6 +3,7 @@
 #include "render/Features.h"
 
 #include "core/rays/PyramidBeam.h"
+#include "core/rays/ShadowBounds.h"
 #include "core/surface/Columns.h"
 #include "core/surface/HeightSlopes.h"
 
@@ -45,7 +46,8 @@ auto membersOf(const Features& features)
     features.Globe, features.Tiles, features.Detail, features.Columns, features.Within,
     features.Block, features.BelowBox, features.ReadsSightings, features.ShiftsDepth,
     features.Textured, features.Paints, features.ClipPlanes, features.BeamPixels,
-    features.DrapeComponents, features.ShadowMask, features.ReadsLights, features.Sky);
+    features.DrapeComponents, features.ShadowMask, features.ReadsLights, features.Sky,
+    features.BoundsShadows);
 }
 }
 
@@ -90,7 +92,8 @@ std::string Features::Defines() const
     defineNumber("TERRAIN_BEAM_PIXELS", this->BeamPixels) +
     defineNumber("TERRAIN_DRAPE", this->DrapeComponents) +
     defineNumber("TERRAIN_SHADOWS", this->Shadows()) +
-    defineIf("TERRAIN_READ_LIGHTS", this->ReadsLights) + defineIf("TERRAIN_SKY", this->Sky);
+    defineIf("TERRAIN_READ_LIGHTS", this->ReadsLights) + defineIf("TERRAIN_SKY", this->Sky) +
+    defineIf("TERRAIN_SHADOW_BOUNDS", this->BoundsShadows);
 }
 
 //------------------------------------------------------------------------------
@@ -103,8 +106,9 @@ std::string Features::Constants()
     define("terrainBeamMargin", BeamMargin) + define("terrainBeamReach", BeamReach) +
     define("terrainColumnReach", ColumnReach) +
     define("terrainFirstSlopeLevel", 1.0 * kFirstSlopeLevel) +
-    define("terrainShareSteps", 1.0 * kShareSteps) + define("terrainNotANumber", kNotANumber) +
-    define("terrainColorMapSize", kColorMapSize) + defineNumber("TERRAIN_GROUP_SIZE", kGroupSize);
+    define("terrainShadowMargin", kShadowMargin) + define("terrainShareSteps", 1.0 * kShareSteps) +
+    define("terrainNotANumber", kNotANumber) + define("terrainColorMapSize", kColorMapSize) +
+    defineNumber("TERRAIN_GROUP_SIZE", kGroupSize);
   for (std::size_t kind = 0; kind < kinds.size(); ++kind)
   {
     lines += define(kinds[kind], kind);

@@ -56,6 +56,7 @@ struct Features
   int DrapeComponents = 0;     ///< of the draped picture
   int ShadowMask = 0;          ///< bit i: VTK's light i casts shadows; see kMostShadows
   bool Sky = false;            ///< the sky gives light
+  bool BoundsShadows = false;  ///< there are bounds of the rays of one light
   bool ReadsLights = false;    ///< a compute shader has looked for the lights
 
   bool FindsSurface() const

@@ -100,6 +100,12 @@ bool Lights::Add(
       this->WaysGC[index] = glm::vec4(glm::dvec2(wayGC) / cells,
         tangentOf(altitude - radius) / codes, tangentOf(altitude + radius) / codes);
       this->WaysVC[index] = glm::vec4(glm::dvec4(wayVC / cells, 0.0));
+      if (this->Steady < 0 && light->LightTypeIsSceneLight() && this->WaysGC[index].z > 0.0f)
+      {
+        this->Steady = this->Count;
+        this->SteadyRays = { glm::dvec2(wayGC) / cells, tangentOf(altitude - radius) / codes,
+          tangentOf(altitude + radius) / codes };
+      }
       disc = { altitude * kDegree, radius * kDegree, codes, disc.w };
     }
   }
@@ -116,6 +122,7 @@ void Lights::SetUniforms(Uniforms& uniforms) const
     uniforms.SetArray("terrainLightsGC", this->Count, this->WaysGC.data());
     uniforms.SetArray("terrainLightsVC", this->Count, this->WaysVC.data());
     uniforms.SetArray("terrainLightDiscs", this->Count, this->Discs.data());
+    uniforms.Set("terrainBoundedLight", this->Steady);
   }
 }
 }

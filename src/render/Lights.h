@@ -8,6 +8,7 @@
 #ifndef vtkTerrain_render_Lights_h
 #define vtkTerrain_render_Lights_h
 
+#include "core/rays/ShadowBounds.h"
 #include "render/Features.h"
 
 #include <glm/glm.hpp>
@@ -35,6 +36,7 @@ public:
   void Clear()
   {
     this->Mask = 0;
+    this->Steady = -1;
   }
   /// Features::ShadowMask.
   int GetMask() const
@@ -43,11 +45,26 @@ public:
   }
   void SetUniforms(Uniforms& uniforms) const;
 
+  ///@{
+  /// A sun above the horizon that does not move with the camera, of which bounds are worth while:
+  /// its rays, if there is one.
+  bool HasSteadySun() const
+  {
+    return this->Steady >= 0;
+  }
+  const ShadowRays& GetSteadyRays() const
+  {
+    return this->SteadyRays;
+  }
+  ///@}
+
 private:
   bool Add(vtkLight* light, const glm::dmat4& viewFromWorld, const View& view, double sunAngle);
 
   int Mask = 0;
   int Count = 0;
+  int Steady = -1; ///< of those that cast
+  ShadowRays SteadyRays;
   std::array<glm::vec4, kMostShadows> WaysGC{};
   std::array<glm::vec4, kMostShadows> WaysVC{};
   std::array<glm::vec4, kMostShadows> Discs{};

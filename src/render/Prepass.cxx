@@ -66,6 +66,7 @@ std::string Prepass::ComputeLights(const PrepassFrame& frame)
   features.Columns = frame.Features.Columns;
   features.ClipPlanes = frame.Features.ClipPlanes;
   features.ShadowMask = frame.Features.ShadowMask;
+  features.BoundsShadows = frame.Features.BoundsShadows;
   features.ReadsSightings = true;
   return this->LightShares.Fill(
     frame.Window, features, [&] { return Technique::LightSource(features); }, frame.Size, 4,

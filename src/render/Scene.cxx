@@ -160,6 +160,7 @@ std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
     const std::string lights = this->Lights.Update(renderer, this->View, this->Look->GetSunAngle());
     words = words.empty() ? lights : words;
   }
+  this->BoundsShadows = this->UploadShadowBounds(window);
   this->SkyShines = lit && this->HasSkyLight(actor);
   if (this->SkyShines &&
     !this->Sky.Upload(window, this->Surface.GetImage(), this->Look->GetVerticalExaggeration()))
@@ -178,12 +179,29 @@ std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
   }
   this->Surface.Activate();
   this->Sky.Activate();
+  this->ShadowBounds.Activate();
   this->Globe.Activate();
   const int planes = this->Mapper->GetNumberOfClippingPlanes();
   return !words.empty() || planes <= View::MostMapperPlanes
     ? words
     : "At most " + std::to_string(View::MostMapperPlanes) +
       " clipping planes cut the terrain, not " + std::to_string(planes);
+}
+
+//------------------------------------------------------------------------------
+// Bounds are no more than a help: where they fail, rays go all their way.
+bool Scene::UploadShadowBounds(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Lights.HasSteadySun() || this->Surface.HasTiles() || this->Surface.HasDetail() ||
+    this->Surface.GetPyramidTop() < 1)
+  {
+    return false;
+  }
+  const bool complete = this->Mapper->GetNumberOfClippingPlanes() == 0 && !this->Cutting.Cuts();
+  const ShadowRays& rays = this->Lights.GetSteadyRays();
+  return this->ShadowBounds.Upload(window,
+    { rays, complete, this->Surface.GetPyramidTime(), this->Surface.GetCodes().Scale },
+    [&] { return this->Surface.MakeShadowBounds(rays, complete); });
 }
 
 //------------------------------------------------------------------------------
@@ -241,6 +259,7 @@ void Scene::Finish()
 {
   this->Surface.Deactivate();
   this->Sky.Deactivate();
+  this->ShadowBounds.Deactivate();
   this->Globe.Deactivate();
   this->Prepass.Finish();
 }
@@ -264,6 +283,7 @@ void Scene::AddFeatures(Features& features) const
   }
   features.ShadowMask = this->Lights.GetMask();
   features.Sky = this->SkyShines;
+  features.BoundsShadows = this->BoundsShadows;
   if (technique.IsExact())
   {
     features.Columns = this->Look->GetSurface() == vtkTerrainLook::Surfaces::Columns;
@@ -280,6 +300,7 @@ void Scene::SetUniforms(Uniforms& uniforms, vtkActor* actor)
   this->View.SetUniforms(uniforms);
   this->Lights.SetUniforms(uniforms);
   this->Sky.SetUniforms(uniforms);
+  this->ShadowBounds.SetUniforms(uniforms);
   uniforms.Set("terrainSkyLight", static_cast<float>(this->Look->GetSkyLight()));
   if (this->Globe.IsRound())
   {
@@ -316,6 +337,7 @@ void Scene::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Surface.ReleaseGraphicsResources(window);
   this->Sky.ReleaseGraphicsResources(window);
+  this->ShadowBounds.ReleaseGraphicsResources(window);
   this->Globe.ReleaseGraphicsResources(window);
   this->Prepass.ReleaseGraphicsResources(window);
 }

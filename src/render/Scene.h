@@ -16,6 +16,7 @@
 #include "render/Lights.h"
 #include "render/Prepass.h"
 #include "render/Proxy.h"
+#include "render/ShadowBoundsTexture.h"
 #include "render/SkyTexture.h"
 #include "render/SurfaceTextures.h"
 #include "render/Technique.h"
@@ -108,6 +109,7 @@ public:
   terrain::View View;
   terrain::Lights Lights;
   SkyTexture Sky;
+  ShadowBoundsTexture ShadowBounds;
   terrain::Prepass Prepass;
 
 private:
@@ -115,11 +117,14 @@ private:
   std::string UpdateGlobe(vtkImageData* heights, vtkImageData* detail);
   GridGeometry Geometry() const;
   SampleRectangle Drawn() const;
+  /// False if there are no bounds of a sun's rays.
+  bool UploadShadowBounds(vtkOpenGLRenderWindow* window);
   PrepassFrame MakeFrame(vtkRenderer* renderer, vtkActor* actor, const Features& features);
 
   vtkMapper* Mapper;
   vtkTerrainLook* Look;
   bool SkyShines = false;
+  bool BoundsShadows = false;
   /// Surfaces that rays pass by.
   int Layer = 0;
 };

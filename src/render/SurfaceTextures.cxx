@@ -289,6 +289,24 @@ void SurfaceTextures::UploadPart(MinMaxPyramid<Texel>& pyramid, const GridRectan
 }
 
 //------------------------------------------------------------------------------
+ShadowBounds SurfaceTextures::MakeShadowBounds(const ShadowRays& rays, bool complete) const
+{
+  int level = 1;
+  while (level < this->PyramidTop &&
+    (std::max(this->Size.x, this->Size.y) - 2) >> level >= kMostBoundNodes)
+  {
+    ++level;
+  }
+  return std::visit(
+    [&](const auto& pyramid)
+    {
+      return terrain::MakeShadowBounds(pyramid, level, this->Codes.Bias, rays,
+        this->Codes.MaximumCode, complete && !this->Codes.HasNoData, SMPParallelFor);
+    },
+    this->Pyramid);
+}
+
+//------------------------------------------------------------------------------
 std::string SurfaceTextures::Upload(vtkOpenGLRenderWindow* window, bool withPyramid)
 {
   if (this->HasTiles())

@@ -20,6 +20,7 @@
 
 #include "core/grid/Coordinates.h"
 #include "core/grid/HeightCodes.h"
+#include "core/rays/ShadowBounds.h"
 #include "core/surface/MinMaxPyramid.h"
 
 #include "vtkImageData.h"
@@ -40,6 +41,9 @@ class vtkWindow;
 namespace terrain
 {
 class Uniforms;
+
+/// Most nodes a side of bounds of shadows.
+constexpr int kMostBoundNodes = 1024;
 
 class SurfaceTextures
 {
@@ -122,6 +126,15 @@ public:
   ///@}
   /// True if there is at least one cell and one height.
   bool HasSurface() const;
+
+  /// Bounds of what stands before rays (core/rays/ShadowBounds.h), of nodes of which there are at
+  /// most kMostBoundNodes a side; complete: nothing is cut away. There must be a pyramid.
+  ShadowBounds MakeShadowBounds(const ShadowRays& rays, bool complete) const;
+  /// Changes with the pyramid; 0 if there is none.
+  vtkMTimeType GetPyramidTime() const
+  {
+    return this->PyramidTime + static_cast<vtkMTimeType>(this->NumberOfUploadedTexels);
+  }
 
   /// Top level of the pyramid on the graphics card.
   int GetPyramidTop() const
