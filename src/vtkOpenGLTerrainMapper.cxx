@@ -309,6 +309,7 @@ bool vtkOpenGLTerrainMapper::UpdateSurface()
   }
   terrain::Scene& scene = this->Internals->Scene;
   scene.WaitsForTiles = this->WaitForTiles;
+  scene.LeastTolerance = this->HastyTolerance;
   scene.Surface.Tiles.SetSource(this->Tiles, static_cast<std::size_t>(this->HostMemoryBudget),
     static_cast<std::size_t>(this->CardMemoryBudget));
   return scene.Update(this->GetHeights(), this->GetDetail());

@@ -24,8 +24,8 @@
  * Walk-through"). Linear, Exponential and Equidistant are the searches of Fehér ("Terrain Rendering
  * with the Combination of Mesh Simplification and Displacement Mapping"): steps along the ray, then
  * secant steps. They step where the pyramid lets the surface be, which takes 1/6 to 1/140 of the
- * time of steps from the paper's coarse mesh on. Equidistant by default misses nothing; its depths
- * are those of Pyramid to 1e-3 of a cell. Linear and Exponential have the few steps of the paper
+ * time of steps from the paper's coarse mesh on. Equidistant by default misses nothing; its hits
+ * are off by EquidistantError. Linear and Exponential have the few steps of the paper
  * and the holes that it shows. Mesh draws the polygons of port 0 with normals from the heights;
  * so does Strips, which tells a vtkTerrainActor to put vtkTerrainStrips there.
  *
@@ -141,8 +141,11 @@ public:
   /// default, for none.
   void SetTileSource(const std::shared_ptr<terrain::TileSource>& source)
   {
-    this->Tiles = source;
-    this->Modified();
+    if (this->Tiles != source)
+    {
+      this->Tiles = source;
+      this->Modified();
+    }
   }
 
   ///@{
@@ -155,6 +158,19 @@ public:
   bool GetWaitForTiles() const
   {
     return this->WaitForTiles;
+  }
+  ///@}
+  ///@{
+  /// Pixels, >= 0, by which the next frames may be off at least, whatever the PixelTolerance of the
+  /// look; default 0. For frames in haste (vtkTerrainActor): it is no setting of the picture,
+  /// changes no time and tells no observer.
+  void SetHastyTolerance(double pixels)
+  {
+    this->HastyTolerance = pixels;
+  }
+  double GetHastyTolerance() const
+  {
+    return this->HastyTolerance;
   }
   ///@}
   /// False if the last frame lacked tiles: another frame shows more.
@@ -189,9 +205,13 @@ public:
   using ColorSources = vtkTerrainLook::ColorSources;
   static constexpr int MostDetailCells = vtkTerrainLook::MostDetailCells;
   ///@}
-  /// Largest error of the distance of a hit, as a part of it, away from silhouettes: 1/250 of a
-  /// pixel where 1080 lines show 30 degrees. See the class comment.
+  /// Largest error of the distance of a hit of Pyramid, as a part of it, away from silhouettes:
+  /// 1/250 of a pixel where 1080 lines show 30 degrees; of columns twice that. See the class
+  /// comment.
   static constexpr double HitError = 2e-6;
+  /// Largest distance of a hit of Equidistant by default from the surface, in cells, away from
+  /// silhouettes.
+  static constexpr double EquidistantError = 1e-3;
   ///@{
   /// A setting of the look, as the method of vtkTerrainLook that has this name, where its unit,
   /// range and default are documented.
@@ -366,6 +386,7 @@ private:
   vtkSmartPointer<vtkTerrainLook> Look;
   std::shared_ptr<terrain::TileSource> Tiles;
   bool WaitForTiles = true;
+  double HastyTolerance = 0.0;
   vtkIdType HostMemoryBudget = vtkIdType{ 1 } << 30;
   vtkIdType CardMemoryBudget = vtkIdType{ 1 } << 29;
   vtkTimeStamp PictureTime;

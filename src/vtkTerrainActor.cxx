@@ -94,6 +94,7 @@ void vtkTerrainActor::SetInputConnection(vtkAlgorithmOutput* heights)
 {
   this->PreparedReader = nullptr;
   this->TerrainMapper->SetHeightsConnection(heights);
+  this->TerrainMapper->SetTileSource(nullptr); // those of other heights
   this->CoarseMesh->SetInputConnection(heights);
   this->FullMesh->SetInputConnection(heights);
   this->Strips->SetInputConnection(heights);
@@ -104,6 +105,7 @@ void vtkTerrainActor::SetInputData(vtkImageData* heights)
 {
   this->PreparedReader = nullptr;
   this->TerrainMapper->SetHeightsData(heights);
+  this->TerrainMapper->SetTileSource(nullptr); // those of other heights
   this->CoarseMesh->SetInputData(heights);
   this->FullMesh->SetInputData(heights);
   this->Strips->SetInputData(heights);
@@ -459,8 +461,7 @@ void vtkTerrainActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 //------------------------------------------------------------------------------
 void vtkTerrainActor::RenderInTime(vtkRenderer* renderer, vtkMapper* mapper)
 {
-  const double tolerance = this->TerrainMapper->GetPixelTolerance();
-  this->TerrainMapper->SetPixelTolerance(std::max(tolerance, this->InteractionTolerance));
+  this->TerrainMapper->SetHastyTolerance(this->InteractionTolerance);
   const auto begin = std::chrono::steady_clock::now();
   const bool waits = this->TerrainMapper->GetWaitForTiles();
   this->TerrainMapper->SetWaitForTiles(false);
@@ -468,7 +469,7 @@ void vtkTerrainActor::RenderInTime(vtkRenderer* renderer, vtkMapper* mapper)
   this->TerrainMapper->SetWaitForTiles(waits);
   renderer->GetRenderWindow()->WaitForCompletion(); // drivers draw when it suits them
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  this->TerrainMapper->SetPixelTolerance(tolerance);
+  this->TerrainMapper->SetHastyTolerance(0.0);
 
   // less than 2 pixels hardly ends a search sooner
   constexpr double least = 2.0;
@@ -514,6 +515,7 @@ void vtkTerrainActor::ShallowCopy(vtkProp* prop)
     this->ReliefRange = other->ReliefRange;
     this->ColorByHeight = other->ColorByHeight;
     this->LevelOfDetail = other->LevelOfDetail;
+    this->SurfaceError = other->SurfaceError;
     this->ConnectedMesh = other->ConnectedMesh;
   }
   this->Superclass::ShallowCopy(prop);

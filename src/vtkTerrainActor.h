@@ -70,7 +70,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The heights.
+  /// The heights, in place of a file's (SetFileName). The mapper's tile source becomes null: set
+  /// one for these heights afterwards.
   void SetInputConnection(vtkAlgorithmOutput* heights);
   void SetInputData(vtkImageData* heights);
   vtkImageData* GetHeights();
@@ -238,7 +239,7 @@ public:
   void CopyLook(vtkTerrainActor* other);
   /// Refines the strips for the camera of a renderer, as Render does with the technique Strips.
   void RefineStrips(vtkRenderer* renderer);
-  /// Shares mapper and mesh with another terrain.
+  /// Shares mapper and mesh with another terrain, and takes over its settings.
   void ShallowCopy(vtkProp* prop) override;
 
   vtkTerrainActor(const vtkTerrainActor&) = delete;

@@ -302,3 +302,35 @@ TEST(TerrainTiles, ElseTheImageIsDrawn)
   const glm::i64vec2 tiles = tiled.Tiles->GetLayout().Tiles(kImageLevel);
   EXPECT_EQ(tiled.Tiles->Reads, tiles.x * tiles.y); // of the image
 }
+
+// Other heights are drawn as by an actor that never had tiles, even of the same size.
+TEST(TerrainTiles, GoWithTheirHeights)
+{
+  const vtkNew<vtkTerrainSource> other;
+  other->SetDimensions(
+    (kWidth - 1) / (1 << kImageLevel) + 1, (kHeight - 1) / (1 << kImageLevel) + 1);
+  other->Update();
+  for (const bool connects : { false, true })
+  {
+    SCOPED_TRACE(connects);
+    Drawing tiled(true);
+    tiled.Draw(kLooks[0]);
+    EXPECT_GT(tiled.Mapper()->GetNumberOfTiles(), 0);
+    Drawing one(false);
+    for (Drawing* drawing : { &tiled, &one })
+    {
+      if (connects)
+      {
+        drawing->Actor->SetInputConnection(other->GetOutputPort());
+      }
+      else
+      {
+        drawing->Actor->SetInputData(other->GetOutput());
+      }
+    }
+    const auto expected = one.Draw(kLooks[0]);
+    EXPECT_LT(one.Background(expected), 300 * 200 - 500);
+    EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(tiled.Draw(kLooks[0]), expected), 0);
+    EXPECT_EQ(tiled.Mapper()->GetNumberOfTiles(), 0);
+  }
+}

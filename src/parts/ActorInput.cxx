@@ -36,7 +36,6 @@ bool vtkTerrainActor::OpenPrepared(const std::string& path)
     const vtkNew<vtkTerrainRasterReader> reader;
     reader->SetFileName(path);
     this->SetInputConnection(nullptr);
-    this->TerrainMapper->SetTileSource(nullptr);
     this->SetHierarchy(hierarchy);
     this->PreparedReader = reader;
   }

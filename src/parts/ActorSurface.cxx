@@ -31,6 +31,7 @@ double vtkTerrainActor::GetUsedSurfaceError()
   {
     return this->SurfaceError;
   }
+  this->UpdateInput();
   double range[2];
   this->TerrainMapper->GetHeightRange(range);
   return range[0] <= range[1] ? (range[1] - range[0]) * SurfaceErrorShare : 0.0;
@@ -49,6 +50,7 @@ void vtkTerrainActor::SetSurfaceError(double error)
 //------------------------------------------------------------------------------
 vtkActor* vtkTerrainActor::GetSurfaceActor()
 {
+  this->UpdateInput();
   this->TerrainMapper->GetBounds(); // brings the heights up to date
   this->UpdateColors();
   vtkImageData* heights = this->TerrainMapper->GetHeights();

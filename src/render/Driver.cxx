@@ -52,20 +52,29 @@ std::string Driver::Apply(const std::string& words)
   return {};
 }
 
-//------------------------------------------------------------------------------
-Driver Driver::Current()
+namespace
 {
-  Driver driver = IsSoftware() ? Driver::Software() : Driver();
-  if (const char* words = std::getenv("VTKTERRAIN_DRIVER"))
+/// A driver changed by the environment, which is warned of.
+Driver fromEnvironment(Driver driver, bool warn)
+{
+  const char* words = std::getenv("VTKTERRAIN_DRIVER");
+  const std::string unknown = words ? driver.Apply(words) : std::string();
+  if (warn && !unknown.empty())
   {
-    const std::string unknown = driver.Apply(words);
-    if (!unknown.empty())
-    {
-      vtkGenericWarningMacro("VTKTERRAIN_DRIVER has \""
-        << unknown << "\"; its words are software, graphics, buffer, levels, passed, plain, "
-        << "fragment, compute, gather, fetch, isotropic, anisotropic, with commas between them");
-    }
+    vtkGenericWarningMacro("VTKTERRAIN_DRIVER has \""
+      << unknown << "\"; its words are software, graphics, buffer, levels, passed, plain, "
+      << "fragment, compute, gather, fetch, isotropic, anisotropic, with commas between them");
   }
   return driver;
+}
+}
+
+//------------------------------------------------------------------------------
+// The environment is read once in a process: several parts of a frame ask.
+Driver Driver::Current()
+{
+  static const Driver software = fromEnvironment(Driver::Software(), true);
+  static const Driver graphics = fromEnvironment(Driver(), false);
+  return IsSoftware() ? software : graphics;
 }
 }

@@ -209,7 +209,7 @@ bool Scene::UploadShadowBounds(vtkOpenGLRenderWindow* window)
 double Scene::GetPixelTolerance() const
 {
   constexpr double kOfTiles = 0.5;
-  const double tolerance = this->Look->GetPixelTolerance();
+  const double tolerance = std::max(this->Look->GetPixelTolerance(), this->LeastTolerance);
   return this->Surface.HasTiles() && tolerance <= 0.0 ? kOfTiles : tolerance;
 }
 

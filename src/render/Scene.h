@@ -68,7 +68,9 @@ public:
 
   /// Whether a frame waits for all the tiles that it needs; else it shows those that are there.
   bool WaitsForTiles = true;
-  /// Pixels by which the picture may be off: the look's; tiles need some.
+  /// Pixels by which frames in haste may be off at least.
+  double LeastTolerance = 0.0;
+  /// Pixels by which the picture may be off: the look's, or the least; tiles need some.
   double GetPixelTolerance() const;
   /// Tiles that the last frame needed, and whether it had them all.
   int GetNumberOfTiles() const
