@@ -55,10 +55,6 @@ public:
   {
     return this->Heights ? this->Slots * this->SlotBytes() : 0;
   }
-  std::size_t GetHostMemorySize() const
-  {
-    return this->Pool ? this->Pool->GetMemorySize() : 0;
-  }
   std::size_t GetNumberOfTiles() const
   {
     return this->Residency ? this->Residency->GetNumberOfTiles() : 0;

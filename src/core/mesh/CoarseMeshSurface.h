@@ -36,23 +36,15 @@ public:
   /// Triangles of the mesh, with closedHull also walls down to a floor at floorHeight.
   CoarseMeshSurface(const CoarseMesh& mesh, bool closedHull, double floorHeight);
 
-  /// Number of vertices; the first NumberOfTopVertices() are on the mesh, the others on the floor.
+  /// Number of vertices: those on the mesh first, then as many on the floor.
   std::int64_t NumberOfVertices() const
   {
     return this->ClosedHull ? 2 * this->TopVertices : this->TopVertices;
   }
-  std::int64_t NumberOfTopVertices() const
-  {
-    return this->TopVertices;
-  }
-  /// Number of triangles; the first NumberOfTopTriangles() are the mesh, then walls and floor.
+  /// Number of triangles: those of the mesh first, then walls and floor.
   std::int64_t NumberOfTriangles() const
   {
     return this->ClosedHull ? 2 * this->TopTriangles + 2 * this->BorderEdges : this->TopTriangles;
-  }
-  std::int64_t NumberOfTopTriangles() const
-  {
-    return this->TopTriangles;
   }
 
   /// Calls write(vertexId, vertex) for every vertex.

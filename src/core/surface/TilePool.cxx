@@ -101,13 +101,6 @@ std::size_t TilePool::GetMemorySize() const
 }
 
 //------------------------------------------------------------------------------
-std::size_t TilePool::GetNumberOfReads() const
-{
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->NumberOfReads;
-}
-
-//------------------------------------------------------------------------------
 std::string TilePool::TakeMessage()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -135,7 +128,6 @@ void TilePool::Work()
     const std::string error = this->Source->Read(key, *tile);
     lock.lock();
     this->InHand.erase(key);
-    ++this->NumberOfReads;
     if (error.empty())
     {
       this->Store(key, std::move(tile));

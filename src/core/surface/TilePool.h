@@ -52,7 +52,6 @@ public:
 
   /// Bytes of the tiles that are there.
   std::size_t GetMemorySize() const;
-  std::size_t GetNumberOfReads() const;
   /// Why the first tile that failed could not be read, once; empty if none has.
   std::string TakeMessage();
 
@@ -79,7 +78,6 @@ private:
   std::vector<TileKey> Queue; ///< the next one last
   std::map<TileKey, bool> InHand;
   std::size_t MemorySize = 0;
-  std::size_t NumberOfReads = 0;
   std::uint64_t Clock = 0;
   std::uint64_t WantedSince = 0;
   std::string Message;

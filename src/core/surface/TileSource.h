@@ -160,11 +160,6 @@ public:
   virtual PyramidNode<float> GetBounds(const TileKey& key) const = 0;
   /// Reads a tile. Returns an empty string, or one sentence that says why the tile cannot be read.
   virtual std::string Read(const TileKey& key, Tile& tile) const = 0;
-  /// Changes when the samples of a tile change.
-  virtual std::uint64_t GetVersion(const TileKey& /*key*/) const
-  {
-    return 0;
-  }
 };
 }
 
