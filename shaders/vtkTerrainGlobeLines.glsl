@@ -28,11 +28,14 @@ vec2 terrainGlobeColumnAt(int i)
   return texelFetch(terrainGlobeLines, i).xy;
 }
 
+// Sine and cosine of a parallel's latitude; terrainGlobeNorth() and terrainGlobeAbove() of the anchor, metres.
 vec4 terrainGlobeRowAt(int j)
 {
   return texelFetch(terrainGlobeLines, terrainSize.x + j);
 }
 
+// The meridian at a parallel: its radius of curvature and that one's first and second derivative by the
+// latitude, metres; cells a radian to the next parallel.
 vec4 terrainGlobeCurveAt(int j)
 {
   return texelFetch(terrainGlobeLines, terrainSize.x + terrainSize.y + j);

@@ -6,41 +6,46 @@
 
 const float terrainGlobeNever = 1e30;
 
+// A ray with what its lines share: metres in the axes of the anchor. Every t below is a distance along
+// it, in units of the direction's length.
 struct TerrainGlobePath
 {
-  vec3 origin;    // x from the axis
-  vec3 direction;
-  vec3 squares;
-  bool east;
-  float sag;
-  float begin;
+  vec3 origin;    // x from the axis, metres
+  vec3 direction; // metres a unit of t
+  vec3 squares;   // (r^2 - radius^2) = x + 2 t y + t^2 z, square metres; r: distance from the axis
+  bool east;      // goes round the axis to the east
+  float sag;      // second derivative by t that heights cannot exceed, metres
+  float begin;    // searched is begin <= t <= end
   float end;
 };
 
+// Where a ray is: the node of the pyramid that it runs on in.
 struct TerrainGlobeStep
 {
-  ivec2 node;
-  int level;
+  ivec2 node; // column, -1 in the gap of a partial raster; row, -1 south of it and -2 north
+  int level;  // nodes have 2^level x 2^level cells
   float t;
 };
 
+// The part of a ray in a node.
 struct TerrainGlobeSpan
 {
-  float t;
+  float t;    // where it leaves
   int side;   // 0 across a meridian, 1 north, 2 south
-  bool ends;
+  bool ends;  // the ray ends in the node
 };
 
 struct TerrainGlobeHit
 {
   bool found;
   float t;
-  ivec2 cell;
-  vec2 fraction;
-  bool front;
-  int crossings;
+  ivec2 cell;    // column and row of its south-west sample
+  vec2 fraction; // in the cell, 0 to 1 east and north
+  bool front;    // seen from above
+  int crossings; // nodes and cells that the ray came through
 };
 
+// A path with its t from begin to end; o: origin, relative to the anchor, and d: direction, in metres.
 TerrainGlobePath terrainGlobeMakePath(vec3 o, vec3 d, float begin, float end)
 {
   TerrainGlobePath path;
@@ -149,6 +154,7 @@ int terrainGlobeTop()
   return min(terrainGlobeGrid.y, terrainPyramidTop);
 }
 
+// The coarsest node that a path is in at t.
 TerrainGlobeStep terrainGlobeFirstStep(TerrainGlobePath path, float t)
 {
   ivec2 cells = terrainSize - 1;
@@ -179,6 +185,7 @@ TerrainGlobeStep terrainGlobeFirstStep(TerrainGlobePath path, float t)
   return at;
 }
 
+// The part of a path, from at.t on, in a node; fence: terrainGlobeFence() of it.
 TerrainGlobeSpan terrainGlobeNodeSpan(TerrainGlobePath path, TerrainGlobeStep at, ivec4 fence)
 {
   ivec2 cells = terrainSize - 1;
@@ -208,6 +215,7 @@ TerrainGlobeSpan terrainGlobeNodeSpan(TerrainGlobePath path, TerrainGlobeStep at
   return span;
 }
 
+// The node that a path comes to where it leaves one; a level coarser where that line bounds coarser nodes, too.
 TerrainGlobeStep terrainGlobeAcross(
   TerrainGlobePath path, TerrainGlobeStep at, TerrainGlobeSpan span, ivec4 fence)
 {
@@ -240,6 +248,7 @@ TerrainGlobeStep terrainGlobeAcross(
   return next;
 }
 
+// The one of a node's four children that a path is in at t.
 TerrainGlobeStep terrainGlobeDown(TerrainGlobePath path, TerrainGlobeStep at, float t)
 {
   TerrainGlobeStep next = TerrainGlobeStep(at.node << 1, at.level - 1, t);
@@ -322,20 +331,19 @@ float terrainGlobeDifference(
   return height - terrainGlobeHeights.y - terrainGlobeHeights.x * terrainPatchCode(codes, fraction);
 }
 
-// How a path meets a cell: the first root of a parabola through its differences, as a part of its way
-// through the cell, < 0 for none.
+// How a path meets a cell: the first root of a parabola through its differences in height.
 struct TerrainGlobeMeeting
 {
-  float begin;
-  float length;
-  float a;
+  float begin;  // t where the path comes into the cell
+  float length; // t from there to where it leaves
+  float a;      // of the parabola a p^2 + b p + c, metres; p: part of the way, 0 to 1
   float b;
-  float part;
+  float part;   // its first root, < 0 for none
   bool between; // on the line where the path comes in
-  bool front;
+  bool front;   // seen from above
 };
 
-// side: the sign of the difference where the path left the cell before, 0 if not known.
+// The meeting of a path with the cell at at.node, from at.t to end; side: the sign of the difference where the path left the cell before, 0 if not known.
 TerrainGlobeMeeting terrainGlobeMeetCell(
   TerrainGlobePath path, TerrainGlobeStep at, float end, inout float side)
 {

@@ -45,6 +45,7 @@ vec2 terrainSplit(double number)
 #define terrainReal3 vec3
 #define terrainReal3x3 mat3
 
+// Nothing is cut off where there is no double precision.
 vec2 terrainSplit(float number)
 {
   return vec2(number, 0.0);
@@ -131,6 +132,7 @@ vec2 terrainCellsPerMetre()
   return vec2(length(rows[0]), length(rows[1]));
 }
 #else
+// Grid coordinates are cells and height codes already.
 vec3 terrainToCells(vec3 directionGC)
 {
   return directionGC;
