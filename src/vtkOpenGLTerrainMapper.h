@@ -209,9 +209,9 @@ public:
   /// 1/250 of a pixel where 1080 lines show 30 degrees; of columns twice that. See the class
   /// comment.
   static constexpr double HitError = 2e-6;
-  /// Largest distance of a hit of Equidistant by default from the surface, in cells, away from
-  /// silhouettes.
-  static constexpr double EquidistantError = 1e-3;
+  /// Largest error of the depth of a hit of Equidistant by default, in cells, times the sine of the
+  /// ray's angle with the surface, away from silhouettes; measured 2e-3.
+  static constexpr double EquidistantError = 4e-3;
   ///@{
   /// A setting of the look, as the method of vtkTerrainLook that has this name, where its unit,
   /// range and default are documented.

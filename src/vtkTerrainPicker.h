@@ -24,15 +24,15 @@
  * Not picked are cells without data and what clipping planes or an extract of the mapper cut away.
  * Face culling plays no role.
  *
- * Method: core/rays/RayQuery.h. Error: that of double arithmetic, about 1e-15 of the coordinates,
- * wherever the eye is. Cost: the heights are scanned once after each change of their image (not of
- * exaggeration, actor or camera), and their bounds take 4 % of the heights' memory. A ray then
- * takes some microseconds.
+ * Method: core/rays/RayQuery.h. Error: that of double arithmetic, 1e-13 of the largest
+ * coordinate in cells (kQueryError), wherever the eye is. Cost: the heights are scanned once after
+ * each change of their image (not of exaggeration, actor or camera), and their bounds take 4 % of
+ * the heights' memory. A ray then takes some microseconds.
  *
- * VTK's other pickers: vtkCellPicker meets the triangles of the mapper's port 0, the coarse mesh
- * above the surface, or nothing but the box of the heights: this class replaces it. vtkPropPicker
- * and vtkWorldPointPicker read the depth buffer and give a point of the surface to its precision,
- * 1e-7 of the depth range. vtkHardwareSelector gives cells and points of the heights' grid.
+ * VTK's other pickers: vtkCellPicker meets the adaptive mesh of vtkTerrainActor::GetSurface(), and
+ * is off by up to its error; it makes that mesh. On a globe it finds nothing. vtkPropPicker and
+ * vtkWorldPointPicker read the depth buffer and give a point of the surface to its precision, 1e-7
+ * of the depth range. vtkHardwareSelector gives cells and points of the heights' grid.
  *
  * On a globe (vtkTerrainGlobe) the same holds but for clipping planes, which picks do not see, and
  * profiles, which vtkTerrainViewpoint has; the grid is that of the heights on the globe.

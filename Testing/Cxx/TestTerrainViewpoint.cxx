@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "place/GroundPlaces.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainViewpoint.h"
 
@@ -82,6 +83,26 @@ TEST(TerrainViewpoint, PlacesByText)
   EXPECT_NE(wall.View->FindPlace("", scene), "");
   vtkNew<vtkTerrainViewpoint> empty;
   EXPECT_TRUE(Contains(empty->FindPlace("86.9,28", scene), "no georeference"));
+}
+
+// In a round frame the vertical of a place is not the z of the frame.
+TEST(TerrainViewpoint, PlacesAreOnTheGroundOfRoundFrames)
+{
+  Wall wall;
+  wall.Reference->SetFrame(FrameType::Local);
+  // from 500 m down in the west to 2500 m in the east, 50 m a km
+  for (int id = 0; id < 201 * 201; ++id)
+  {
+    wall.Heights->SetScalarComponentFromDouble(id % 201, id / 201, 0, 0, 500.0 + 10.0 * (id % 201));
+  }
+  wall.View->SetHeights(wall.Heights);
+  for (const char* place : { "86.9,28", "86.95,28.05", "86.75,27.88", "87.08,27.9" })
+  {
+    double scene[3];
+    EXPECT_EQ(wall.View->FindPlace(place, scene), "");
+    EXPECT_NEAR(scene[2], wall.View->GetGround(scene[0], scene[1]), terrain::kGroundTolerance)
+      << place;
+  }
 }
 
 TEST(TerrainViewpoint, CamerasByPlace)

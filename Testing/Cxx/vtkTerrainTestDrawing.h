@@ -150,6 +150,8 @@ struct Comparison
   int Unexplained = 0;
   /// Largest relative difference of hits, times that sine.
   double Largest = 0.0;
+  /// Largest difference of hits, times that sine, in cells.
+  double Farthest = 0.0;
 };
 
 /// The same, with the faces that are culled: none, those seen from above, those from below.
@@ -195,9 +197,9 @@ Comparison CompareRays(const terrain::HeightfieldView<T>& view, const terrain::P
       }
       const double drawn = distances->GetScalarComponentAsDouble(x, y, 0, 0);
       const bool both = hit.Found && !std::isnan(drawn);
-      const double difference = both
-        ? std::abs(drawn - hit.Distance) / hit.Distance * SineAtHit(rays, { x + 0.5, y + 0.5 }, hit)
-        : 0.0;
+      const double distance =
+        both ? std::abs(drawn - hit.Distance) * SineAtHit(rays, { x + 0.5, y + 0.5 }, hit) : 0.0;
+      const double difference = both ? distance / hit.Distance : 0.0;
       const bool disagrees = hit.Found == std::isnan(drawn);
       ++result.Pixels;
       result.Hits += both ? 1 : 0;
@@ -205,6 +207,7 @@ Comparison CompareRays(const terrain::HeightfieldView<T>& view, const terrain::P
       result.Off += difference > tolerance ? 1 : 0;
       result.Unexplained += disagrees && !caster.IsNearSilhouette(ray, 1e-3) ? 1 : 0;
       result.Largest = std::max(result.Largest, difference);
+      result.Farthest = std::max(result.Farthest, distance);
     }
   }
   return result;

@@ -84,8 +84,8 @@ struct ViewshedOptions
  * are looked for on the transposed grid. Heights are floats relative to the middle of their range;
  * positions keep their digits at any distance.
  *
- * Error: that of float, about 1e-7 of the relief. A sample whose line of sight
- * clears the surface by less may come out either way.
+ * Error: that of float. A sample whose line of sight comes closer to the surface than twice
+ * kSightTolerance may come out either way.
  *
  * Memory: two copies of the heights and their pyramids, 15 bytes a sample, and a byte a sample
  * while it counts, 5 while it measures.

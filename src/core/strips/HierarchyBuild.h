@@ -27,8 +27,8 @@
  * incremental error |h(v) - mean of the hypotenuse| is no bound of the surface's distance.
  * A border that is kept has errors above all others: refinement goes down to every one of its
  * samples that can be seen, and what is beside it with the same samples fits without a gap.
- * Heights are rounded to float, and errors computed in float: they are low by at most
- * kBuildRounding times the largest height.
+ * Heights are rounded to float, and errors computed in float: they are low by at most 1e-6 times
+ * the largest height.
  */
 #ifndef terrain_HierarchyBuild_h
 #define terrain_HierarchyBuild_h
@@ -41,9 +41,6 @@
 
 namespace terrain
 {
-/// Rounding of the errors, in units of the largest absolute height.
-constexpr double kBuildRounding = 1.0e-6;
-
 /// Delivers rows [first, first + count) of the raster, south row of them first, as heights with NaN
 /// where there are none. Is called from one thread, from the north to the south, each row once.
 /// Returns an error message, empty if all is well.
