@@ -149,6 +149,19 @@ double PartBeyond(
   }
   return static_cast<double>(wrong) / (Width * Height);
 }
+
+/// Share of the pixels with some colour in which a channel is the brightest: red, green or blue.
+/// Edges are black: the shares hardly depend on how wide they are.
+double BrightestShare(vtkImageData* picture, int channel)
+{
+  constexpr int kSome = 32;
+  const auto brightest = [](const unsigned char* p) { return std::max({ p[0], p[1], p[2] }); };
+  const int some = vtkTerrainTesting::CountPixels(
+    picture, [&](const unsigned char* p) { return brightest(p) >= kSome; });
+  const int those = vtkTerrainTesting::CountPixels(picture,
+    [&](const unsigned char* p) { return brightest(p) >= kSome && p[channel] == brightest(p); });
+  return static_cast<double>(those) / std::max(some, 1);
+}
 }
 
 TEST(TerrainStripsDrawing, DepthsStayWithinTheTolerance)
@@ -187,6 +200,11 @@ TEST(TerrainStripsDrawing, MatchesBaselines)
   // how wide edges are is VTK's: it has changed since 9.1
   picture.Actor->GetProperty()->EdgeVisibilityOn();
   const auto depths = vtkTerrainTesting::Render(picture.Scene.Window);
+  const double brightest[] = { 0.303, 0.358, 0.363 };
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    EXPECT_NEAR(BrightestShare(depths, channel), brightest[channel], 0.02) << channel;
+  }
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(depths, "TerrainStripsDepths", { 40, 0.01 }));
 }
 
