@@ -145,6 +145,46 @@ Table BaloghTable(const Keeper& keeper, int side)
   add("strips, everything and detail", "2.3");
   return table;
 }
+
+void RegisterAllStrips(const Plan& plan, int side)
+{
+  const vtkSmartPointer<vtkImageData> heights = MakeLandscape(side);
+  const vtkNew<vtkTerrainHierarchy> hierarchy;
+  hierarchy->SetHeights(heights);
+  const vtkNew<vtkTerrainDetailSource> detail;
+  detail->Update();
+  RegisterStrips(Named("strips, pure refinement", side), plan.Seconds,
+    MakeStrips(hierarchy, false, nullptr), heights);
+  RegisterStrips(Named("strips, morphed, culled, normals", side), plan.Seconds,
+    MakeStrips(hierarchy, true, nullptr), heights);
+  RegisterStrips(Named("strips, everything and detail", side), plan.Seconds,
+    MakeStrips(hierarchy, true, detail->GetOutput()), heights);
+}
+
+void RegisterPreparations(const Plan& plan, int side)
+{
+  const vtkSmartPointer<vtkImageData> heights = MakeLandscape(side);
+  Register(Named("min-max pyramid", side), plan.Seconds,
+    [heights]
+    {
+      const vtkNew<vtkTerrainMinMaxPyramid> pyramid;
+      pyramid->SetInputData(heights);
+      pyramid->Update();
+    });
+  Register(Named("coarse mesh", side), plan.Seconds,
+    [heights]
+    {
+      const vtkNew<vtkTerrainCoarseMesh> mesh;
+      mesh->SetInputData(heights);
+      mesh->Update();
+    });
+  Register(Named("hierarchy of strips", side), plan.Seconds,
+    [heights]
+    {
+      const vtkNew<vtkTerrainHierarchy> prepared;
+      prepared->SetHeights(heights);
+    });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -155,44 +195,12 @@ Section MeasureProcessor(const Plan& plan)
   section.Text =
     "András Balogh, Real-time Visualization of Detailed Terrain. Measured by Google Benchmark.";
   const int stripSide = SidesOf(plan, { 1025 }).back();
-  const vtkSmartPointer<vtkImageData> stripHeights = MakeLandscape(stripSide);
-  const vtkNew<vtkTerrainHierarchy> hierarchy;
-  hierarchy->SetHeights(stripHeights);
-  const vtkNew<vtkTerrainDetailSource> detail;
-  detail->Update();
-  RegisterStrips(Named("strips, pure refinement", stripSide), plan.Seconds,
-    MakeStrips(hierarchy, false, nullptr), stripHeights);
-  RegisterStrips(Named("strips, morphed, culled, normals", stripSide), plan.Seconds,
-    MakeStrips(hierarchy, true, nullptr), stripHeights);
-  RegisterStrips(Named("strips, everything and detail", stripSide), plan.Seconds,
-    MakeStrips(hierarchy, true, detail->GetOutput()), stripHeights);
+  RegisterAllStrips(plan, stripSide);
 
   const std::vector<int> sides = SidesOf(plan, { 257, 1025, 4097 });
-  std::vector<vtkSmartPointer<vtkImageData>> landscapes;
   for (const int side : sides)
   {
-    const vtkSmartPointer<vtkImageData> heights = MakeLandscape(side);
-    landscapes.push_back(heights);
-    Register(Named("min-max pyramid", side), plan.Seconds,
-      [heights]
-      {
-        const vtkNew<vtkTerrainMinMaxPyramid> pyramid;
-        pyramid->SetInputData(heights);
-        pyramid->Update();
-      });
-    Register(Named("coarse mesh", side), plan.Seconds,
-      [heights]
-      {
-        const vtkNew<vtkTerrainCoarseMesh> mesh;
-        mesh->SetInputData(heights);
-        mesh->Update();
-      });
-    Register(Named("hierarchy of strips", side), plan.Seconds,
-      [heights]
-      {
-        const vtkNew<vtkTerrainHierarchy> prepared;
-        prepared->SetHeights(heights);
-      });
+    RegisterPreparations(plan, side);
   }
   Keeper keeper;
   benchmark::RunSpecifiedBenchmarks(&keeper);

@@ -130,10 +130,21 @@ struct Texts
   DetailArguments Detail;
 };
 
-void Declare(CLI::App& app, Options& options, Texts& texts)
+/// Adds an option with a value to an application.
+struct Adder
 {
-  const auto add = [&app](const char* name, auto& value, const char* type, const char* help)
-  { return app.add_option(name, value, help)->type_name(type); };
+  CLI::App& App;
+  template <typename Value>
+  CLI::Option* operator()(const char* name, Value& value, const char* type, const char* help) const
+  {
+    return this->App.add_option(name, value, help)->type_name(type);
+  }
+};
+
+/// The file, the picture, and how the surface is found.
+void DeclareSearch(CLI::App& app, Options& options, Texts& texts)
+{
+  const Adder add{ app };
   add("HEIGHTS", options.Heights, "FILE",
     "file of heights, any raster GDAL opens; the built-in landscape without")
     ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
@@ -161,6 +172,12 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   add("--step-length", texts.StepLength, "CELLS", "of a step of equidistant; default 1.5");
   add("--secant-steps", texts.SecantSteps, "N",
     "that narrow down what a search has found; default 2, equidistant 6");
+}
+
+/// From where it is seen, and what else comes of it.
+void DeclareView(CLI::App& app, Options& options, Texts& texts)
+{
+  const Adder add{ app };
   add("--camera", texts.Camera, "EX,EY,EZ,FX,FY,FZ[,UX,UY,UZ]",
     "eye, focal point and up in world coordinates, z exaggerated; default: all of the terrain in "
     "view, from the south");
@@ -187,6 +204,12 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   add("--stats", options.Stats, "FILE", "JSON of counts, sizes and times");
   app.add_flag("--describe", options.Describe,
     "print what HEIGHTS is taken for and what was taken from where, and draw nothing");
+}
+
+void Declare(CLI::App& app, Options& options, Texts& texts)
+{
+  DeclareSearch(app, options, texts);
+  DeclareView(app, options, texts);
   options.Input.Declare(app);
   options.Colors.Declare(app);
   options.Light.Declare(app, true);
@@ -240,7 +263,7 @@ void InterpretSteps(const Texts& texts, Technique technique, SearchOptions& sear
   }
 }
 
-void Interpret(const Texts& texts, Options& options)
+void InterpretNumbers(const Texts& texts, Options& options)
 {
   if (!texts.Size.empty())
   {
@@ -280,6 +303,11 @@ void Interpret(const Texts& texts, Options& options)
   {
     options.Memory = ParseInteger("--memory", texts.Memory, 1, kMostMemory);
   }
+}
+
+void Interpret(const Texts& texts, Options& options)
+{
+  InterpretNumbers(texts, options);
   if (!options.Input.CoordinateSystem.empty())
   {
     CheckCoordinateSystem(options.Input.CoordinateSystem);

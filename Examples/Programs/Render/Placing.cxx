@@ -169,6 +169,32 @@ vtkSmartPointer<vtkImageData> Resample(
   ThrowOnError(HeightsName(options));
   return filter->GetOutput();
 }
+
+/// Lays heights, whose scene is described, on a globe.
+void PlaceOnGlobe(PlacedHeights& placed, const Options& options)
+{
+  placed.Georeference->SetFrame(FrameType::Globe);
+  const std::string name = HeightsName(options);
+  if (!placed.Georeference->GetWhyNot().empty())
+  {
+    throw Failure(name, placed.Georeference->GetWhyNot());
+  }
+  RefuseOnGlobe(options);
+  placed.Image = LayOnGlobe(placed.Image, name);
+}
+
+/// Fails if an option needs places that there are not.
+void RequirePlaces(const PlacedHeights& placed, const Options& options)
+{
+  const char* option = options.Place.FirstThatNeedsPlaces(); // a graticule, if that is the only one
+  const bool isDrawnAnywhere = option && option == std::string("--graticule");
+  if (option && !placed.WhyNoPlaces.empty() &&
+    !(isDrawnAnywhere && placed.Georeference->HasPlaces()))
+  {
+    throw Failure(HeightsName(options),
+      std::string(option) + " needs to know where it is, but " + placed.WhyNoPlaces);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -194,13 +220,7 @@ PlacedHeights PlaceHeights(
   std::string warning;
   if (IsGlobe(placed.Image, options))
   {
-    placed.Georeference->SetFrame(FrameType::Globe);
-    if (!placed.Georeference->GetWhyNot().empty())
-    {
-      throw Failure(name, placed.Georeference->GetWhyNot());
-    }
-    RefuseOnGlobe(options);
-    placed.Image = LayOnGlobe(placed.Image, name);
+    PlaceOnGlobe(placed, options);
     CountSamples(placed.Image, statistics);
     statistics.AddTime("place", watch.GetMilliseconds());
     statistics.SetText("crs", placed.Georeference->GetCoordinateSystemName());
@@ -228,14 +248,7 @@ PlacedHeights PlaceHeights(
     statistics.AddTime("place", watch.GetMilliseconds());
   }
   placed.WhyNoPlaces = WhyNoPlaces(placed.Georeference);
-  const char* option = wanted.FirstThatNeedsPlaces(); // a graticule, if that is the only one
-  const bool isDrawnAnywhere = option && option == std::string("--graticule");
-  if (option && !placed.WhyNoPlaces.empty() &&
-    !(isDrawnAnywhere && placed.Georeference->HasPlaces()))
-  {
-    throw Failure(
-      name, std::string(option) + " needs to know where it is, but " + placed.WhyNoPlaces);
-  }
+  RequirePlaces(placed, options);
   if (!warning.empty())
   {
     Warn(name + ": " + warning);
