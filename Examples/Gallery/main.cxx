@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures of docs/gallery.md, one function each: terrain-gallery [FOLDER]
+// The pictures of docs/gallery.md, one function each: terrain-gallery [FOLDER [WIDTH]]
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
@@ -67,7 +67,6 @@ struct Picture
     this->Sun->SetFocalPoint(0.5 * Side, 0.5 * Side, 0.0);
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
-    this->Window->SetSize(480, 270);
     this->Window->AddRenderer(this->Renderer);
     this->Look(0.5, -0.75, 28000.0, 0.5, 0.42, 0.0);
   }
@@ -382,10 +381,17 @@ bool write(Picture& picture, const std::string& path)
 int main(int argc, char* argv[])
 {
   const std::string folder = argc > 1 ? argv[1] : ".";
+  const int width = argc > 2 ? std::atoi(argv[2]) : 480;
+  if (width < 16 || width > 16384)
+  {
+    std::cerr << "terrain-gallery [FOLDER [WIDTH]]: WIDTH is 16 to 16384 pixels\n";
+    return EXIT_FAILURE;
+  }
   bool done = true;
   for (const Entry& entry : Entries)
   {
     Picture picture;
+    picture.Window->SetSize(width, width * 9 / 16);
     entry.Make(picture);
     const std::string path = folder + "/" + entry.Name + ".jpg";
     done = write(picture, path) && done;
