@@ -94,10 +94,38 @@ class TestColors(LooksTest):
         _, terrain = self.draw(heights, scalars=wild, cmap="viridis")
         np.testing.assert_allclose(terrain.mapper.scalar_range, (np.nanmin(heights), np.nanmax(heights)), atol=0.1)
 
+    def test_bytes_are_values(self):
+        values = (hill() * 20.0).astype(np.uint8)
+        options = {"cmap": "viridis", "clim": (20.0, 190.0)}
+        expected = self.draw_mesh(values, **options)
+        image = pyvista.wrap(plotting.heights_from(hill()))
+        image["bytes"] = values.ravel()
+        image.set_active_scalars("Elevation")
+        for picture in (self.draw(scalars=values, **options)[0], self.draw(image, scalars="bytes", **options)[0]):
+            self.assert_alike(picture, expected, 0.95)
+        is_high = hill() > 4.0
+        for options in ({"cmap": ["blue", "lime"]}, {"cmap": ["blue", "lime"], "categories": True}):
+            flags, _ = self.draw(scalars=is_high, lighting=False, **options)
+            np.testing.assert_array_equal(flags, self.draw(scalars=is_high.astype(float), lighting=False, **options)[0])
+        faint = {"cmap": "viridis", "opacity": np.full((41, 51), 0.5)}
+        np.testing.assert_array_equal(self.draw(scalars=values, **faint)[0],
+                                      self.draw(scalars=values.astype(float), **faint)[0])
+
+    def test_heights_in_bytes(self):
+        heights = (hill() * 20.0).astype(np.uint8)
+        for technique in ("pyramid", "linear", "mesh", "strips"):
+            for options in ({}, {"cmap": "viridis"}, {"cmap": "viridis", "clim": (60.0, 120.0)},
+                            {"cmap": "viridis", "opacity": "linear"}):
+                with self.subTest(technique=technique, **options):
+                    of_bytes, of_floats = (self.draw(of, technique=technique, exaggeration=0.1, **options)[0]
+                                           for of in (heights, heights.astype(np.float32)))
+                    self.assert_alike(of_bytes, of_floats, 0.995, 4)
+
     def test_colours_as_they_are(self):
         colors = np.zeros((41, 51, 3), np.uint8)
         colors[:, 25:] = (255, 0, 0)
         picture, _ = self.draw(scalars=colors, rgb=True, lighting=False)
+        np.testing.assert_array_equal(self.draw(scalars=colors, lighting=False, show_scalar_bar=None)[0], picture)
         reds = (np.abs(picture - (255, 0, 0)).max(axis=2) < 8)
         self.assertGreater(reds.mean(), 0.1)
         self.assertFalse(reds[:, :SIZE[0] // 4].any())

@@ -24,6 +24,8 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkScalarsToColors.h"
 
+#include <cstring>
+
 //------------------------------------------------------------------------------
 double vtkTerrainActor::GetUsedSurfaceError()
 {
@@ -91,11 +93,15 @@ void vtkTerrainActor::UpdateSurfaceLook(vtkImageData* heights)
   mapper->SetLookupTable(this->TerrainMapper->GetLookupTable());
   mapper->SetUseLookupTableScalarRange(this->TerrainMapper->GetUseLookupTableScalarRange());
   mapper->SetScalarRange(this->TerrainMapper->GetScalarRange());
-  mapper->SetColorMode(this->TerrainMapper->GetColorMode());
   mapper->SetScalarModeToUsePointFieldData();
   const char* named = this->TerrainMapper->GetArrayName();
   const char* name = heights->GetPointData()->GetScalars()->GetName();
-  mapper->SelectColorArray(!ofHeights && named && *named ? named : name);
+  const bool isNamed = !ofHeights && named && *named;
+  const int mode = this->TerrainMapper->GetColorMode();
+  const bool isHeight = !isNamed || (name && std::strcmp(named, name) == 0);
+  mapper->SelectColorArray(isNamed ? named : name);
+  mapper->SetColorMode(isHeight && mode == VTK_COLOR_MODE_DEFAULT ? VTK_COLOR_MODE_MAP_SCALARS
+                                                                  : mode); // no height is a colour
   mapper->SetArrayComponent(ofHeights ? 0 : this->TerrainMapper->GetArrayComponent());
   mapper->SetClippingPlanes(this->TerrainMapper->GetClippingPlanes());
 }

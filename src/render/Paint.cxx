@@ -50,12 +50,22 @@ vtkDataArray* findArray(vtkMapper* mapper, vtkImageData* heights, bool& cells)
   return association == 2 ? nullptr : vtkDataArray::SafeDownCast(array);
 }
 
+/// The mapper's color mode for an array. Heights in unsigned chars are no colours, whatever VTK's
+/// default takes those for.
+int colorModeOf(vtkMapper* mapper, vtkDataArray* array, vtkImageData* heights)
+{
+  const int mode = mapper->GetColorMode();
+  const bool isHeight =
+    array == heights->GetPointData()->GetScalars() && array->GetNumberOfComponents() == 1;
+  return isHeight && mode == VTK_COLOR_MODE_DEFAULT ? VTK_COLOR_MODE_MAP_SCALARS : mode;
+}
+
 /// True if the array's tuples become colours one by one, which are then mixed: it holds colours, or
 /// the table knows values only that are equal to its own.
-bool isDirect(vtkMapper* mapper, vtkDataArray* array)
+bool isDirect(vtkMapper* mapper, vtkDataArray* array, vtkImageData* heights)
 {
   vtkScalarsToColors* table = mapper->GetLookupTable();
-  const int mode = mapper->GetColorMode();
+  const int mode = colorModeOf(mapper, array, heights);
   const bool vectors = mapper->GetArrayComponent() < 0 && array->GetNumberOfComponents() > 1 &&
     table->GetVectorMode() == vtkScalarsToColors::RGBCOLORS;
   return vectors || table->GetIndexedLookup() || mode == VTK_COLOR_MODE_DIRECT_SCALARS ||
@@ -237,8 +247,8 @@ std::string Paint::UpdateScalars()
   {
     mapper->SetLookupTable(array->GetLookupTable()); // as VTK's mappers do
   }
-  const bool heights =
-    array && array == this->Heights->GetPointData()->GetScalars() && !isDirect(mapper, array);
+  const bool heights = array && array == this->Heights->GetPointData()->GetScalars() &&
+    !isDirect(mapper, array, this->Heights);
   if (heights || source == ColorSources::Height)
   {
     this->Kind = PaintKinds::Height;
@@ -271,7 +281,7 @@ std::string Paint::UpdateArray(vtkDataArray* array, bool cells)
       " tuples, not " + std::to_string(width) + " x " + std::to_string(height);
   }
   this->OfCells = cells;
-  if (isDirect(this->Mapper, array))
+  if (isDirect(this->Mapper, array, this->Heights))
   {
     this->Kind = PaintKinds::Colors;
     this->UpdateColors(array, width, height);
@@ -314,14 +324,15 @@ void Paint::UpdateColors(vtkDataArray* array, int width, int height)
 {
   vtkMapper* mapper = this->Mapper;
   vtkScalarsToColors* table = mapper->GetLookupTable();
+  const int mode = colorModeOf(mapper, array, this->Heights);
   table->Build();
-  if (!this->StartsToMake(this->Colors,
-        stateOf(array, mapper->GetColorMode(), mapper->GetArrayComponent(), table->GetMTime())))
+  if (!this->StartsToMake(
+        this->Colors, stateOf(array, mode, mapper->GetArrayComponent(), table->GetMTime())))
   {
     return;
   }
   auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
-    table->MapScalars(array, mapper->GetColorMode(), mapper->GetArrayComponent(), VTK_RGBA));
+    table->MapScalars(array, mode, mapper->GetArrayComponent(), VTK_RGBA));
   if (ImageHeights::AreRowsFromNorth(this->Heights))
   {
     const auto mapped = colors; // may be the array itself
@@ -430,7 +441,8 @@ bool Paint::IsTranslucent(vtkMapper* mapper, vtkImageData* heights, const vtkTer
     : heights->GetPointData()->GetScalars();
   vtkScalarsToColors* table = mapper->GetLookupTable();
   table->Build();
-  return array && table->IsOpaque(array, mapper->GetColorMode(), mapper->GetArrayComponent()) == 0;
+  return array &&
+    table->IsOpaque(array, colorModeOf(mapper, array, heights), mapper->GetArrayComponent()) == 0;
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@ from .heights import array_from_heights
 from .vtkTerrain import vtkTerrainImageWarp, vtkTerrainLook
 
 _NUMBER_OF_COLORS = 256
+_MAP_SCALARS = 1  # VTK_COLOR_MODE_MAP_SCALARS
 _SOURCES = vtkTerrainLook.ColorSources
 # Colours of what the surface itself tells: source, title of the bar, first and last value.
 _OF_THE_SURFACE = {"slope": (_SOURCES.Slope, "Slope (degrees)", (0.0, 60.0)),
@@ -60,6 +61,8 @@ def _attach(terrain, scalars, name="scalars"):
                          f"not {' x '.join(map(str, scalars.shape))}")
     if heights.GetDirectionMatrix().GetElement(1, 1) < 0:
         scalars = scalars[::-1]
+    if scalars.dtype == bool:
+        scalars = scalars.astype(np.uint8)
     array = numpy_to_vtk(np.ascontiguousarray(scalars).reshape(rows * columns, -1))
     array.SetName(name)
     image = heights.NewInstance()
@@ -67,6 +70,11 @@ def _attach(terrain, scalars, name="scalars"):
     image.GetPointData().AddArray(array)
     terrain.SetInputData(image)
     return name
+
+
+def _holds_colors(array):
+    """Whether it has 3 or 4 bytes a tuple; one byte is a value."""
+    return array.GetDataType() == VTK_UNSIGNED_CHAR and array.GetNumberOfComponents() in (3, 4)
 
 
 class Scalars:
@@ -104,14 +112,16 @@ class Scalars:
             mapper.SetScalarModeToUseCellFieldData()
         mapper.SelectColorArray(name)
         mapper.SetColorSource(_SOURCES.Array)
+        chosen = array if of_cells is None else of_cells
+        self.is_color = self.is_color or (component is None and _holds_colors(chosen))
         if self.is_color:
-            chosen = array if of_cells is None else of_cells
-            if chosen.GetNumberOfComponents() not in (3, 4) or chosen.GetDataType() != VTK_UNSIGNED_CHAR:
+            if not _holds_colors(chosen):
                 raise ValueError(f"rgb needs 3 or 4 bytes (uint8) a sample, the array {name!r} has "
                                  f"{chosen.GetNumberOfComponents()} of {chosen.GetDataTypeAsString()}")
             mapper.SetColorModeToDirectScalars()
             self.clim = (0.0, 255.0)
             return
+        mapper.SetColorModeToMapScalars()  # bytes are values, too
         self.component = component
         self.name, self.is_of_points = name, of_cells is None
         self.clim = self._find_range(array if of_cells is None else of_cells, terrain, of_cells is None, component)
@@ -220,7 +230,8 @@ def apply_opacity(terrain, scalars, table, opacity):
         raise ValueError("an opacity of samples must be one number each, from 0 to 1")
     array = heights.GetPointData().GetArray(scalars.name) if scalars.name else heights.GetPointData().GetScalars()
     component = getattr(scalars, "component", None)
-    colors = vtk_to_numpy(table.MapScalars(array, 0, -1 if component is None else component)).reshape(*alpha.shape, 4)
+    colors = table.MapScalars(array, _MAP_SCALARS, -1 if component is None else component)
+    colors = vtk_to_numpy(colors).reshape(*alpha.shape, 4)
     if heights.GetDirectionMatrix().GetElement(1, 1) < 0:
         colors = colors[::-1]
     colors = np.concatenate([colors[..., :3], np.rint(255 * np.nan_to_num(alpha))[..., None].astype(np.uint8)], axis=2)

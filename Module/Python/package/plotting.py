@@ -219,7 +219,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         Drawn height over true height, above 0; "auto" chooses it so that a view of all shows the relief.
     scalars : str or array_like, optional
         What the colours show instead of the heights: "slope" or "aspect", the name of an array of the
-        heights' image, or an array of the heights' shape, rows from the south.
+        heights' image, or an array of the heights' shape, rows from the south. Arrays of 3 or 4 bytes
+        a sample are colours as they are; all others are mapped by cmap, single bytes and bools, too.
     cmap : str, list or matplotlib colormap, optional
         Colours of the heights; those of a relief map by default, from the lowest to the highest, or
         those of a theme that has another cmap than PyVista's own. For other scalars the theme's.
