@@ -130,6 +130,13 @@ class TestColors(LooksTest):
         self.assertGreater(reds.mean(), 0.1)
         self.assertFalse(reds[:, :SIZE[0] // 4].any())
 
+    def test_a_texture_keeps_its_colours(self):
+        picture = np.full((8, 8, 3), (200, 100, 50), np.uint8)
+        for options, expected in (({}, (200, 100, 50)), ({"color": "red"}, (200, 0, 0))):
+            drawn, terrain = self.draw(texture=picture, lighting=False, **options)
+            self.assertGreater((np.abs(drawn - expected).max(axis=2) < 4).mean(), 0.15, options)
+        self.assertEqual(terrain.prop.color, pyvista.Color("red"))
+
     def test_opacity_of_colours(self):
         solid, _ = self.draw(cmap="viridis")
         faint, _ = self.draw(cmap="viridis", opacity=0.4)

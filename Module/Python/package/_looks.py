@@ -263,6 +263,8 @@ def color_terrain(terrain, scalars, theme, color, texture, opacity, options):
         terrain.opacity = opacity
     if color is not None:
         terrain.prop.color = color
+    elif texture is not None:
+        terrain.prop.color = "white"  # which the picture is multiplied with
     if texture is not None:
         terrain.SetTexture(texture)
     return table

@@ -233,7 +233,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         One colour for all, instead of colours of the heights.
     texture : pyvista.Texture, array_like, str or path, optional
         A picture that spans the terrain, its upper edge in the north, instead of colours of the
-        heights. One that knows its place is a ``drape``.
+        heights, unless there is a color, which it is multiplied with. One that knows its place is a
+        ``drape``.
     opacity : float, str or array_like
         1 is opaque, 0 not seen; the name of a transfer function or a list is the opacity of the colours,
         as in ``add_mesh``; an array of the heights' shape, or the name of one of the image's arrays, is
