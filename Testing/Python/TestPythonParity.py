@@ -168,6 +168,22 @@ class TestGrids(ParityTest):
         np.testing.assert_allclose(self.draw(x=x, y=y)[0], self.expected, atol=3)
         np.testing.assert_allclose(self.draw(self.heights[::-1], x=x, y=y[::-1])[0], self.expected, atol=3)
 
+    def test_coordinates_must_be_those_of_the_heights(self):
+        x, y = np.meshgrid(self.x, self.y)
+        for options, pattern in (
+                ({"x": self.x[:50]}, "x has 50 numbers, the heights have 51 columns"),
+                ({"x": self.x, "y": self.x}, "y has 51 numbers, the heights have 41 rows"),
+                ({"x": np.arange(41.0), "y": np.arange(51.0)}, "x has 41 numbers"),
+                ({"x": x[:, :50], "y": y[:, :50]}, "of the heights, 41 x 51, .* x is 41 x 50"),
+                ({"x": x}, "41 x 51"), ({"x": 3.0}, "x has 1 numbers"),
+                ({"x": self.x, "spacing": (2.0, 2.0)}, "leave out spacing"),
+                ({"y": self.y, "origin": (0.0, 0.0)}, "leave out origin"),
+                ({"y": self.y, "first_row": "north"}, "leave out first_row")):
+            with self.assertRaisesRegex(ValueError, pattern):
+                self.add(**options)
+        _, terrain = self.draw(x=self.x, first_row="north")
+        np.testing.assert_allclose(terrain.bounds[:4], (10.0, 60.0, 0.0, 40.0))
+
     def test_blanked_points_are_holes(self):
         grid = pyvista.StructuredGrid(*np.meshgrid(self.x, self.y), self.heights.astype(float))
         grid.hide_points(range(5))

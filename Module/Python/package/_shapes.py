@@ -36,11 +36,30 @@ def lines_of(x, y):
     return x[0], y[:, 0]
 
 
-def take_coordinates(place):
-    """Puts x and y, coordinates of columns and rows, in the words of ``heights_from_array``."""
+def _check_coordinates(x, y, shape, place):
+    """Raises a ValueError where x and y are not those of an array of a shape, or others tell its place, too."""
+    beside = [name for name in ("spacing", "origin") if name in place]
+    if y is not None and place.get("first_row") is not None:
+        beside.append("first_row")
+    if beside:
+        raise ValueError(f"x and y tell where the heights lie: leave out {', '.join(beside)}, or x and y")
+    if np.ndim(x) == 2 and np.shape(x) == np.shape(y) == shape:
+        return
+    for values, what, count, of in ((x, "x", shape[-1], "columns"), (y, "y", shape[0], "rows")):
+        if np.ndim(values) == 2:
+            raise ValueError(f"x and y must both be of the shape of the heights, {' x '.join(map(str, shape))}, or one "
+                             f"number a column and a row: {what} is {' x '.join(map(str, np.shape(values)))}")
+        if values is not None and np.size(values) != count:
+            raise ValueError(f"{what} has {np.size(values)} numbers, the heights have {count} {of}")
+
+
+def take_coordinates(place, shape):
+    """Puts x and y, coordinates of columns and rows of an array, in the words of ``heights_from_array``."""
     x, y = (place.pop(axis, None) for axis in "xy")
     if x is None and y is None:
         return
+    if len(shape) == 2:
+        _check_coordinates(x, y, shape, place)
     if np.ndim(x) == 2 and np.shape(x) == np.shape(y):
         x, y = lines_of(x, y)
     origin, spacing = [0.0, 0.0], [1.0, 1.0]

@@ -73,7 +73,7 @@ def heights_from(heights, *, scene=None, **place):
     if is_array:
         if "crs" in place:
             place.setdefault("coordinate_system", place.pop("crs"))
-        take_coordinates(place)
+        take_coordinates(place, np.shape(heights))
         return lay_out(heights_from_array(heights, **place), scene)
     if isinstance(heights, vtkImageData):
         return lay_out(heights, scene)
@@ -271,7 +271,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         "none"), ``height_unit`` ("ft", "-m", 0.3048), ``flip``, of files also ``band`` and ``part``. For
         a plain array: ``spacing``, ``origin``, ``first_row``, ``coordinate_system``, as
         ``vtkterrain.heights_from_array`` takes them, or ``x`` and ``y``, even coordinates, one a column
-        and a row or as ``numpy.meshgrid`` gives them.
+        and a row or as ``numpy.meshgrid`` gives them, without ``spacing``, ``origin`` and ``first_row``.
     """
     given = dict(locals())
     check_plotter(plotter)
