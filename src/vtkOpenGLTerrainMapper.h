@@ -52,7 +52,8 @@
  *
  * Of what VTK does to a surface, these cannot work with rays or do something else:
  *   - Edges (EdgeVisibility) are those of a proxy, and are not drawn; the representations wireframe
- *     and points draw port 0 itself.
+ *     and points draw port 0 itself, in the colours of the surface if the technique is Mesh or
+ *     Strips, else in the actor's own.
  *   - Normal maps and anisotropic reflection need tangents of a mesh; they are ignored. So is a
  *     general texture transform.
  *   - Flat shading takes the normals of bilinear patches; Gouraud is Phong shading.

@@ -75,3 +75,25 @@ TEST(OpenGLTerrainMapperTable, HeightsInBytesAreNoColors)
     }
   }
 }
+
+// On the lines themselves: the picture of the surface, where both are drawn.
+TEST(OpenGLTerrainMapperTable, LinesAndPointsOfAMeshHaveTheColorsOfTheSurface)
+{
+  auto draw = [](int representation)
+  {
+    auto paint = [representation](TerrainScene&, const TerrainProp& terrain)
+    {
+      colorByHeights(terrain.Mapper, 1.0);
+      terrain.Actor->GetProperty()->LightingOff();
+      terrain.Actor->GetProperty()->SetRepresentation(representation);
+    };
+    return DrawScene(paint, Techniques::Mesh);
+  };
+  const auto surface = draw(VTK_SURFACE);
+  for (const int representation : { VTK_WIREFRAME, VTK_POINTS })
+  {
+    const auto picture = draw(representation);
+    // The fine mesh has a line or a point in most pixels.
+    EXPECT_LE(CountDifferentPixels(picture, surface, 30), 200 * 150 / 4) << representation;
+  }
+}

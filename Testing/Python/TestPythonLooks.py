@@ -171,10 +171,34 @@ class TestOwnOptions(LooksTest):
         plain, _ = self.draw()
         for options in ({"contours": True}, {"contours": 0.7}, {"hillshade": True}, {"hillshade": (90, 20)},
                         {"block": True}, {"block": -5.0}, {"extract": ((10, 30), (10, 30))}, {"lighting": False},
-                        {"ambient": 0.9}, {"style": "wireframe"}, {"specular": 1.0, "specular_power": 4.0},
+                        {"ambient": 0.9}, {"specular": 1.0, "specular_power": 4.0},
                         {"user_matrix": np.diag([1.0, 1.0, 3.0, 1.0])}, {"culling": "back", "opacity": 0.5}):
             with self.subTest(options):
                 self.assert_differ(plain, self.draw(**options)[0])
+
+    def test_lines_and_points(self):
+        options = {"cmap": "viridis", "lighting": False}
+        for style, size in (("wireframe", {"line_width": 3.0}), ("points", {"point_size": 5.0})):
+            expected = self.draw_mesh(hill(), style=style, **size, **options)
+            drawn, terrain = self.draw(technique="mesh", style=style, **size, **options)
+            background = expected[0, 0]
+            both = (expected != background).any(axis=2) & (drawn != background).any(axis=2)
+            self.assertGreater(both.mean(), 0.05)
+            self.assertGreater((np.abs(drawn - expected)[both].max(axis=1) < 40).mean(), 0.95, style)
+            self.assert_differ(drawn, self.draw(technique="strips", style=style, **size, **options)[0])
+            terrain.prop.style = "surface"
+            for technique in ("pyramid", "linear"):
+                with self.assertRaisesRegex(ValueError, f"style='{style}' needs technique=\"mesh\""):
+                    self.draw(technique=technique, style=style)
+                _, rays = self.draw(technique=technique)
+                for of in (rays, rays.copy()):
+                    with self.assertRaisesRegex(ValueError, "rays have neither lines nor points"):
+                        of.prop.style = style
+                    with self.assertRaisesRegex(ValueError, "rays have no edges"):
+                        of.prop.show_edges = True
+                    self.assertEqual((of.prop.style.lower(), of.prop.show_edges), ("surface", False))
+                with self.assertRaisesRegex(ValueError, "rays have neither"):
+                    rays.prop = pyvista.Property(style=style)
 
     def test_coordinates(self):
         for x, y in ((np.linspace(100, 200, 51), np.linspace(50, 90, 41)),

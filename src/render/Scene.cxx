@@ -20,8 +20,9 @@ namespace terrain
 //------------------------------------------------------------------------------
 bool Scene::IsFound(vtkActor* actor) const
 {
+  // Lines and points of a mesh that is drawn itself have the colours of the surface below them.
   return this->Why.empty() && this->Surface.HasSurface() &&
-    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+    (actor->GetProperty()->GetRepresentation() == VTK_SURFACE || !this->GetTechnique().CastsRays());
 }
 
 //------------------------------------------------------------------------------

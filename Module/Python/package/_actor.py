@@ -12,7 +12,10 @@ from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 
 from .heights import array_from_heights, heights_from_array
-from .vtkTerrain import vtkTerrainActor
+from .vtkTerrain import vtkTerrainActor, vtkTerrainLook
+
+# What draws triangles, which have edges and corners to show.
+_WITH_MESH = (vtkTerrainLook.Techniques.Mesh, vtkTerrainLook.Techniques.Strips)
 
 
 def weak_reference(terrain):
@@ -30,6 +33,51 @@ def _refuse_cells_of_heights():
             raise TypeError("what is seen of a terrain is cells of its heights, not of the mesh it hands out: use "
                             "enable_rectangle_through_picking, or a vtkHardwareSelector for ids of the heights' cells")
         frame = frame.f_back
+
+
+class TerrainProperty(pyvista.Property):
+    """The ``pyvista.Property`` of a terrain, which refuses what rays cannot show."""
+
+    _reference = None
+
+    def watch(self, terrain):
+        """From here on its style and edges must be those that the terrain's technique has."""
+        self._reference = weak_reference(terrain)
+
+    def _terrain(self):
+        return self._reference and self._reference.Get()
+
+    @property
+    def style(self):
+        """"surface"; "wireframe" and "points" of the techniques that draw a mesh."""
+        return pyvista.Property.style.fget(self)
+
+    @style.setter
+    def style(self, style):
+        refuse_style(self._terrain(), style)
+        pyvista.Property.style.fset(self, style)
+
+    @property
+    def show_edges(self):
+        """Whether edges are drawn, of the techniques that draw a mesh."""
+        return pyvista.Property.show_edges.fget(self)
+
+    @show_edges.setter
+    def show_edges(self, show):
+        if show and _casts_rays(self._terrain()):
+            raise ValueError('show_edges needs technique="mesh", which has all cells, or "strips": rays have no edges')
+        pyvista.Property.show_edges.fset(self, show)
+
+
+def _casts_rays(terrain):
+    return terrain is not None and terrain.GetTechnique() not in _WITH_MESH
+
+
+def refuse_style(terrain, style):
+    """Raises a ValueError for lines or points of a terrain that is drawn by rays, which have none."""
+    if _casts_rays(terrain) and str(style).lower() in ("wireframe", "points"):
+        raise ValueError(f'style={style!r} needs technique="mesh", which has all cells, or "strips": rays have neither '
+                         "lines nor points")
 
 
 class SurfaceMapper:
@@ -100,7 +148,8 @@ class Terrain(vtkTerrainActor):
         self._name = None
         self._surface = None
         self._file = None
-        prop = pyvista.Property(interpolation="Gouraud", ambient=0.0, diffuse=1.0, specular=0.0)
+        prop = TerrainProperty(interpolation="Gouraud", ambient=0.0, diffuse=1.0, specular=0.0)
+        prop.watch(self)
         self.SetProperty(prop)
         self._prop = prop
 
@@ -112,11 +161,16 @@ class Terrain(vtkTerrainActor):
 
     @property
     def prop(self):
-        """The ``pyvista.Property``: colour, light, style."""
+        """The ``pyvista.Property``: colour, light, style.
+
+        A style or edges that the technique cannot show are a ValueError: rays have neither lines nor
+        points. Another property that is set here is asked once, when it is set.
+        """
         return self._prop
 
     @prop.setter
     def prop(self, prop):
+        refuse_style(self, getattr(prop, "style", "surface"))
         self.SetProperty(prop)
         self._prop = prop
 
@@ -369,7 +423,7 @@ class Terrain(vtkTerrainActor):
             other.SetInputConnection(self.GetTerrainMapper().GetInputConnection(1, 0))
         other.CopyLook(self)
         _copy_colors(self, other)
-        other.prop = self.prop.copy()
+        other.prop.DeepCopy(self.prop)
         other.own_surface()
         for name in ("position", "orientation", "scale", "origin", "user_matrix", "visibility", "pickable", "texture",
                      "backface_prop"):

@@ -22,8 +22,6 @@ _OF_THE_SURFACE = {"slope": (_SOURCES.Slope, "Slope (degrees)", (0.0, 60.0)),
                    "aspect": (_SOURCES.Aspect, "Aspect (degrees)", (0.0, 360.0))}
 _PROPERTY = ("lighting", "ambient", "diffuse", "specular", "specular_power", "style", "culling", "line_width",
              "point_size", "show_edges", "edge_color", "edge_opacity", "metallic", "roughness")
-# What has edges to show.
-_WITH_EDGES = (vtkTerrainLook.Techniques.Mesh, vtkTerrainLook.Techniques.Strips)
 
 
 def check_clim(clim):
@@ -315,17 +313,15 @@ def _set_drape(terrain, drape, scene):
     terrain.GetTerrainMapper().SetDrape(warp.GetOutput())
 
 
-def _check_facets(terrain, smooth_shading, show_edges):
+def _check_facets(smooth_shading):
     if smooth_shading is not None and not smooth_shading:
         raise ValueError("smooth_shading=False is not to be had: terrain has the normals of its surface, not of facets")
-    if show_edges and terrain.GetTechnique() not in _WITH_EDGES:
-        raise ValueError('show_edges needs technique="mesh", which has all cells, or "strips": rays have no edges')
 
 
 def apply(terrain, scene, *, contours=None, hillshade=None, block=None, drape=None, extract=None, detail=None,
           user_matrix=None, lighting=None, smooth_shading=None, pbr=False, **properties):
     """Sets what is given; raises an error that names the option."""
-    _check_facets(terrain, smooth_shading, properties.get("show_edges"))
+    _check_facets(smooth_shading)
     unknown = [name for name in properties if name not in _PROPERTY]
     if unknown:
         raise TypeError(f"add_terrain has no option {', '.join(unknown)}")

@@ -265,8 +265,9 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         picture that knows its place, brought there by GDAL), ``extract`` (((first, last) column,
         (first, last) row)), ``detail`` (an image of ``vtkTerrainDetailSource``), ``user_matrix``, and
         those of ``pyvista.Property``: ``lighting``, ``ambient``, ``diffuse``, ``specular``,
-        ``specular_power``, ``style``, ``culling``, ``line_width``, ``point_size``, ``show_edges``,
-        ``edge_color``, ``edge_opacity`` (with "mesh" or "strips"), ``pbr``, ``metallic``, ``roughness``.
+        ``specular_power``, ``culling``, ``pbr``, ``metallic``, ``roughness``, and of the techniques
+        "mesh" and "strips", for rays have neither edges nor lines nor points: ``style``,
+        ``line_width``, ``point_size``, ``show_edges``, ``edge_color``, ``edge_opacity``.
         Of the place, what the heights do not say, or say wrongly: ``crs``, ``nodata`` (a value, or
         "none"), ``height_unit`` ("ft", "-m", 0.3048), ``flip``, of files also ``band`` and ``part``. For
         a plain array: ``spacing``, ``origin``, ``first_row``, ``coordinate_system``, as
