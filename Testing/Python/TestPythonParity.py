@@ -130,6 +130,16 @@ class TestBars(ParityTest):
             np.testing.assert_allclose(of, (2.0 * hill().min(), 2.0 * hill().max()), rtol=1e-6)
 
 
+    def test_ranges_of_other_scalars_do_not_follow_the_heights(self):
+        values = np.linspace(-1.0, 1.0, 41 * 51).reshape(41, 51)
+        for scalars, expected in (("slope", (0.0, 60.0)), ("aspect", (0.0, 360.0)), (values, (-1.0, 1.0))):
+            plotter = self.plotter()
+            terrain = self.add(plotter=plotter, scalars=scalars, show_scalar_bar=True)
+            terrain.set_heights(20.0 * hill(), follow=True)
+            for of in (terrain.mapper, *(bar.GetLookupTable() for bar in plotter.scalar_bars.values())):
+                np.testing.assert_allclose(of.scalar_range, expected)
+
+
 class TestGrids(ParityTest):
     """Every regular grid gives the picture of the plain array."""
 

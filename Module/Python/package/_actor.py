@@ -440,7 +440,7 @@ class Terrain(vtkTerrainActor):
         """Takes other heights of the same rows and columns, for loops; place and look stay.
 
         An array with rows from the south, and columns. Colours keep their range, or ``follow`` the
-        heights from the lowest to the highest, with their bar.
+        heights from the lowest to the highest, with their bar; those of other scalars keep it anyway.
         """
         old = self.GetHeights()
         if np.shape(heights) != old.GetDimensions()[1::-1]:
@@ -452,10 +452,19 @@ class Terrain(vtkTerrainActor):
         image.GetFieldData().ShallowCopy(old.GetFieldData())
         _keep_arrays(old, image)
         self.SetInputData(image)
-        if follow:
+        if follow and self._shows_heights():
             low_high = [0.0, 0.0]
             self.GetHeightRange(low_high)
             self.mapper.scalar_range = low_high
+
+
+    def _shows_heights(self):
+        """Whether the colours are those of the heights, and not of other scalars."""
+        mapper = self.GetTerrainMapper()
+        if mapper.GetColorSource() != vtkTerrainLook.ColorSources.Array:
+            return mapper.GetColorSource() == vtkTerrainLook.ColorSources.Height
+        named = mapper.GetArrayName()
+        return not named or named == self.GetHeights().GetPointData().GetScalars().GetName()
 
 
 def _keep_arrays(old, image):
