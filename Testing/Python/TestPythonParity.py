@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """add_terrain beside add_mesh: bars, kinds of grids, words, attributes, and what lies on the ground."""
 import unittest
+import warnings
 
 import numpy as np
 import vtkTerrainTesting
@@ -330,6 +331,40 @@ class TestWildValues(ParityTest):
         self.add(plotter=plotter, scalars=values + 1e7, clim=(1e7, 1e7 + 1.0), cmap="viridis")
         plotter.view_xy()
         np.testing.assert_allclose(plotter.screenshot(return_img=True).astype(int), expected, atol=3)
+
+
+class TestWarnings(ParityTest):
+    def warnings_of(self, heights, **options):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            plotting.heights_from(heights, **options)
+        return [str(each.message) for each in caught]
+
+    def test_of_arrays(self):
+        heights = hill()
+        heights[3, 3] = -9999.0
+        self.assertEqual(self.warnings_of(heights, spacing=(1.0, 1.0)),
+                         ['heights: 1 samples of -9999 are taken for no data (nodata="none" if they are heights)'])
+        told = self.warnings_of(heights, spacing=(0.01, 0.01))
+        self.assertEqual(len(told), 2, told)
+        self.assertIn("check height_unit, nodata, crs", told[0])
+        self.assertEqual(self.warnings_of(heights, nodata="none"), [])
+
+    def test_options_are_those_of_python(self):
+        from vtkterrain._intake import in_words_of_python
+
+        for said, expected in (
+                ("'a.tif': degrees (--crs EPSG:4326 for longitude)", "'a.tif': degrees (crs=\"EPSG:4326\" for longitude)"),
+                ("(--height-unit names the unit)", "(height_unit names the unit)"),
+                ("(--height-unit m if they are metres)", "(height_unit=\"m\" if they are metres)"),
+                ("(--height-unit -1 for depths)", "(height_unit=-1 for depths)"),
+                ("(--part NAME)", "(part=NAME)"), ("(--part chooses another)", "(part chooses another)"),
+                ("choose a band (--band 1), unless", "choose a band (band=1), unless"),
+                ("(--flip if that is wrong)", "(flip if that is wrong)"),
+                ("check --height-unit, --nodata, --crs", "check height_unit, nodata, crs"),
+                ("(gdalwarp -dstnodata -9999 IN OUT.tif)", "(gdalwarp -dstnodata -9999 IN OUT.tif)"),
+                ("'array': as needles: --nodata 5 hides", "heights: as needles: nodata=5 hides")):
+            self.assertEqual(in_words_of_python(said), expected)
 
 
 class TestTerrainAttributes(ParityTest):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What arrays and files are taken for: the C++ reader decides, as it does for files by name."""
+import re
 import warnings
 
 import numpy as np
@@ -10,6 +11,8 @@ from vtkmodules.vtkCommonDataModel import vtkFieldData
 
 from .vtkTerrain import vtkTerrainGeoreference, vtkTerrainGlobe, vtkTerrainRasterReader, vtkTerrainReproject
 
+_ARRAY = "array"  # what the reader calls samples in memory
+_OF_DEGREES = "look like degrees"
 _READ_TYPES = "BhHiIfd"  # of samples in memory
 
 
@@ -61,7 +64,7 @@ def make_reader(source, *, crs=None, band=None, part=None, nodata=None, height_u
     reader = vtkTerrainRasterReader()
     if isinstance(source, vtkFieldData):
         reader.SetSamples(source)
-        reader.SetFileName("array")
+        reader.SetFileName(_ARRAY)
     else:
         reader.SetFileName(source)
     reader.SetCoordinateSystem(crs or "")
@@ -88,17 +91,36 @@ def _run(algorithm, update):
         algorithm.GlobalWarningDisplayOn()
 
 
-def tell(algorithm):
+def _option(match):
+    """An option of the programs as one of Python, with its value if one follows."""
+    name, value = match.group(1).replace("-", "_"), match.group(2)
+    if value is None or value in ("names", "chooses", "if"):
+        return name + (f" {value}" if value else "")
+    is_bare = value in ("NAME", "N") or re.fullmatch(r"-?[\d.]+(e[-+]?\d+)?", value)
+    return f"{name}={value}" if is_bare else f'{name}="{value}"'
+
+
+def in_words_of_python(text):
+    """What the reader says, with its options as those of ``add_terrain``; an array is no file."""
+    text = re.sub(r"--(nodata|crs|height-unit|part|band|flip)\b(?: ([^\s,;)]+))?", _option, text)
+    if text.startswith(f"'{_ARRAY}'"):
+        text = text.replace(f"'{_ARRAY}'", "heights", 1).replace(", which the file does not declare", "")
+    return text
+
+
+def tell(algorithm, of_place=True):
+    """Warnings of Python for those of an algorithm; those of the place only if it is not the caller's own."""
     for line in (algorithm.GetWarningMessage() or "").splitlines():
-        warnings.warn(line, stacklevel=4)
+        if of_place or _OF_DEGREES not in line:
+            warnings.warn(in_words_of_python(line), stacklevel=4)
 
 
-def read(reader, error=OSError):
+def read(reader, error=OSError, of_place=True):
     """Heights that a reader gives; raises ``error``."""
     _run(reader, reader.Update)
     if reader.GetErrorMessage():
-        raise error(reader.GetErrorMessage())
-    tell(reader)
+        raise error(in_words_of_python(reader.GetErrorMessage()))
+    tell(reader, of_place)
     return reader.GetOutput()
 
 

@@ -82,7 +82,7 @@ def _take_in(samples, spacing, nodata, height_unit):
         return samples
     if "is not found" in reader.Describe() and nodata is None and height_unit is None:
         return samples  # without GDAL there is nobody to ask
-    heights = array_from_heights(read(reader, ValueError))
+    heights = array_from_heights(read(reader, ValueError, of_place=False))
     return heights if has_place else heights[::-1]
 
 
