@@ -425,6 +425,23 @@ class TestTerrainAttributes(ParityTest):
         self.assertEqual(of_filters.threshold(650, invert=True).n_cells, 0)
         self.assertEqual(heights["Elevation"].dtype, np.int16)
 
+    def test_other_heights_may_have_fill(self):
+        holes = np.zeros((41, 51), bool)
+        holes[5:8, 5:8] = True
+        for fill, nodata in ((-9999.0, None), (-9999, -9999), (3.0, 3.0)):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                terrain = self.add()
+                terrain.set_heights(np.where(holes, fill, hill()), follow=True, nodata=nodata)
+            samples = terrain.heights["Elevation"].reshape(41, 51)
+            np.testing.assert_array_equal(np.isnan(samples), holes)
+            self.assertAlmostEqual(terrain.mapper.scalar_range[0], hill()[~holes].min(), 4)
+            self.assertEqual(["nodata=" in str(each.message) for each in caught], [True] * (nodata is None))
+        terrain.set_heights(np.where(holes, -9999.0, hill()), follow=True, nodata="none")
+        self.assertEqual(terrain.mapper.scalar_range[0], -9999.0)
+        with self.assertRaisesRegex(ValueError, "nodata"):
+            terrain.set_heights(hill(), nodata="x")
+
     def test_other_heights_keep_other_arrays(self):
         values = np.cos(np.arange(51) / 6.0) + np.arange(41)[:, None] / 20.0
         for first_row in ("south", "north"):

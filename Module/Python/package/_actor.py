@@ -436,18 +436,20 @@ class Terrain(vtkTerrainActor):
         plotter.add_actor(self)
         return plotter.show(**options)
 
-    def set_heights(self, heights, *, follow=False):
+    def set_heights(self, heights, *, follow=False, nodata=None):
         """Takes other heights of the same rows and columns, for loops; place and look stay.
 
         An array with rows from the south, and columns. Colours keep their range, or ``follow`` the
         heights from the lowest to the highest, with their bar; those of other scalars keep it anyway.
+        ``nodata`` is as in ``add_terrain``: a value that is no height; by default what looks like fill is
+        none, with a warning; "none" takes all for heights.
         """
         old = self.GetHeights()
         if np.shape(heights) != old.GetDimensions()[1::-1]:
             raise ValueError(f"heights must be {old.GetDimensions()[1]} x {old.GetDimensions()[0]}, "
                              f"not of shape {np.shape(heights)}")
         bounds = old.GetBounds()
-        image = heights_from_array(heights, old.GetSpacing()[:2], (bounds[0], bounds[2], bounds[4]), nodata="none",
+        image = heights_from_array(heights, old.GetSpacing()[:2], (bounds[0], bounds[2], bounds[4]), nodata=nodata,
                                    name=old.GetPointData().GetScalars().GetName())
         image.GetFieldData().ShallowCopy(old.GetFieldData())
         _keep_arrays(old, image)
