@@ -226,6 +226,17 @@ TEST_F(TerrainRenderMarks, TransparentPicturesHaveAlpha)
   GDALClose(dataset);
   EXPECT_EQ(alpha[0], 0);
   EXPECT_EQ(alpha[160 * 480 + 240], 255) << "terrain under water is opaque";
+  // what has no alpha
+  const std::vector<std::string> before = this->ListFiles();
+  for (const char* name : { "a.jpg", "a.JPEG" })
+  {
+    ExpectRefused(
+      this->Run({ this->Heights, "--background", "transparent", "--output", name }), 2, name);
+  }
+  const RunResult film = this->Run(
+    { this->Heights, "--background", "transparent", "--flight", "orbit", "--output", "a.gif" });
+  ExpectRefused(film, 2, this->RunCommand({ "ffmpeg", "-version" }).Status == 0 ? "alpha" : "film");
+  EXPECT_EQ(this->ListFiles(), before);
 }
 
 TEST_F(TerrainRenderMarks, WaterCoversWhatIsLower)

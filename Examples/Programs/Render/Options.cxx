@@ -444,6 +444,13 @@ void CheckFiles(const Options& options)
   {
     Refuse("--output", why);
   }
+  const bool isOpaque = options.Flight.IsWanted() ? IsFilm(options.Output) : IsJPEG(options.Output);
+  if (options.Scenery.IsTransparent() && isOpaque)
+  {
+    Refuse("--background",
+      "transparent needs pictures with alpha, which '" + options.Output +
+        "' has not: name a .png, or for a flight a folder of frames");
+  }
 }
 
 SceneNames NamesOfScene()
