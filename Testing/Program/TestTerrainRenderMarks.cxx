@@ -235,7 +235,8 @@ TEST_F(TerrainRenderMarks, TransparentPicturesHaveAlpha)
   }
   const RunResult film = this->Run(
     { this->Heights, "--background", "transparent", "--flight", "orbit", "--output", "a.gif" });
-  ExpectRefused(film, 2, this->RunCommand({ "ffmpeg", "-version" }).Status == 0 ? "alpha" : "film");
+  const RunResult maker = this->RunCommand({ "/bin/sh", "-c", "ffmpeg -version" });
+  ExpectRefused(film, 2, maker.Status == 0 ? "alpha" : "films are made by ffmpeg");
   EXPECT_EQ(this->ListFiles(), before);
 }
 
@@ -333,4 +334,51 @@ TEST_F(TerrainRenderMarks, WrongMarksAreOneSentence)
   ExpectRefused(this->Run({ bare, "--water", "nan" }), 2, "is not a finite number");
   ExpectRefused(this->Run({ bare, "--fog", "0" }), 2, "--fog");
   ExpectRefused(this->Run({ this->Heights, "--labels", "b.csv", "--output", "b.csv" }), 2, "b.csv");
+}
+
+TEST_F(TerrainRenderMarks, BadLinesOfTablesAreTold)
+{
+  const auto run = [this](const std::string& text)
+  {
+    this->WriteText("a.csv", text);
+    return this->Run({ this->Heights, "--size", "480x320", "--labels", "a.csv" });
+  };
+  const std::string good = "lon,lat,name\n8.9886,45.0,West\n";
+  EXPECT_EQ(run(good).Errors, "");
+  const RunResult several =
+    run(good + "\n\"9\",abc,Word\n9,nan,NaN\n9,45,\n,45,Empty\n9.0115,45.0,East\n");
+  EXPECT_EQ(several.Status, 0);
+  EXPECT_NE(several.Errors.find("warning: a.csv, line 4: its lat is no number: it is left out, with "
+                                "3 more\n"),
+    std::string::npos)
+    << several.Errors;
+  const RunResult one = run(good + "9,45,\n");
+  EXPECT_EQ(one.Status, 0);
+  EXPECT_NE(one.Errors.find("warning: a.csv, line 3: it has no name: it is left out\n"),
+    std::string::npos)
+    << one.Errors;
+  ExpectRefused(run("lon,lat,name\nx9,45,A\n"), 1, "a.csv, line 2: its lon is no number");
+}
+
+TEST_F(TerrainRenderMarks, TextsThatAreNotUTF8AreOneSentence)
+{
+  const std::string latin = "Z\xFCrich"; // u with two dots, in ISO 8859-1
+  this->WriteText("a.csv", "lon,lat,name\n8.9886,45.0,West\n9.0115,45.0," + latin + "\n");
+  ExpectRefused(this->Run({ this->Heights, "--labels", "a.csv" }), 1, "a.csv, line 3: its name");
+  for (const char* option : { "--title", "--caption" })
+  {
+    ExpectRefused(this->Run({ this->Heights, option, latin }), 2, option);
+  }
+  ExpectRefused(this->Run({ this->Heights, "--legend=" + latin }), 2, "--legend: is not UTF-8");
+}
+
+TEST_F(TerrainRenderMarks, NoValueIsRefused)
+{
+  for (const char* option : { "--labels", "--flight", "--stats", "--depth", "--track", "--drape",
+         "--save-scene", "--scene", "--background", "--output" })
+  {
+    const std::vector<std::string> before = this->ListFiles();
+    ExpectRefused(this->Run({ this->Heights, option, "" }), 2, option);
+    EXPECT_EQ(this->ListFiles(), before);
+  }
 }
