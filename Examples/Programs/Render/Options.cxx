@@ -14,6 +14,7 @@
 #include "vtkTerrainOutputFile.h"
 
 #include <CLI/CLI.hpp>
+#include <cpl_string.h>
 
 #include <algorithm>
 #include <cmath>
@@ -338,6 +339,19 @@ void Interpret(const Texts& texts, Options& options)
   }
 }
 
+/// Texts that are drawn must be what the fonts are asked in.
+void CheckTexts(const Options& options)
+{
+  for (const auto& [option, text] : { std::pair("--title", options.Marks.Title),
+         std::pair("--caption", options.Marks.Caption), std::pair("--legend", options.Legend) })
+  {
+    if (CPLIsUTF8(text.c_str(), -1) == 0)
+    {
+      Refuse(option, "is not UTF-8: write it, or the scene it is in, in that encoding");
+    }
+  }
+}
+
 /// Options that some techniques know nothing of.
 void CheckTechnique(const Options& options)
 {
@@ -495,6 +509,7 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
     scene.Declare(app, NamesOfScene());
     RefuseEmptyValues(argc, argv);
     app.parse(argc, argv);
+    RefuseNoValue(app, { "--title", "--caption" });
     RefuseNotANumber(app);
     options.Scene = scene.GetInput();
     options.SaveScene = scene.GetOutput();
@@ -507,6 +522,7 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
     options.Flight.Check(options.Output);
     options.Flight.Scene = scene.ToText(
       FramesFolder(options.Output) + "/scene.toml", { "output", "stats", "save-scene", "frames" });
+    CheckTexts(options);
     CheckFiles(options);
     CheckTechnique(options);
   }
