@@ -253,6 +253,27 @@ TEST_F(TerrainRenderInput, SitesOfAFolderAreTerrainsOfOnePicture)
   EXPECT_NEAR(stats["height_range"][0].asDouble(), 100.0, 1e-5);
 }
 
+TEST_F(TerrainRenderInput, WarningsAreToldOnce)
+{
+  // two sites, in two zones: the folder is read once for each of them
+  std::filesystem::create_directory(this->Path("two"));
+  RasterDescription tile;
+  tile.Width = 65;
+  tile.Height = 65;
+  tile.Sample = [](int i, int j) { return 100.0 + i + 0.5 * j; };
+  tile.GeoTransform = { 500000.0, 30.0, 0.0, 4980000.0, 0.0, -30.0 };
+  tile.CoordinateSystem = "EPSG:32632";
+  this->WriteRaster("two/a.tif", tile);
+  tile.CoordinateSystem = "EPSG:32633";
+  this->WriteRaster("two/b.tif", tile);
+  const RunResult result = this->Run({ "two", "--size", "160x120", "--output", "picture.png" });
+  EXPECT_EQ(result.Status, 0) << result.Errors;
+  const std::string warning = "its tiles are in several CRSs";
+  const std::size_t first = result.Errors.find(warning);
+  ASSERT_NE(first, std::string::npos) << result.Errors;
+  EXPECT_EQ(result.Errors.find(warning, first + 1), std::string::npos) << result.Errors;
+}
+
 TEST_F(TerrainRenderInput, RealFilesOfManyFormats)
 {
   const std::string data = TERRAIN_RENDER_DATA_DIR;

@@ -12,6 +12,8 @@
 
 #include <iostream>
 #include <mutex>
+#include <set>
+#include <string>
 
 namespace
 {
@@ -96,7 +98,13 @@ void CatchMessages(const char* program)
 //------------------------------------------------------------------------------
 void Warn(const std::string& text)
 {
-  std::cerr << Program << ": warning: " << text << '\n';
+  static std::mutex mutex;
+  static std::set<std::string> told;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (told.insert(text).second)
+  {
+    std::cerr << Program << ": warning: " << text << '\n';
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -13,7 +13,7 @@
 /// stderr as one line each. `program` begins them; it must live as long as the program.
 void CatchMessages(const char* program);
 
-/// Prints a warning of the program itself on stderr, as one line.
+/// Prints a warning of the program itself on stderr, as one line; the same text only once.
 void Warn(const std::string& text);
 
 /// Prints a line of the program itself on stderr.
