@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelPlacer.h"
 
+#include "Fonts.h"
+#include "MarkColors.h"
 #include "Options.h"
 #include "TextSize.h"
 #include "ViewMarks.h"
@@ -31,7 +33,6 @@ namespace
 constexpr int kTextDots = 72;
 /// Heights of a text above its point, in heights of a text.
 constexpr std::array<double, 5> kLifts = { 1.0, 2.2, 3.6, 5.2, 7.0 };
-constexpr double kTextColor[] = { 0.08, 0.10, 0.16 };
 
 /// The rectangle of a text whose anchor lies at the origin.
 PixelBox BoxOfText(vtkTextActor* text)
@@ -84,7 +85,7 @@ vtkSmartPointer<vtkActor2D> MakeLeader(double x, double low, double high, double
   mapper->SetInputData(shape);
   auto actor = vtkSmartPointer<vtkActor2D>::New();
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(kTextColor[0], kTextColor[1], kTextColor[2]);
+  actor->GetProperty()->SetColor(kDarkMark[0], kDarkMark[1], kDarkMark[2]);
   return actor;
 }
 }
@@ -139,7 +140,10 @@ vtkSmartPointer<vtkTextActor> LabelPlacer::MakeText(
   property->SetFontSize(
     std::max(kSmallest, static_cast<int>(TextPixels(style.Size, this->Wanted))));
   property->SetBold(style.IsBold);
-  property->SetColor(kTextColor[0], kTextColor[1], kTextColor[2]);
+  ChooseFont(property, text);
+  const bool isLight = style.Backing == 0.0 && IsDarkBehind(this->Renderer, true);
+  const auto& [r, g, b] = isLight ? kLightMark : kDarkMark;
+  property->SetColor(r, g, b);
   property->SetBackgroundColor(1.0, 1.0, 1.0);
   property->SetBackgroundOpacity(style.Backing);
   property->SetJustificationToCentered();
@@ -166,6 +170,13 @@ std::optional<PixelBox> LabelPlacer::Place(
   this->Taken.push_back(box);
   this->Renderer->AddViewProp(actor);
   return box;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> LabelPlacer::SizeOf(const std::string& text, const TextStyle& style) const
+{
+  const PixelBox box = BoxOfText(this->MakeText(text, style));
+  return { box.Right - box.Left, box.High - box.Low };
 }
 
 //------------------------------------------------------------------------------

@@ -39,7 +39,7 @@ struct TextStyle
 {
   double Size = 0.024;
   bool IsBold = false;
-  /// Opacity of the white box behind it.
+  /// Opacity of the white box behind it; without one it is light on a dark upper border.
   double Backing = 0.7;
 };
 
@@ -58,6 +58,9 @@ public:
   /// Where a point of the scene is in the picture; empty behind the eye and outside the picture.
   std::optional<std::array<double, 2>> ToPixels(const double point[3]) const;
 
+  /// Width and height of a text, in pixels.
+  std::array<double, 2> SizeOf(const std::string& text, const TextStyle& style) const;
+
   /// Adds a text whose middle, or the middle of whose lower border, lies at a pixel, if all of it
   /// is in the picture and covers nothing. Returns its rectangle.
   std::optional<PixelBox> PlaceCentred(
@@ -70,7 +73,6 @@ public:
 private:
   std::optional<PixelBox> Place(
     const std::string& text, double x, double low, const TextStyle& style);
-  std::array<double, 2> SizeOf(vtkTextActor* text) const;
   vtkSmartPointer<vtkTextActor> MakeText(const std::string& text, const TextStyle& style) const;
 
   vtkSmartPointer<vtkRenderer> Renderer;

@@ -3,6 +3,7 @@
 // The colours of heights, with round numbers.
 #include "Annotations.h"
 
+#include "Fonts.h"
 #include "Options.h"
 #include "Terrain.h"
 #include "TextSize.h"
@@ -103,8 +104,9 @@ struct LegendText
   double Y;
 };
 
-void SetUpText(vtkTextProperty* property, int size)
+void SetUpText(vtkTextProperty* property, const std::string& text, int size)
 {
+  ChooseFont(property, text);
   property->SetFontSize(size);
   property->SetColor(0.08, 0.10, 0.16);
   property->SetJustificationToRight();
@@ -116,7 +118,7 @@ void AddLegendText(vtkRenderer* renderer, const LegendText& text, int size)
   const vtkNew<vtkTextActor> actor;
   actor->SetInput(text.Text.c_str());
   actor->SetPosition(text.X, text.Y);
-  SetUpText(actor->GetTextProperty(), size);
+  SetUpText(actor->GetTextProperty(), text.Text, size);
   renderer->AddViewProp(actor);
 }
 
@@ -124,7 +126,7 @@ void AddLegendText(vtkRenderer* renderer, const LegendText& text, int size)
 double WidthOf(vtkRenderer* renderer, const std::string& text, int size)
 {
   const vtkNew<vtkTextProperty> property;
-  SetUpText(property, size);
+  SetUpText(property, text, size);
   std::array<int, 4> box{ 0, -1, 0, -1 };
   vtkTextRenderer* texts = vtkTextRenderer::GetInstance();
   const bool isKnown = texts &&

@@ -3,6 +3,7 @@
 // Scale bar and north arrow.
 #include "Annotations.h"
 
+#include "MarkColors.h"
 #include "Options.h"
 #include "Placing.h"
 #include "TextSize.h"
@@ -72,13 +73,16 @@ std::array<double, 2> ToPicture(vtkCamera* camera, const Vector& direction)
     vtkMath::Dot(direction.data(), up.data()) };
 }
 
-/// Adds a shape whose cells are filled dark (1) and light (0), its origin at a pixel.
+/// Adds a shape whose cells are filled dark (1) and light (0), on dark backgrounds the reverse, its
+/// origin at a pixel.
 void AddShape(vtkRenderer* renderer, vtkAlgorithmOutput* shape, double x, double y)
 {
   const vtkNew<vtkLookupTable> colors;
   colors->SetNumberOfTableValues(2);
-  colors->SetTableValue(0, 1.0, 1.0, 1.0);
-  colors->SetTableValue(1, 0.08, 0.10, 0.16);
+  const bool isDark = IsDarkBehind(renderer, false);
+  const auto& [r, g, b] = kDarkMark;
+  colors->SetTableValue(isDark ? 1 : 0, 1.0, 1.0, 1.0);
+  colors->SetTableValue(isDark ? 0 : 1, r, g, b);
   const vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputConnection(shape);
   mapper->SetLookupTable(colors);
@@ -97,7 +101,8 @@ void AddText(vtkRenderer* renderer, const std::string& text, double x, double y,
   actor->SetPosition(x, y);
   vtkTextProperty* property = actor->GetTextProperty();
   property->SetFontSize(std::max(kSmallestText, static_cast<int>(size)));
-  property->SetColor(0.08, 0.10, 0.16);
+  const auto& [r, g, b] = IsDarkBehind(renderer, false) ? kLightMark : kDarkMark;
+  property->SetColor(r, g, b);
   property->SetJustificationToCentered();
   property->SetVerticalJustificationToBottom();
   renderer->AddViewProp(actor);
