@@ -110,6 +110,12 @@ TEST_F(TerrainRenderMarks, PeaksAreTheMostProminent)
   EXPECT_EQ(two.count("300 m"), 0U);
   // from the south the highest one is the western one
   EXPECT_LT(two.find("900 m")->second[2], two.find("600 m")->second[0]);
+  // under water, from straight above: the next ones take the places
+  const std::vector<std::string> above = { "--peaks", "2", "--water", "650",
+    "--look-from=9.0,45.0,9000", "--look-at=9.0,45.0,0" };
+  const std::multimap<std::string, Box> dry = this->Labels(above);
+  EXPECT_EQ(dry.size(), 1U);
+  EXPECT_EQ(dry.count("900 m"), 1U);
   // drawn twice as high, with heights as they are
   EXPECT_EQ(this->Labels({ "--peaks", "2", "--exaggeration", "2" }).count("900 m"), 1U);
 }
@@ -348,15 +354,13 @@ TEST_F(TerrainRenderMarks, BadLinesOfTablesAreTold)
   const RunResult several =
     run(good + "\n\"9\",abc,Word\n9,nan,NaN\n9,45,\n,45,Empty\n9.0115,45.0,East\n");
   EXPECT_EQ(several.Status, 0);
-  EXPECT_NE(several.Errors.find("warning: a.csv, line 4: its lat is no number: it is left out, with "
-                                "3 more\n"),
-    std::string::npos)
+  const auto tells = [](const RunResult& result, const std::string& text)
+  { return result.Errors.find("warning: a.csv, line " + text + "\n") != std::string::npos; };
+  EXPECT_TRUE(tells(several, "4: its lat is no number: it is left out, with 3 more"))
     << several.Errors;
   const RunResult one = run(good + "9,45,\n");
   EXPECT_EQ(one.Status, 0);
-  EXPECT_NE(one.Errors.find("warning: a.csv, line 3: it has no name: it is left out\n"),
-    std::string::npos)
-    << one.Errors;
+  EXPECT_TRUE(tells(one, "3: it has no name: it is left out")) << one.Errors;
   ExpectRefused(run("lon,lat,name\nx9,45,A\n"), 1, "a.csv, line 2: its lon is no number");
 }
 
@@ -381,4 +385,83 @@ TEST_F(TerrainRenderMarks, NoValueIsRefused)
     ExpectRefused(this->Run({ this->Heights, option, "" }), 2, option);
     EXPECT_EQ(this->ListFiles(), before);
   }
+}
+
+TEST_F(TerrainRenderMarks, WhatDoesNotFitIsTold)
+{
+  const std::string lines = "one\ntwo\nthree\nfour\nfive";
+  this->DrawPicture({ "--caption", lines, "--title", "one\ntwo" });
+  std::string many = lines;
+  for (int k = 0; k < 12; ++k)
+  {
+    many += "\n" + lines;
+  }
+  const RunResult high = this->Run({ this->Heights, "--size", "480x320", "--caption", many });
+  EXPECT_EQ(high.Status, 1);
+  EXPECT_NE(high.Errors.find("is higher than the picture has room for"), std::string::npos);
+  this->WriteText(
+    "long.csv", "lon,lat,name\n8.9886,45.0," + std::string(200, 'a') + "\n9.0,45.0,Middle\n");
+  const RunResult wide =
+    this->Run({ this->Heights, "--size", "480x320", "--labels", "long.csv", "--peaks", "1" });
+  EXPECT_EQ(wide.Status, 0);
+  EXPECT_NE(wide.Errors.find("aaa' is wider than the picture: it is left out\n"), std::string::npos)
+    << wide.Errors;
+}
+
+TEST_F(TerrainRenderMarks, LettersOfOtherScriptsAreDrawnOrTold)
+{
+  // Cyrillic, Greek, Chinese; nothing may vanish in silence
+  const std::map<std::string, std::string> titles = { { "\xD0\x92\xD1\x8B\xD1\x81", "\xD0\x92" },
+    { "\xCE\xA9\xCE\xB4\xCE\xB7", "\xCE\xA9" }, { "\xE5\xB1\xB1\xE5\xB3\xB0", "\xE5\xB1\xB1" } };
+  const Picture bare = this->DrawPicture({});
+  for (const auto& [title, letter] : titles)
+  {
+    const RunResult result = this->Run(
+      { this->Heights, "--size", "480x320", "--output", "picture.png", "--title", title });
+    EXPECT_EQ(result.Status, 0) << result.Errors;
+    const bool isTold = result.Errors.find("no font here has " + letter) != std::string::npos;
+    EXPECT_NE(isTold, CountUnlike(bare, this->ReadPicture()) > 60) << title << result.Errors;
+  }
+  // what VTK's own font has stays in it
+  this->DrawPicture({ "--title", "Z\xC3\xBCrich" });
+  // no font has a letter of the private use area
+  const RunResult none = this->Run({ this->Heights, "--size", "480x320", "--output", "picture.png",
+    "--title", "A\xF3\xB0\x80\x80" });
+  EXPECT_EQ(none.Status, 0);
+  EXPECT_NE(none.Errors.find("no font here has \xF3\xB0\x80\x80"), std::string::npos);
+}
+
+TEST_F(TerrainRenderMarks, MarksAreLightOnDark)
+{
+  // lightest and darkest grey of a part of the picture that is background and marks
+  const auto range = [](const Picture& picture, int firstRow, int lastRow, int lastColumn)
+  {
+    std::array<int, 2> grey = { 255, 0 };
+    for (int row = firstRow; row < lastRow; ++row)
+    {
+      for (int column = 0; column < lastColumn; ++column)
+      {
+        grey[0] = std::min(grey[0], picture.At(column, row, 1));
+        grey[1] = std::max(grey[1], picture.At(column, row, 1));
+      }
+    }
+    return grey;
+  };
+  const std::vector<std::string> marks = { "--title", "Hills", "--scale-bar", "--north-arrow",
+    "--background" };
+  const auto draw = [&](const std::string& background)
+  {
+    std::vector<std::string> arguments = marks;
+    arguments.push_back(background);
+    return this->DrawPicture(arguments);
+  };
+  const Picture black = draw("black");
+  EXPECT_GT(range(black, 2, 24, 480)[1], 220) << "title";
+  EXPECT_GT(range(black, 292, 304, 120)[1], 150) << "text of the scale bar";
+  const Picture mixed = draw("navy,white");
+  EXPECT_LT(range(mixed, 2, 24, 480)[0], 60) << "title";
+  EXPECT_GT(range(mixed, 292, 304, 120)[1], 150) << "text of the scale bar";
+  const Picture white = draw("white");
+  EXPECT_LT(range(white, 2, 24, 480)[0], 60) << "title";
+  EXPECT_LT(range(white, 292, 304, 120)[0], 110) << "text of the scale bar";
 }

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -356,7 +357,8 @@ std::vector<Label> ReadLabels(const std::string& path, const PlacedHeights& heig
 }
 
 //------------------------------------------------------------------------------
-std::vector<Label> FindPeakLabels(int count, const PlacedHeights& heights)
+std::vector<Label> FindPeakLabels(
+  int count, const PlacedHeights& heights, std::optional<double> water)
 {
   const vtkNew<vtkImageData> image;
   image->ShallowCopy(heights.Image);
@@ -366,17 +368,23 @@ std::vector<Label> FindPeakLabels(int count, const PlacedHeights& heights)
   }
   const vtkNew<vtkTerrainPeaks> peaks;
   peaks->SetInputData(image);
-  peaks->SetNumberOfPeaks(count);
+  peaks->SetNumberOfPeaks(water ? std::numeric_limits<int>::max() : count);
   peaks->Update();
   ThrowOnError("--peaks");
   const vtkSmartPointer<vtkTerrainViewpoint> ground = ViewpointOf(heights);
   vtkPolyData* found = peaks->GetOutput();
   vtkDataArray* of = found->GetPointData()->GetArray("Height");
+  const auto most = static_cast<std::size_t>(count);
   std::vector<Label> labels;
-  for (vtkIdType k = 0; k < found->GetNumberOfPoints(); ++k)
+  for (vtkIdType k = 0; k < found->GetNumberOfPoints() && labels.size() < most; ++k)
   {
+    const double height = of->GetComponent(k, 0) + image->GetOrigin()[2];
+    if (water && height <= *water)
+    {
+      continue;
+    }
     Label label;
-    label.Text = MetresText(of->GetComponent(k, 0) + image->GetOrigin()[2]);
+    label.Text = MetresText(height);
     found->GetPoint(k, label.Point.data());
     label.Point[2] = ground->GetGround(label.Point[0], label.Point[1]);
     labels.push_back(label);

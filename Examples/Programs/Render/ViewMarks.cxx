@@ -167,25 +167,57 @@ void ViewMarks::AddTitles(LabelPlacer& placer) const
   const double height = this->Wanted.Size[1];
   const double title = TextPixels(kTitleStyle.Size, this->Wanted);
   const double caption = TextPixels(kCaptionStyle.Size, this->Wanted);
+  // text of several lines stands as near to the border as one line
   const auto place =
-    [&](const std::string& option, const std::string& text, double y, const TextStyle& style)
+    [&](const std::string& option, const std::string& text, double size, const TextStyle& style)
   {
-    if (!text.empty() && !placer.PlaceCentred(text, 0.5 * width, y, style))
+    if (text.empty())
     {
+      return;
+    }
+    const std::array<double, 2> box = placer.SizeOf(text, style);
+    const double away = std::max(1.2 * size, 0.5 * size + 0.5 * box[1]);
+    const double y = option == "--title" ? height - away : away;
+    if (!placer.PlaceCentred(text, 0.5 * width, y, style))
+    {
+      const char* much = box[0] > width ? "wider" : "higher";
       throw Failure(option,
-        "'" + text +
-          "' is wider than the picture has room for: shorten it, or "
-          "draw a larger picture (--size)");
+        "'" + text + "' is " + much +
+          " than the picture has room for: shorten it, or draw a larger picture (--size)");
     }
   };
-  place("--title", this->Wanted.Marks.Title, height - 1.2 * title, kTitleStyle);
-  place("--caption", this->Wanted.Marks.Caption, 1.2 * caption, kCaptionStyle);
+  place("--title", this->Wanted.Marks.Title, title, kTitleStyle);
+  place("--caption", this->Wanted.Marks.Caption, caption, kCaptionStyle);
+}
+
+//------------------------------------------------------------------------------
+void ViewMarks::TellWide(const LabelPlacer& placer)
+{
+  std::vector<std::string> wide;
+  for (const Label& label : this->Labels)
+  {
+    if (placer.SizeOf(label.Text, kPlaceStyle)[0] > this->Wanted.Size[0])
+    {
+      wide.push_back(label.Text);
+    }
+  }
+  if (!wide.empty())
+  {
+    std::string text = "--labels: '" + wide.front() + "' is wider than the picture: it is left out";
+    text += wide.size() > 1 ? ", with " + std::to_string(wide.size() - 1) + " more" : "";
+    Warn(text);
+  }
+  this->HasToldWide = true;
 }
 
 //------------------------------------------------------------------------------
 void ViewMarks::AddLabels(LabelPlacer& placer)
 {
   this->Placed.clear();
+  if (!this->HasToldWide)
+  {
+    this->TellWide(placer);
+  }
   for (const Label& label : this->Labels)
   {
     const std::optional<std::array<double, 2>> at =
@@ -264,7 +296,8 @@ void ViewMarks::Read(Statistics& statistics)
   }
   if (this->Wanted.Marks.Peaks > 0)
   {
-    const std::vector<Label> peaks = FindPeakLabels(this->Wanted.Marks.Peaks, this->Heights);
+    const std::vector<Label> peaks =
+      FindPeakLabels(this->Wanted.Marks.Peaks, this->Heights, this->Wanted.Scenery.Water);
     this->Labels.insert(this->Labels.end(), peaks.begin(), peaks.end());
   }
 }

@@ -66,6 +66,8 @@ private:
   vtkIdType ReadTrack(const std::string& path);
   void AddTitles(LabelPlacer& placer) const;
   void AddLabels(LabelPlacer& placer);
+  /// Warns of labels that have no place in the picture wherever they stand, once.
+  void TellWide(const LabelPlacer& placer);
   void AddGraticuleLabels(LabelPlacer& placer) const;
   /// Where a point of the ground is in the picture, if the eye sees it or what is so many pixels
   /// above it; else empty.
@@ -78,6 +80,7 @@ private:
   vtkSmartPointer<vtkTerrainViewpoint> Sight;
   std::vector<Nearer> Lines;
   std::vector<Label> Labels;
+  bool HasToldWide = false;
   std::vector<std::string> Placed;
   /// Of the graticule; null for none.
   vtkSmartPointer<vtkPolyData> GraticuleLabels;
