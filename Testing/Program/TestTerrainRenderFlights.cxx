@@ -335,3 +335,18 @@ TEST_F(TerrainRenderFlights, WrongFlightsAreOneSentence)
   misuse({ "--flight-seconds", "3" }, "needs --flight");
   misuse({ "--flight", "orbit", "--sun", "2024-06-21T01:30Z/2024-06-21T11:30Z/300" }, "one sun");
 }
+
+TEST_F(TerrainRenderFlights, OtherOutputsLieBesideTheFrames)
+{
+  const std::vector<std::string> before = this->ListFiles();
+  for (const char* option : { "--stats", "--save-scene" })
+  {
+    ExpectRefused(
+      this->Run({ this->Hill, "--flight", "orbit", "--output", "new", option, "new/file" }), 2,
+      "which is for the frames alone");
+    ExpectRefused(
+      this->Run({ this->Hill, "--flight", "orbit", "--output", "new/", option, "./new/a/file" }), 2,
+      option);
+  }
+  EXPECT_EQ(this->ListFiles(), before);
+}

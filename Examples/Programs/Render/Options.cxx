@@ -414,6 +414,32 @@ std::vector<std::string> InputFiles(const Options& options)
   return inputs;
 }
 
+/// True if a file lies in a folder, or a folder of that one.
+bool LiesIn(const std::string& file, const std::string& folder)
+{
+  const std::filesystem::path inner(CanonicalPath(file));
+  std::filesystem::path outer(CanonicalPath(folder));
+  outer = outer.has_filename() ? outer : outer.parent_path();
+  const auto [a, b] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  return a == outer.end() && b != inner.end();
+}
+
+/// The folder of a flight holds the flight alone.
+void CheckFolder(const Options& options)
+{
+  const std::string folder = FramesFolder(options.Output);
+  for (const auto& [option, file] : { std::pair("--stats", options.Stats),
+         std::pair("--save-scene", options.SaveScene), std::pair("--depth", options.Depth) })
+  {
+    if (options.Flight.IsWanted() && !file.empty() && LiesIn(file, folder))
+    {
+      std::string why = "'";
+      why.append(file).append("' lies in '").append(folder);
+      Refuse(option, why.append("', which is for the frames alone: name a file beside it"));
+    }
+  }
+}
+
 /// No output may be a file that an input is read from, which would be lost, or another output.
 void CheckFiles(const Options& options)
 {
@@ -437,6 +463,7 @@ void CheckFiles(const Options& options)
   {
     outputs.emplace_back("--output", PictureName(options.Output, k, pictures));
   }
+  CheckFolder(options);
   for (const auto& [option, output] : outputs)
   {
     const std::string input = files->FindInput(output);
