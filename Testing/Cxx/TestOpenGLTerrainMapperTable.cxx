@@ -84,6 +84,8 @@ TEST(OpenGLTerrainMapperTable, LinesAndPointsOfAMeshHaveTheColorsOfTheSurface)
     auto paint = [representation](TerrainScene&, const TerrainProp& terrain)
     {
       colorByHeights(terrain.Mapper, 1.0);
+      terrain.Mapper->SetColorSource(vtkOpenGLTerrainMapper::ColorSources::Slope);
+      terrain.Mapper->SetScalarRange(0.0, 90.0); // all heights of the mesh itself are above it
       terrain.Actor->GetProperty()->LightingOff();
       terrain.Actor->GetProperty()->SetRepresentation(representation);
     };

@@ -354,7 +354,7 @@ class TestWarnings(ParityTest):
         from vtkterrain._intake import in_words_of_python
 
         for said, expected in (
-                ("'a.tif': degrees (--crs EPSG:4326 for longitude)", "'a.tif': degrees (crs=\"EPSG:4326\" for longitude)"),
+                ("'a.tif': (--crs EPSG:4326 for longitude)", "'a.tif': (crs=\"EPSG:4326\" for longitude)"),
                 ("(--height-unit names the unit)", "(height_unit names the unit)"),
                 ("(--height-unit m if they are metres)", "(height_unit=\"m\" if they are metres)"),
                 ("(--height-unit -1 for depths)", "(height_unit=-1 for depths)"),
