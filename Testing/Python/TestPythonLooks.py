@@ -3,6 +3,7 @@
 """Options of add_terrain and attributes of the actor, against PyVista's own add_mesh where it has them."""
 import pathlib
 import unittest
+import warnings
 
 import numpy as np
 import vtkTerrainTesting
@@ -145,6 +146,26 @@ class TestColors(LooksTest):
         self.assert_differ(solid, linear)
         self.assert_differ(faint, linear)
 
+    def test_a_texture_without_a_place_is_no_warning(self):
+        path = vtkTerrainTesting.output_path("texture.png")
+        vtkTerrainTesting.write_picture(path, np.full((8, 8, 3), (200, 100, 50), np.uint8))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            picture, _ = self.draw(texture=str(path), lighting=False)
+        self.assertGreater((np.abs(picture - (200, 100, 50)).max(axis=2) < 4).mean(), 0.15)
+
+    def test_rows_that_differ_in_length(self):
+        ragged = [[1.0, 2.0, 3.0], [4.0, 5.0]]
+        plotter = self.plotter()
+        terrain = plotting.add_terrain(plotter, hill(), show_scalar_bar=False)
+        for what, call in (("heights", lambda: plotting.add_terrain(plotter, ragged)),
+                           ("heights", lambda: plotting.add_terrain(plotter, ragged, x=[0, 1, 2])),
+                           ("heights", lambda: terrain.set_heights(ragged)),
+                           ("scalars", lambda: plotting.add_terrain(plotter, hill(), scalars=ragged)),
+                           ("opacity", lambda: plotting.add_terrain(plotter, hill(), opacity=ragged))):
+            with self.assertRaisesRegex(ValueError, f"^{what} must be .*: these rows differ in length$"):
+                call()
+
     def test_slope_and_aspect(self):
         slope, terrain = self.draw(scalars="slope")
         self.assertEqual(terrain.mapper.scalar_range, (0.0, 60.0))
@@ -213,6 +234,8 @@ class TestOwnOptions(LooksTest):
         plain, _ = self.draw(str(HEIGHTS))
         draped, _ = self.draw(str(HEIGHTS), drape=str(PICTURE))
         self.assert_differ(plain, draped, 0.05)
+        with self.assertWarnsRegex(UserWarning, "photo.tif' knows its place.*drape='.*photo.tif'"):
+            self.draw(str(HEIGHTS), texture=str(PICTURE))
         with self.assertRaisesRegex(ValueError, "drape '/nowhere.tif'"):
             self.draw(str(HEIGHTS), drape="/nowhere.tif")
 

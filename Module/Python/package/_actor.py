@@ -11,7 +11,7 @@ from vtkmodules.util.vtkConstants import VTK_DOUBLE, VTK_FLOAT
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 
-from .heights import array_from_heights, heights_from_array
+from .heights import array_from_heights, heights_from_array, to_array
 from .vtkTerrain import vtkTerrainActor, vtkTerrainLook
 
 # What draws triangles, which have edges and corners to show.
@@ -445,6 +445,7 @@ class Terrain(vtkTerrainActor):
         none, with a warning; "none" takes all for heights.
         """
         old = self.GetHeights()
+        heights = to_array(heights)
         if np.shape(heights) != old.GetDimensions()[1::-1]:
             raise ValueError(f"heights must be {old.GetDimensions()[1]} x {old.GetDimensions()[0]}, "
                              f"not of shape {np.shape(heights)}")

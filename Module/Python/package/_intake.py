@@ -124,6 +124,14 @@ def read(reader, error=OSError, of_place=True):
     return reader.GetOutput()
 
 
+def knows_its_place(path):
+    """Whether a picture is georeferenced, as far as GDAL, if there is one, can tell."""
+    reader = make_reader(path, band=1)
+    _run(reader, reader.UpdateInformation)
+    facts = "" if reader.GetErrorMessage() else reader.Describe()
+    return any(line.startswith("place: ") and not line.startswith("place: none") for line in facts.splitlines())
+
+
 def lay_on_globe(image):
     """Heights in longitude and latitude as those of a globe (``vtkTerrainGlobe``)."""
     if image.GetFieldData().GetArray("GlobeLatitudes"):

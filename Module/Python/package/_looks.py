@@ -11,7 +11,7 @@ from vtkmodules.util.vtkConstants import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._intake import _run
-from .heights import array_from_heights
+from .heights import array_from_heights, to_array
 from .vtkTerrain import vtkTerrainImageWarp, vtkTerrainLook
 
 _NUMBER_OF_COLORS = 256
@@ -97,7 +97,7 @@ class Scalars:
             source, self.title, self.clim = _OF_THE_SURFACE[scalars]
             mapper.SetColorSource(source)
             return
-        name = scalars if isinstance(scalars, str) else _attach(terrain, np.asarray(scalars))
+        name = scalars if isinstance(scalars, str) else _attach(terrain, np.asarray(to_array(scalars, "scalars")))
         array = terrain.GetHeights().GetPointData().GetArray(name) if terrain.GetHeights() else None
         of_cells = terrain.GetHeights().GetCellData().GetArray(name) if array is None and terrain.GetHeights() else None
         if array is None and of_cells is None:
@@ -205,7 +205,7 @@ def is_of_samples(opacity, terrain):
     if isinstance(opacity, str):
         heights = terrain.GetHeights()
         return heights is not None and heights.GetPointData().HasArray(opacity) > 0
-    return np.ndim(opacity) > 1
+    return to_array(opacity, "opacity").ndim > 1
 
 
 def apply_opacity(terrain, scalars, table, opacity):

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Heights between numpy and VTK."""
+import warnings
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
@@ -10,6 +12,20 @@ from ._intake import describe_samples, make_reader, read
 
 _CODES_OF_VTK_TYPES = "bBhHiIlLqQfd"
 _FILL = 1e30  # from here on no height, declared or not
+
+
+def to_array(values, what="heights"):
+    """Values as an array; lists whose rows differ in length are a ValueError."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # old numpy's of the same
+            array = np.asanyarray(values)
+        is_ragged = array.dtype == object and array.ndim == 1 and any(np.ndim(row) for row in array)
+    except ValueError:
+        is_ragged = True
+    if is_ragged:
+        raise ValueError(f"{what} must be an array of rows and columns: these rows differ in length")
+    return array
 
 
 def _fill_masked(array):
@@ -124,7 +140,7 @@ def heights_from_array(array, spacing=(1.0, 1.0), origin=(0.0, 0.0), *, first_ro
     if first_row not in ("south", "north"):
         raise ValueError(f'first_row must be "south" or "north", not {first_row!r}')
     _check_place(spacing, origin)
-    samples = _to_vtk_type(_fill_masked(np.asanyarray(array)))
+    samples = _to_vtk_type(_fill_masked(to_array(array)))
     if samples.ndim != 2 or 0 in samples.shape:
         raise ValueError(f"heights must be an array of rows and columns, not of shape {samples.shape}")
     if (first_row == "north") != bool(flip):

@@ -23,11 +23,11 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData
 from ._actor import Terrain
 from ._bars import add_bar
 from ._ground import add_clip_plane, add_places, add_track, track_on  # noqa: F401
-from ._intake import _run, join_as_it_is, lay_on_globe, lay_out, make_reader, read, tell_of_apart
+from ._intake import _run, join_as_it_is, knows_its_place, lay_on_globe, lay_out, make_reader, read, tell_of_apart
 from ._looks import Scalars, color_terrain
 from ._looks import apply as apply_look
 from ._shapes import check_plotter, take_coordinates, to_heights
-from .heights import array_from_heights, heights_from_array
+from .heights import array_from_heights, heights_from_array, to_array
 from .vtkTerrain import vtkTerrainActor, vtkTerrainGeoreference, vtkTerrainHierarchy, vtkTerrainPicker
 
 # Samples a side that every graphics driver takes; larger rasters are drawn at a level.
@@ -73,7 +73,7 @@ def heights_from(heights, *, scene=None, **place):
     if is_array:
         if "crs" in place:
             place.setdefault("coordinate_system", place.pop("crs"))
-        take_coordinates(place, np.shape(heights))
+        take_coordinates(place, to_array(heights).shape)
         return lay_out(heights_from_array(heights, **place), scene)
     if isinstance(heights, vtkImageData):
         return lay_out(heights, scene)
@@ -161,6 +161,9 @@ def _open(actor, path):
 
 def _to_texture(texture):
     if isinstance(texture, (str, os.PathLike)):
+        if knows_its_place(os.fspath(texture)):
+            warnings.warn(f"texture '{os.fspath(texture)}' knows its place, but is drawn from border to border of the "
+                          f"terrain: drape={os.fspath(texture)!r} lays it where it belongs", stacklevel=3)
         return pyvista.read_texture(texture)
     if isinstance(texture, pyvista.Texture):
         return texture
@@ -234,7 +237,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     texture : pyvista.Texture, array_like, str or path, optional
         A picture that spans the terrain, its upper edge in the north, instead of colours of the
         heights, unless there is a color, which it is multiplied with. One that knows its place is a
-        ``drape``.
+        ``drape``; here it gives a warning.
     opacity : float, str or array_like
         1 is opaque, 0 not seen; the name of a transfer function or a list is the opacity of the colours,
         as in ``add_mesh``; an array of the heights' shape, or the name of one of the image's arrays, is
