@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A word of VTKTERRAIN_DRIVER that is none, in a process of its own: the variable is read once.
+// A word of VTKTERRAIN_DRIVER that is none, is told once.
 #include "vtkTerrainTesting.h"
 
 #include "vtkTerrainActor.h"

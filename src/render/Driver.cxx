@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <sstream>
+#include <utility>
 
 namespace terrain
 {
@@ -54,27 +56,43 @@ std::string Driver::Apply(const std::string& words)
 
 namespace
 {
-/// A driver changed by the environment, which is warned of.
-Driver fromEnvironment(Driver driver, bool warn)
+/// What the environment makes of both kinds of drivers.
+struct Drivers
 {
-  const char* words = std::getenv("VTKTERRAIN_DRIVER");
-  const std::string unknown = words ? driver.Apply(words) : std::string();
-  if (warn && !unknown.empty())
+  std::string Words;
+  Driver Kinds[2] = { Driver(), Driver::Software() };
+
+  explicit Drivers(std::string words)
+    : Words(std::move(words))
   {
-    vtkGenericWarningMacro("VTKTERRAIN_DRIVER has \""
-      << unknown << "\"; its words are software, graphics, buffer, levels, passed, plain, "
-      << "fragment, compute, gather, fetch, isotropic, anisotropic, with commas between them");
+    std::string unknown;
+    for (Driver& driver : this->Kinds)
+    {
+      unknown = driver.Apply(this->Words);
+    }
+    if (!unknown.empty())
+    {
+      vtkGenericWarningMacro("VTKTERRAIN_DRIVER has \""
+        << unknown << "\"; its words are software, graphics, buffer, levels, passed, plain, "
+        << "fragment, compute, gather, fetch, isotropic, anisotropic, with commas between them");
+    }
   }
-  return driver;
-}
+};
 }
 
 //------------------------------------------------------------------------------
-// The environment is read once in a process: several parts of a frame ask.
+// Several parts of a frame ask: the words are read again only where they have changed.
 Driver Driver::Current()
 {
-  static const Driver software = fromEnvironment(Driver::Software(), true);
-  static const Driver graphics = fromEnvironment(Driver(), false);
-  return IsSoftware() ? software : graphics;
+  static std::mutex mutex;
+  static Drivers drivers{ std::string() };
+  const char* given = std::getenv("VTKTERRAIN_DRIVER");
+  const std::string words = given ? given : "";
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (words != drivers.Words)
+  {
+    drivers = Drivers(words);
+  }
+  return drivers.Kinds[IsSoftware() ? 1 : 0];
 }
 }

@@ -109,7 +109,7 @@ struct Driver
   /// between them, applied from left to right, so that tests run the ways of a graphics card on
   /// llvmpipe. "software" and "graphics" choose all; one alone: "buffer" or "levels", "passed" or
   /// "plain", "fragment" or "compute", "gather" or "fetch", "isotropic" or "anisotropic". The
-  /// variable is read once in a process; another word is one warning.
+  /// variable is read again where it has changed; another word is one warning.
   static Driver Current();
 
   /// Applies such words; returns the first that is none of them, or an empty string.
