@@ -33,19 +33,20 @@ def _remove_with(terrain, plotter, title):
     PyVista looks at the first bar alone when it removes an actor.
     """
     plotter, renderer, terrain = weakref.ref(plotter), weakref.ref(plotter.renderer), weak_reference(terrain)
-    props = renderer().GetViewProps()
-    observed = []
+    has_gone = False
 
     def look(*_):
+        # It stays an observer when the bar has gone: one that removes itself is freed while it runs.
+        nonlocal has_gone
         here, drawn = renderer(), terrain.Get()
-        if not observed or (here is not None and drawn is not None and here.HasViewProp(drawn)):
+        if has_gone or (here is not None and drawn is not None and here.HasViewProp(drawn)):
             return
-        props.RemoveObserver(observed.pop())
+        has_gone = True
         bars = plotter() and plotter().scalar_bars
         if drawn is not None and bars and drawn.mapper in bars._scalar_bar_mappers.get(title, ()):
             plotter().remove_scalar_bar(title, render=False)
 
-    observed.append(props.AddObserver("ModifiedEvent", look))
+    renderer().GetViewProps().AddObserver("ModifiedEvent", look)
 
 
 def add_bar(plotter, terrain, table, title, name, options):
