@@ -151,6 +151,7 @@ class TestColors(LooksTest):
         vtkTerrainTesting.write_picture(path, np.full((8, 8, 3), (200, 100, 50), np.uint8))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
+            warnings.simplefilter("ignore", DeprecationWarning)  # of others
             picture, _ = self.draw(texture=str(path), lighting=False)
         self.assertGreater((np.abs(picture - (200, 100, 50)).max(axis=2) < 4).mean(), 0.15)
 

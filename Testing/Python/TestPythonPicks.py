@@ -294,6 +294,7 @@ class TestPyVista(PicksTest):
 
     def drag(self):
         warnings.simplefilter("always")
+        warnings.simplefilter("ignore", DeprecationWarning)  # of others
         self.plotter.iren._mouse_left_button_press(120, 60)
         self.plotter.iren._mouse_move(180, 120)
         self.plotter.iren._mouse_left_button_release(180, 120)

@@ -47,6 +47,7 @@ class TestScenes(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.plotter = pyvista.Plotter(off_screen=True)
         warnings.simplefilter("error")
+        warnings.simplefilter("ignore", DeprecationWarning)  # of others
 
     def tearDown(self):
         warnings.resetwarnings()

@@ -105,8 +105,14 @@ def _image_of(grid, lines, samples, name, to_rows):
     return image
 
 
+def _sizes(grid):
+    """Points along each axis. From VTK 9.6 on GetDimensions() of a structured grid wants an argument."""
+    extent = grid.GetExtent()
+    return tuple(high - low + 1 for low, high in zip(extent[::2], extent[1::2], strict=True))
+
+
 def _from_rectilinear(grid):
-    columns, rows, layers = grid.GetDimensions()
+    columns, rows, layers = _sizes(grid)
     scalars = grid.GetPointData().GetScalars()
     _check_layers(grid, layers)
     _check_scalars(grid, scalars)
@@ -116,7 +122,7 @@ def _from_rectilinear(grid):
 
 
 def _from_structured(grid):
-    inner, outer, layers = grid.GetDimensions()
+    inner, outer, layers = _sizes(grid)
     _check_layers(grid, layers)
 
     def as_stored(values):
@@ -134,7 +140,7 @@ def _from_structured(grid):
 
 def _check_layers(grid, layers):
     if layers != 1:
-        sizes = " x ".join(map(str, grid.GetDimensions()))
+        sizes = " x ".join(map(str, _sizes(grid)))
         raise ValueError(f"heights are one layer in x and y, this {type(grid).__name__} has {sizes} points: extract a "
                          "layer")
 
