@@ -7,6 +7,7 @@ import warnings
 
 import numpy as np
 import vtkTerrainTesting
+from vtkTerrainTesting import hill, look
 
 try:
     import pyvista
@@ -18,16 +19,6 @@ except ImportError:
 HEIGHTS = pathlib.Path(__file__).parents[2] / "Examples" / "Places" / "heights.tif"
 PICTURE = pathlib.Path(__file__).parents[2] / "Examples" / "Places" / "photo.tif"
 SIZE = (240, 180)
-
-
-def hill(rows=41, columns=51):
-    y, x = np.mgrid[0:1:rows * 1j, 0:1:columns * 1j]
-    return (8.0 * np.exp(-8.0 * ((x - 0.5)**2 + (y - 0.4)**2)) + x + 1.0).astype(np.float32)
-
-
-def look(plotter):
-    plotter.view_vector((0.2, -0.8, 0.6), viewup=(0.0, 0.0, 1.0))
-    return plotter.screenshot(return_img=True).astype(int)
 
 
 @unittest.skipIf(pyvista is None, "PyVista is not installed")

@@ -7,6 +7,7 @@ import warnings
 
 import numpy as np
 import vtkTerrainTesting
+from vtkTerrainTesting import hill, look
 
 try:
     import pyvista
@@ -17,16 +18,6 @@ except ImportError as error:
     WHY_NOT = str(error)
 
 SIZE = (240, 180)
-
-
-def hill(rows=41, columns=51):
-    y, x = np.mgrid[0:1:rows * 1j, 0:1:columns * 1j]
-    return (8.0 * np.exp(-8.0 * ((x - 0.5)**2 + (y - 0.4)**2)) + x + 1.0).astype(np.float32)
-
-
-def look(plotter):
-    plotter.view_vector((0.2, -0.8, 0.6), viewup=(0.0, 0.0, 1.0))
-    return plotter.screenshot(return_img=True).astype(int)
 
 
 def ends_of(table):

@@ -26,6 +26,18 @@ def ramp(rows, columns):
     return 100.0 * np.arange(rows)[:, None] + np.arange(columns)
 
 
+def hill(rows=41, columns=51):
+    """Heights of a hill on a slope, float32."""
+    y, x = np.mgrid[0:1:rows * 1j, 0:1:columns * 1j]
+    return (8.0 * np.exp(-8.0 * ((x - 0.5)**2 + (y - 0.4)**2)) + x + 1.0).astype(np.float32)
+
+
+def look(plotter):
+    """The picture of a plotter from the south-west, above."""
+    plotter.view_vector((0.2, -0.8, 0.6), viewup=(0.0, 0.0, 1.0))
+    return plotter.screenshot(return_img=True).astype(int)
+
+
 def read_picture(path):
     """A PNG file as an array of rows, from the bottom, columns and colours."""
     reader = vtkPNGReader()
