@@ -22,9 +22,9 @@ for file in $cxx $glsl $python; do
   lines=$(wc -l <"$file")
   [ "$lines" -le "$maximum_lines" ] || offence "$file: $lines lines, at most $maximum_lines"
 done
-# clang-format leaves comments alone, for it would run the rows of tables together.
+# clang-format leaves comments alone, for it would run the rows of tables together, and shaders too.
 # shellcheck disable=SC2086
-! grep -nE '^.{101,}$' $cxx >&2 || offence "lines longer than 100 columns"
+! grep -nE '^.{101,}$' $cxx $glsl >&2 || offence "lines longer than 100 columns"
 # shellcheck disable=SC2086
 ! grep -nE '^ *(\*|///?) .* \| \| ' $cxx >&2 || offence "rows of a table run together"
 for file in $glsl; do

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Beams: a safe common start for all rays of a tile of pixels. Twin, with the documentation of the
-// method and why it is conservative: src/core/rays/PyramidBeam.h. Needs vtkTerrainPyramid.glsl and its
-// uniforms; no further ones. Defines: TERRAIN_TILES as there. Constants: terrainBeamSteps,
+// method and why it is conservative: src/core/rays/PyramidBeam.h. Needs vtkTerrainPyramid.glsl and
+// its uniforms; no further ones. Defines: TERRAIN_TILES as there. Constants: terrainBeamSteps,
 // terrainBeamMargin, terrainBeamReach (src/render/Features.h).
 
 struct TerrainBeam
@@ -30,8 +30,8 @@ struct TerrainBeamStep
   bool stops;
 };
 
-// The edges of a beam's box over the distance, relative to the path's origin: its radius and growth, and
-// room for what float rounds, terrainBeamMargin of the numbers.
+// The edges of a beam's box over the distance, relative to the path's origin: its radius and
+// growth, and room for what float rounds, terrainBeamMargin of the numbers.
 TerrainBeamEdges terrainBeamEdges(TerrainPath path, TerrainBeam beam)
 {
   vec3 radius = beam.radius + terrainBeamMargin * (abs(path.origin) + 1.0) +

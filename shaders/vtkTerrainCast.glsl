@@ -4,11 +4,11 @@
 // What the ray of a pixel sees: clips the ray, traces it, passes by what is culled.
 // Needs vtkTerrainHeights.glsl, vtkTerrainRay.glsl, vtkTerrainView.glsl, vtkTerrainTrace.glsl,
 // vtkTerrainSighting.glsl and, for columns, vtkTerrainColumns.glsl.
-// Processors that run rays side by side run both sides of a branch: defines leave out what a scene does
-// not need.
-// Defines: TERRAIN_COLUMNS for columns; TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels each
-// way are there (vtkTerrainBeamCS.glsl); TERRAIN_CLIP_PLANES and TERRAIN_BLOCK for what cuts rays;
-// TERRAIN_WITHIN for a pixel tolerance.
+// Processors that run rays side by side run both sides of a branch: defines leave out what a scene
+// does not need.
+// Defines: TERRAIN_COLUMNS for columns; TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels
+// each way are there (vtkTerrainBeamCS.glsl); TERRAIN_CLIP_PLANES and TERRAIN_BLOCK for what cuts
+// rays; TERRAIN_WITHIN for a pixel tolerance.
 
 uniform int terrainLayer;    // surfaces that the ray passes by
 uniform ivec2 terrainCulled; // 1 if hits from above, from below are passed by
@@ -30,8 +30,8 @@ float terrainSafeStart(vec2 pixel)
 #endif
 
 #ifdef TERRAIN_CLIP_PLANES
-// The part of the distances [range.x, range.y] of a pixel's ray that no clipping plane cuts off, and
-// the plane at which it begins, or -1. Twin: ClipRange() in src/core/surface/Cutting.h.
+// The part of the distances [range.x, range.y] of a pixel's ray that no clipping plane cuts off,
+// and the plane at which it begins, or -1. Twin: ClipRange() in src/core/surface/Cutting.h.
 vec2 terrainClipRange(vec2 pixel, vec2 range, out int begin)
 {
   begin = -1;
@@ -52,9 +52,10 @@ vec2 terrainClipRange(vec2 pixel, vec2 range, out int begin)
 // farther is traced again from near the hit.
 const float terrainLongRay = 256.0;
 
-// True if a ray meets the surface of a cell from above. Where a tolerance has ended the search before
-// the surface, a ray above it does so, too; and so does one below it that falls more than the surface:
-// it has come in under the border of the grid or of a hole, and does not see the underside.
+// True if a ray meets the surface of a cell from above. Where a tolerance has ended the search
+// before the surface, a ray above it does so, too; and so does one below it that falls more than
+// the surface: it has come in under the border of the grid or of a hole, and does not see the
+// underside.
 bool terrainSeesFront(TerrainRay ray, TerrainHit hit, vec4 codes)
 {
 #ifdef TERRAIN_COLUMNS
@@ -72,8 +73,8 @@ bool terrainSeesFront(TerrainRay ray, TerrainHit hit, vec4 codes)
 #endif
 }
 
-// The first hit of a pixel's ray between two distances, and the codes of its cell; hit.s counts from
-// range.x. The loop is there so that the trace stands in the program once.
+// The first hit of a pixel's ray between two distances, and the codes of its cell; hit.s counts
+// from range.x. The loop is there so that the trace stands in the program once.
 TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front, out vec4 codes)
 {
 #ifdef TERRAIN_GLOBE

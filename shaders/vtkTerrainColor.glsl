@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Colours of the surface: values through a colour map or direct colours, a draped picture, hillshade
-// and contour lines, in this order over the material's own colour. Needs vtkTerrainSurface.glsl.
-// Defines: TERRAIN_PAINT if there is or was anything but the material's colour; TERRAIN_DRAPE with the
-// number of the picture's components; TERRAIN_TEXTURED for textures of VTK. All else is chosen by
-// uniforms: to build another program takes as long as several frames.
+// Colours of the surface: values through a colour map or direct colours, a draped picture,
+// hillshade and contour lines, in this order over the material's own colour. Needs
+// vtkTerrainSurface.glsl. Defines: TERRAIN_PAINT if there is or was anything but the material's
+// colour; TERRAIN_DRAPE with the number of the picture's components; TERRAIN_TEXTURED for textures
+// of VTK. All else is chosen by uniforms: to build another program takes as long as several frames.
 // Constants: terrainNotANumber, terrainColorMapSize and the kinds of colours, terrainOfMaterial to
 // terrainOfCrossings (src/core/rays/PaintKinds.h). Twin: src/core/rays/SurfaceColors.h.
 
@@ -24,9 +24,9 @@ TerrainPaint terrainOver(TerrainPaint paint, vec3 color, float coverage)
     mix(paint.alpha, 1.0, coverage));
 }
 
-// How the grid position, in cells, changes from a pixel to the next: in x, in y. On the tangent plane
-// of the surface, whose gradient is in codes per cell. Unlike differences between pixels it does not
-// see what lies behind a silhouette.
+// How the grid position, in cells, changes from a pixel to the next: in x, in y. On the tangent
+// plane of the surface, whose gradient is in codes per cell. Unlike differences between pixels it
+// does not see what lies behind a silhouette.
 mat2 terrainFootprint(vec2 pixel, TerrainSurface surface)
 {
   float s = -surface.positionVC.z;
@@ -57,8 +57,8 @@ mat2 terrainTextureFootprint(vec2 pixel, TerrainSurface surface)
 uniform int terrainColorKind;         // one of the constants terrainOf...
 uniform sampler2D terrainValues;      // of samples or cells, less the offset
 uniform sampler2D terrainColors;      // RGBA of samples or cells
-uniform ivec2 terrainArrayTexels;     // that a place needs of each of them: 4, 1 for cells, 0 for none
-uniform vec2 terrainGradientScale;    // codes per cell to heights per unit of length, without exaggeration
+uniform ivec2 terrainArrayTexels;     // a place's: 4 of samples, 1 of cells, 0 of none
+uniform vec2 terrainGradientScale;    // codes per cell to heights per length, not exaggerated
 uniform sampler2D terrainColorMap;    // colours over the range
 uniform vec4 terrainSpecialColors[3]; // below the range, above it, not a number
 uniform vec2 terrainValueScale;       // value = x * the number that terrainMapColor() takes + y
@@ -112,7 +112,8 @@ float terrainSlope(TerrainSurface surface)
   return degrees(atan(length(terrainSteepness(surface))));
 }
 
-// Direction downhill, degrees clockwise from the grid's north, 0 to 360; not a number where it is level.
+// Direction downhill, degrees clockwise from the grid's north, 0 to 360; not a number where it is
+// level.
 float terrainAspect(TerrainSurface surface)
 {
   vec2 down = -terrainSteepness(surface);
@@ -120,8 +121,8 @@ float terrainAspect(TerrainSurface surface)
   return length(down) < 1e-6 ? terrainNotANumber : aspect < 0.0 ? aspect + 360.0 : aspect;
 }
 
-// Colour of a number: a height code, or a slope, aspect or value in its own unit. Exact but for the map's
-// terrainColorMapSize texels.
+// Colour of a number: a height code, or a slope, aspect or value in its own unit. Exact but for the
+// map's terrainColorMapSize texels.
 vec4 terrainMapColor(float value)
 {
   float logarithm = log(max(terrainValueScale.x * value + terrainValueScale.y, 1e-37));
@@ -174,9 +175,9 @@ vec4 terrainOwnColor(TerrainSurface surface)
 uniform sampler2D terrainDrape;
 uniform vec4 terrainDrapeScale;    // texture coordinates = xy * position in cells + zw
 
-// Colour of the picture, multiplied by its alpha; 0 beside it, and as much of it at its border as the
-// pixel covers. Where the picture ends with the terrain or beyond it, it has no border: walls of
-// blocks stand there.
+// Colour of the picture, multiplied by its alpha; 0 beside it, and as much of it at its border as
+// the pixel covers. Where the picture ends with the terrain or beyond it, it has no border: walls
+// of blocks stand there.
 vec4 terrainDrapeColor(vec2 pixel, TerrainSurface surface)
 {
   vec2 positionTC = terrainDrapeScale.xy * vec2(surface.cell) + terrainDrapeScale.zw +
@@ -219,8 +220,9 @@ uniform vec2 terrainContourScale;  // number of the contour = x * code + y
 uniform float terrainContourWidth; // pixels
 uniform vec4 terrainContourColor;  // alpha 0 for none
 
-// How much of a pixel contour lines cover. Lines closer than twice their width run into an even grey,
-// which fades where they are closer than their width: slopes that turn away have no dark border.
+// How much of a pixel contour lines cover. Lines closer than twice their width run into an even
+// grey, which fades where they are closer than their width: slopes that turn away have no dark
+// border.
 float terrainContourCoverage(vec2 pixel, TerrainSurface surface)
 {
   mat2 footprint = terrainFootprint(pixel, surface);
@@ -252,7 +254,8 @@ TerrainPaint terrainPaintSurface(vec2 pixel, TerrainSurface surface)
   return terrainOver(paint, terrainContourColor.rgb, terrainContourColor.a * lines);
 }
 
-// Paints over the material's colours, which VTK's lights then shade; intensities: those of the property.
+// Paints over the material's colours, which VTK's lights then shade; intensities: those of the
+// property.
 void terrainPaintMaterial(vec2 pixel, TerrainSurface surface, float ambientIntensity,
   float diffuseIntensity, inout vec3 ambientColor, inout vec3 diffuseColor, inout float opacity)
 {

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The surface of constant columns, one around each sample and as high as that: the nearest sample's
-// height, as Park and Oh's pyramid without bounding map draws it. A cell, which lies between samples,
-// shows a quarter of four columns. Twin: src/core/surface/Columns.h. Needs vtkTerrainHeights.glsl.
-// Constant: terrainColumnReach, cells by which a point on a wall is told from one on a top.
+// height, as Park and Oh's pyramid without bounding map draws it. A cell, which lies between
+// samples, shows a quarter of four columns. Twin: src/core/surface/Columns.h. Needs
+// vtkTerrainHeights.glsl. Constant: terrainColumnReach, cells by which a point on a wall is told
+// from one on a top.
 
 // The face of a column that a ray meets.
 struct TerrainColumnFace
@@ -22,8 +23,8 @@ float terrainColumnCode(vec4 codes, bvec2 quarter)
 }
 
 // Where a segment from one position in a cell to another first meets the columns, as a part of the
-// segment; -1 if it does not. Positions are fractions of the cell and height codes. Top faces and side
-// walls are met.
+// segment; -1 if it does not. Positions are fractions of the cell and height codes. Top faces and
+// side walls are met.
 float terrainIntersectColumns(vec4 codes, vec3 begin, vec3 end)
 {
   bvec2 from = greaterThanEqual(begin.xy, vec2(0.5));

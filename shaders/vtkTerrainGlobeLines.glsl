@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The grid of a globe about an anchor (src/core/globe/GlobeAnchor.h), and its axes at a place. Grid
-// coordinates are metres in the axes of the anchor. Needs vtkTerrainHeights.glsl and vtkTerrainView.glsl.
+// coordinates are metres in the axes of the anchor. Needs vtkTerrainHeights.glsl and
+// vtkTerrainView.glsl.
 //
 // Uniforms to set, see GlobeLines in src/core/globe/GlobeLines.h:
 //   terrainGlobeLines   buffer of the columns, then the rows, then the curves
@@ -28,14 +29,15 @@ vec2 terrainGlobeColumnAt(int i)
   return texelFetch(terrainGlobeLines, i).xy;
 }
 
-// Sine and cosine of a parallel's latitude; terrainGlobeNorth() and terrainGlobeAbove() of the anchor, metres.
+// Sine and cosine of a parallel's latitude; terrainGlobeNorth() and terrainGlobeAbove() of the
+// anchor, metres.
 vec4 terrainGlobeRowAt(int j)
 {
   return texelFetch(terrainGlobeLines, terrainSize.x + j);
 }
 
-// The meridian at a parallel: its radius of curvature and that one's first and second derivative by the
-// latitude, metres; cells a radian to the next parallel.
+// The meridian at a parallel: its radius of curvature and that one's first and second derivative by
+// the latitude, metres; cells a radian to the next parallel.
 vec4 terrainGlobeCurveAt(int j)
 {
   return texelFetch(terrainGlobeLines, terrainSize.x + terrainSize.y + j);
@@ -52,7 +54,8 @@ void terrainGlobeSetLocal(ivec2 cell, vec2 fraction, vec4 codes, vec3 positionGC
   vec2 angle = fraction / vec2(terrainGlobeColumn.x, curve.w);
   vec2 sines = angle * (1.0 - angle * angle / 6.0);
   vec2 cosines = 1.0 - 0.5 * angle * angle;
-  vec2 east = vec2(column.x * cosines.x + column.y * sines.x, column.y * cosines.x - column.x * sines.x);
+  vec2 east = vec2(
+    column.x * cosines.x + column.y * sines.x, column.y * cosines.x - column.x * sines.x);
   vec2 north = vec2(row.x * cosines.y + row.y * sines.y, row.y * cosines.y - row.x * sines.y);
   float height = terrainGlobeScene.z + terrainGlobeHeights.y +
     terrainGlobeHeights.x * (terrainPatchCode(codes, fraction) - terrainGlobeHeights.z);

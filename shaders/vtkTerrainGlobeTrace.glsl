@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exact ray casting at a globe. Twin, step for step: src/core/globe/GlobeTraversal.h, which documents
-// the method. Needs vtkTerrainGlobeLines.glsl and vtkTerrainPyramid.glsl.
+// Exact ray casting at a globe. Twin, step for step: src/core/globe/GlobeTraversal.h, which
+// documents the method. Needs vtkTerrainGlobeLines.glsl and vtkTerrainPyramid.glsl.
 
 const float terrainGlobeNever = 1e30;
 
-// A ray with what its lines share: metres in the axes of the anchor. Every t below is a distance along
-// it, in units of the direction's length.
+// A ray with what its lines share: metres in the axes of the anchor. Every t below is a distance
+// along it, in units of the direction's length.
 struct TerrainGlobePath
 {
   vec3 origin;    // x from the axis, metres
@@ -45,7 +45,8 @@ struct TerrainGlobeHit
   int crossings; // nodes and cells that the ray came through
 };
 
-// A path with its t from begin to end; o: origin, relative to the anchor, and d: direction, in metres.
+// A path with its t from begin to end; o: origin, relative to the anchor, and d: direction, in
+// metres.
 TerrainGlobePath terrainGlobeMakePath(vec3 o, vec3 d, float begin, float end)
 {
   TerrainGlobePath path;
@@ -86,14 +87,15 @@ float terrainGlobeOffAxis(TerrainGlobePath path, float t)
   return squares / max(length(at) + terrainGlobeScene.x, 1e-20);
 }
 
-// Distance of a path at t north of the cone of a parallel's normals, in metres; row: of the parallel;
-// off: terrainGlobeOffAxis(). Equations: src/core/globe/GlobeAnchor.h.
+// Distance of a path at t north of the cone of a parallel's normals, in metres; row: of the
+// parallel; off: terrainGlobeOffAxis(). Equations: src/core/globe/GlobeAnchor.h.
 float terrainGlobeNorth(TerrainGlobePath path, vec4 row, float t, float off)
 {
   return row.z + (path.origin.z + t * path.direction.z) * row.y - off * row.x;
 }
 
-// Distance above the plane that touches the ellipsoid at the parallel, less the anchor's, in metres.
+// Distance above the plane that touches the ellipsoid at the parallel, less the anchor's, in
+// metres.
 float terrainGlobeAbove(TerrainGlobePath path, vec4 row, float t, float off)
 {
   return row.w + (path.origin.z + t * path.direction.z) * row.x + off * row.y;
@@ -215,7 +217,8 @@ TerrainGlobeSpan terrainGlobeNodeSpan(TerrainGlobePath path, TerrainGlobeStep at
   return span;
 }
 
-// The node that a path comes to where it leaves one; a level coarser where that line bounds coarser nodes, too.
+// The node that a path comes to where it leaves one; a level coarser where that line bounds coarser
+// nodes, too.
 TerrainGlobeStep terrainGlobeAcross(
   TerrainGlobePath path, TerrainGlobeStep at, TerrainGlobeSpan span, ivec4 fence)
 {
@@ -343,7 +346,8 @@ struct TerrainGlobeMeeting
   bool front;   // seen from above
 };
 
-// The meeting of a path with the cell at at.node, from at.t to end; side: the sign of the difference where the path left the cell before, 0 if not known.
+// The meeting of a path with the cell at at.node, from at.t to end; side: the sign of the
+// difference where the path left the cell before, 0 if not known.
 TerrainGlobeMeeting terrainGlobeMeetCell(
   TerrainGlobePath path, TerrainGlobeStep at, float end, inout float side)
 {
@@ -391,7 +395,8 @@ bool terrainGlobeIsWide(TerrainGlobeStep at)
   return at.level > 0 || at.node.x < 0 || at.node.y < 0;
 }
 
-// Two loops in turn, as in terrainTracePyramidWithin(): what a cell takes is not done for each node.
+// Two loops in turn, as in terrainTracePyramidWithin(): what a cell takes is not done for each
+// node.
 TerrainGlobeHit terrainGlobeTracePart(TerrainGlobePath path)
 {
   TerrainGlobeHit hit = TerrainGlobeHit(false, 0.0, ivec2(0), vec2(0.0), true, 0);
@@ -479,8 +484,8 @@ TerrainGlobeHit terrainGlobeTrace(vec3 origin, vec3 direction, float begin, floa
   return hit;
 }
 
-// As terrainTraceRange() in vtkTerrainCast.glsl. Far from the anchor a ray is taken from where it comes
-// to the shell, in double precision.
+// As terrainTraceRange() in vtkTerrainCast.glsl. Far from the anchor a ray is taken from where it
+// comes to the shell, in double precision.
 TerrainHit terrainGlobeTraceRange(vec2 pixel, vec2 range, out bool front, out vec4 codes)
 {
   vec3 direction = vec3(terrainPixelDirection(pixel));

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The slope of the surface, for its normal: differences of heights over a cell, or over what a pixel
-// covers where that is more, so that distant ridges do not shimmer. Gradients are in codes per cell.
-// Needs vtkTerrainHeights.glsl and vtkTerrainView.glsl. Twin of what reads samples:
+// The slope of the surface, for its normal: differences of heights over a cell, or over what a
+// pixel covers where that is more, so that distant ridges do not shimmer. Gradients are in codes
+// per cell. Needs vtkTerrainHeights.glsl and vtkTerrainView.glsl. Twin of what reads samples:
 // src/core/surface/HeightGradient.h. Constant: terrainFirstSlopeLevel, kFirstSlopeLevel in
 // src/core/surface/HeightSlopes.h.
 
-uniform sampler2D terrainSlopes;   // mean slopes of squares of cells: src/core/surface/HeightSlopes.h
+uniform sampler2D terrainSlopes;   // of squares of cells: src/core/surface/HeightSlopes.h
 uniform float terrainSlopesScale; // codes per cell and unit of terrainSlopes
 
-// Code of the texels' surface at a position relative to a cell of texels; negative where there is none.
+// Code of the texels' surface at a position relative to a cell of texels; negative where there is
+// none.
 float terrainTexelHeight(ivec2 cell, vec2 position)
 {
   ivec2 at = clamp(cell + ivec2(floor(position)), ivec2(0), terrainTexelSize() - 2);
@@ -18,9 +19,9 @@ float terrainTexelHeight(ivec2 cell, vec2 position)
   return terrainCellValid(codes) ? terrainPatchCode(codes, position - vec2(at - cell)) : -1.0;
 }
 
-// Mean slope along x and y from low to high, positions on both sides of one in a cell; here, atLow and
-// atHigh: codes there, negative where there is no height. A difference ends at the position on a side
-// without height; without any on both sides it is `none`. Per cell of the positions' unit.
+// Mean slope along x and y from low to high, positions on both sides of one in a cell; here, atLow
+// and atHigh: codes there, negative where there is no height. A difference ends at the position on
+// a side without height; without any on both sides it is `none`. Per cell of the positions' unit.
 vec2 terrainDifference(
   vec2 position, vec2 low, vec2 high, float here, vec2 atLow, vec2 atHigh, vec2 none)
 {
@@ -31,10 +32,11 @@ vec2 terrainDifference(
   return mix(mean, none, bvec2(noLow.x && noHigh.x, noLow.y && noHigh.y));
 }
 
-// Gradient of the texels' surface at a position in a cell of texels, as the central difference over a
-// width in texels: the mean slope along it. Continuous away from holes, and for a width of 1 the
-// gradient of the patch at the centre of a cell. The difference ends at the border, and at the position
-// where there are no heights; without any it is the patch's own. Codes: of the cell's corners.
+// Gradient of the texels' surface at a position in a cell of texels, as the central difference over
+// a width in texels: the mean slope along it. Continuous away from holes, and for a width of 1 the
+// gradient of the patch at the centre of a cell. The difference ends at the border, and at the
+// position where there are no heights; without any it is the patch's own. Codes: of the cell's
+// corners.
 vec2 terrainWideGradient(ivec2 cell, vec2 fraction, vec4 codes, float width)
 {
   vec2 low = max(fraction - 0.5 * width, vec2(-cell));
@@ -49,8 +51,8 @@ vec2 terrainWideGradient(ivec2 cell, vec2 fraction, vec4 codes, float width)
     fraction, low, high, here, atLow, atHigh, terrainPatchGradient(codes, fraction));
 }
 
-// The mean gradient over squares of 2^level cells of texels a side, level >= terrainFirstSlopeLevel, at
-// a position in cells.
+// The mean gradient over squares of 2^level cells of texels a side, level >=
+// terrainFirstSlopeLevel, at a position in cells.
 vec2 terrainMeanGradient(vec2 position, float level)
 {
   vec2 cells = vec2(terrainTexelSize() - 1);
@@ -79,8 +81,8 @@ vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
                     : terrainDifference(fraction, low, high, here, atLow, atHigh, vec2(0.0));
 }
 #else
-// Gradient of the texels' surface at a position in a cell of texels over squares of 2^level texels a
-// side; of one texel if level < 0. Codes: of the cell's corners.
+// Gradient of the texels' surface at a position in a cell of texels over squares of 2^level texels
+// a side; of one texel if level < 0. Codes: of the cell's corners.
 vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
 {
   float coarse = clamp(level - terrainFirstSlopeLevel + 1.0, 0.0, 1.0);

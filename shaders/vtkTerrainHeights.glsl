@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reading the heightfield. Twin: CodedHeights in src/core/rays/Ray.h; codes: src/core/grid/HeightCodes.h.
-// Defines: TERRAIN_HEIGHTS_INTEGER if texels are 16-bit integers; TERRAIN_GATHER if textureGather()
-// can be used (GLSL 4.00, or GL_ARB_texture_gather enabled): one look-up a cell instead of four.
-// TERRAIN_DETAIL if the heightfield is the sum of the texels, the base, and of a repeated detail:
-// all samples, cells and sizes are then those of the sum; twin: src/core/surface/DetailHeights.h.
-// TERRAIN_TILES if the texels are those of vtkTerrainTiles.glsl, the finest that are there.
+// Reading the heightfield. Twin: CodedHeights in src/core/rays/Ray.h; codes:
+// src/core/grid/HeightCodes.h. Defines: TERRAIN_HEIGHTS_INTEGER if texels are 16-bit integers;
+// TERRAIN_GATHER if textureGather() can be used (GLSL 4.00, or GL_ARB_texture_gather enabled): one
+// look-up a cell instead of four. TERRAIN_DETAIL if the heightfield is the sum of the texels, the
+// base, and of a repeated detail: all samples, cells and sizes are then those of the sum; twin:
+// src/core/surface/DetailHeights.h. TERRAIN_TILES if the texels are those of vtkTerrainTiles.glsl,
+// the finest that are there.
 
 #ifndef TERRAIN_TILES
 #ifdef TERRAIN_HEIGHTS_INTEGER
@@ -64,8 +65,8 @@ bool terrainCellValid(vec4 codes)
   return all(greaterThanEqual(codes, vec4(0.0)));
 }
 
-// Height code of the bilinear patch at a position in its cell, 0 <= fraction <= 1. Not by mix(), which
-// compilers may round so that neighbouring cells differ on the edge they share.
+// Height code of the bilinear patch at a position in its cell, 0 <= fraction <= 1. Not by mix(),
+// which compilers may round so that neighbouring cells differ on the edge they share.
 float terrainPatchCode(vec4 codes, vec2 fraction)
 {
   vec2 edges = codes.xz * (1.0 - fraction.x) + codes.yw * fraction.x; // south and north edge
@@ -85,9 +86,9 @@ uniform ivec2 terrainDetailPeriod; // its size, samples
 uniform int terrainDetailLevel;    // 2^level detail cells along a cell of texels
 uniform float terrainDetailScale;  // height codes per code of the detail
 
-// index % period of 0 <= index < 2^22, more than there are cells: exact, although a quotient may be off
-// by one, and on processors that divide integers one by one a tenth of the work. Twin: Wrap() in
-// src/core/surface/DetailHeights.h.
+// index % period of 0 <= index < 2^22, more than there are cells: exact, although a quotient may be
+// off by one, and on processors that divide integers one by one a tenth of the work. Twin: Wrap()
+// in src/core/surface/DetailHeights.h.
 ivec2 terrainWrap(ivec2 index, ivec2 period)
 {
   ivec2 rest = index - period * ivec2(vec2(index) / vec2(period));
@@ -95,7 +96,8 @@ ivec2 terrainWrap(ivec2 index, ivec2 period)
   return rest - period * ivec2(greaterThanEqual(rest, period));
 }
 
-// Scaled codes of the repeated detail at the corners of a cell, in the order of terrainTexelCodes().
+// Scaled codes of the repeated detail at the corners of a cell, in the order of
+// terrainTexelCodes().
 vec4 terrainDetailCodes(ivec2 cell)
 {
   ivec2 first = terrainWrap(cell, terrainDetailPeriod);

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How much of each light a point of the surface sees over the surface. Twin of discs and ends:
-// src/core/rays/SurfaceShading.h. Needs vtkTerrainView.glsl; to cast rays, vtkTerrainOutlook.glsl; in a
-// fragment shader, vtkTerrainSurface.glsl.
-// Defines: TERRAIN_SHADOWS, how many lights cast shadows; TERRAIN_SHADOW_BOUNDS if there are bounds of
-// one's rays (vtkTerrainOutlook.glsl); TERRAIN_CLIP_PLANES and TERRAIN_COLUMNS as in vtkTerrainCast.glsl;
-// TERRAIN_READ_LIGHTS if a compute shader has cast the rays (vtkTerrainLightCS.glsl).
+// src/core/rays/SurfaceShading.h. Needs vtkTerrainView.glsl; to cast rays, vtkTerrainOutlook.glsl;
+// in a fragment shader, vtkTerrainSurface.glsl.
+// Defines: TERRAIN_SHADOWS, how many lights cast shadows; TERRAIN_SHADOW_BOUNDS if there are bounds
+// of one's rays (vtkTerrainOutlook.glsl); TERRAIN_CLIP_PLANES and TERRAIN_COLUMNS as in
+// vtkTerrainCast.glsl; TERRAIN_READ_LIGHTS if a compute shader has cast the rays
+// (vtkTerrainLightCS.glsl).
 // Constant: terrainShareSteps, steps of a share in a texel (kShareSteps in src/render/Features.h).
 //
-// A sun is a disc of even brightness, whose share above a level horizon is that of the circle beyond a
-// chord: (acos(x) - x sqrt(1 - x^2)) / pi for a chord at x radii from the centre, by the area of a
-// circular segment. The horizon is that of the sun's azimuth, taken to be level across the disc.
+// A sun is a disc of even brightness, whose share above a level horizon is that of the circle
+// beyond a chord: (acos(x) - x sqrt(1 - x^2)) / pi for a chord at x radii from the centre, by the
+// area of a circular segment. The horizon is that of the sun's azimuth, taken to be level across
+// the disc.
 
 #ifdef TERRAIN_READ_LIGHTS
 uniform sampler2D terrainLightShares; // one texel a pixel: terrainPackShares()
@@ -27,13 +29,14 @@ void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERR
   }
 }
 #else
-uniform vec4 terrainLightsGC[TERRAIN_SHADOWS];    // sun: direction in cells, of length 1 or, at the zenith,
-                                                  // 0; tangents of the disc's lower and upper edge
-uniform vec4 terrainLightsVC[TERRAIN_SHADOWS];    // sun: the same way in view coordinates, w = 0;
-                                                  // lamp: position, w = 1
-uniform vec4 terrainLightDiscs[TERRAIN_SHADOWS];  // altitude and radius of the disc, radians; tangent in
-                                                  // the model over that in codes per cell; share of
-                                                  // the light that a shadow takes away
+// Sun: direction in cells, of length 1 or, at the zenith, 0; tangents of the disc's lower and upper
+// edge.
+uniform vec4 terrainLightsGC[TERRAIN_SHADOWS];
+// Sun: the same way in view coordinates, w = 0; lamp: position, w = 1.
+uniform vec4 terrainLightsVC[TERRAIN_SHADOWS];
+// Altitude and radius of the disc, radians; tangent in the model over that in codes per cell; share
+// of the light that a shadow takes away.
+uniform vec4 terrainLightDiscs[TERRAIN_SHADOWS];
 
 #ifdef TERRAIN_SHADOW_BOUNDS
 uniform int terrainBoundedLight; // whose rays terrainShadowBounds is for
@@ -61,8 +64,8 @@ float terrainPlaneEnd(vec3 positionVC, vec3 directionVC, float end)
   return end;
 }
 
-// The share of a light that a point sees; outlook: of the point, its way still to be set. None is looked
-// for where the light is behind the normal.
+// The share of a light that a point sees; outlook: of the point, its way still to be set. None is
+// looked for where the light is behind the normal.
 float terrainLightShare(int light, TerrainOutlook outlook, vec3 positionVC, vec3 normalVC)
 {
   vec4 wayGC = terrainLightsGC[light];
@@ -94,8 +97,9 @@ float terrainLightShare(int light, TerrainOutlook outlook, vec3 positionVC, vec3
   return 1.0 - terrainLightDiscs[light].w * (1.0 - share);
 }
 
-// The shares that a point of the surface sees of all lights that cast shadows, in a pixel. Those behind
-// a block's cut faces, where nothing is left, and those of the underside are whole: VTK's own light.
+// The shares that a point of the surface sees of all lights that cast shadows, in a pixel. Those
+// behind a block's cut faces, where nothing is left, and those of the underside are whole: VTK's
+// own light.
 void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERRAIN_SHADOWS])
 {
   vec4 codes = terrainCellCodes(surface.cell);

@@ -1,22 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Compute shader: the shares of the lights that the points of all sightings of a viewport see. Needs
-// vtkTerrainSighting.glsl, vtkTerrainSurface.glsl and vtkTerrainLight.glsl.
+// Compute shader: the shares of the lights that the points of all sightings of a viewport see.
+// Needs vtkTerrainSighting.glsl, vtkTerrainSurface.glsl and vtkTerrainLight.glsl.
 // Constant: terrainShareSteps, see vtkTerrainLight.glsl.
 
 layout(local_size_x = TERRAIN_GROUP_SIZE, local_size_y = TERRAIN_GROUP_SIZE) in;
 layout(rgba32f, binding = 0) writeonly uniform image2D terrainLightImage;
 
-// The point of a sighting. Its position comes from its distance, which tells it to a part of a pixel;
-// the position in the texel is coarser.
+// The point of a sighting. Its position comes from its distance, which tells it to a part of a
+// pixel; the position in the texel is coarser.
 TerrainSurface terrainSightedPoint(vec2 pixel, TerrainSighting sighting)
 {
   TerrainRay ray = terrainPixelRay(pixel, sighting.distanceVC, sighting.distanceVC);
   ivec2 cell = clamp(ray.anchorCell, ivec2(0), terrainSize - 2);
   vec2 fraction = clamp(ray.originGC.xy + vec2(ray.anchorCell - cell), 0.0, 1.0);
-  return TerrainSurface(true, terrainPositionVC(pixel, sighting.distanceVC), vec3(0.0), sighting.front,
-    sighting.wall >= 0, cell, fraction, 0.0, vec2(0.0), 0);
+  return TerrainSurface(true, terrainPositionVC(pixel, sighting.distanceVC), vec3(0.0),
+    sighting.front, sighting.wall >= 0, cell, fraction, 0.0, vec2(0.0), 0);
 }
 
 // Two shares in each channel.

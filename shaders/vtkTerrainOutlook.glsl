@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How high the surface stands before a light: the horizon of a point of the surface in one direction,
-// through the max pyramid. Needs vtkTerrainPyramid.glsl; for columns, vtkTerrainColumns.glsl; for tiles,
-// vtkTerrainTileTrace.glsl.
+// How high the surface stands before a light: the horizon of a point of the surface in one
+// direction, through the max pyramid. Needs vtkTerrainPyramid.glsl; for columns,
+// vtkTerrainColumns.glsl; for tiles, vtkTerrainTileTrace.glsl.
 //
 // The horizon is the highest tangent (h(s) - h(0)) / s over all distances s > 0 at which there is
-// surface, as in src/core/rays/Horizon.h; the ground is solid, so that no light comes up through a hole.
-// The ray starts on the surface itself. Its own patch counts by the slope b and the bend a that the patch
-// has in the direction: the tangent there is b + a s, in which h(0) does not appear. No distance and no
-// height is added to get off the surface. Beyond, the ray that runs at the horizon so far goes through
-// the pyramid as in vtkTerrainPyramid.glsl, and rises where it meets something higher.
+// surface, as in src/core/rays/Horizon.h; the ground is solid, so that no light comes up through a
+// hole. The ray starts on the surface itself. Its own patch counts by the slope b and the bend a
+// that the patch has in the direction: the tangent there is b + a s, in which h(0) does not appear.
+// No distance and no height is added to get off the surface. Beyond, the ray that runs at the
+// horizon so far goes through the pyramid as in vtkTerrainPyramid.glsl, and rises where it meets
+// something higher.
 
 // A way over the grid from a point of the surface.
 struct TerrainOutlook
@@ -27,8 +28,8 @@ struct TerrainOutlook
 };
 
 #ifdef TERRAIN_SHADOW_BOUNDS
-// Bounds of what stands before rays of one direction: src/core/rays/ShadowBounds.h, which documents all.
-// Constant: terrainShadowMargin, kShadowMargin there.
+// Bounds of what stands before rays of one direction: src/core/rays/ShadowBounds.h, which documents
+// all. Constant: terrainShadowMargin, kShadowMargin there.
 uniform sampler2D terrainShadowBounds;
 uniform vec4 terrainBoundsAxes;  // Major, Minor
 uniform vec4 terrainBoundsPlace; // MajorStart, Slope, FirstStrip; nodes a cell
@@ -36,7 +37,7 @@ uniform vec2 terrainBoundsRises; // LowRise, HighRise
 uniform int terrainBoundsLevel;
 
 // A ray among the bounds.
-struct TerrainStrip
+struct TerrainShadowStrip
 {
   int strip;
   float column;   // where it starts
@@ -44,18 +45,19 @@ struct TerrainStrip
   vec2 codes;     // its own numbers with both rises
 };
 
-TerrainStrip terrainFindStrip(TerrainOutlook outlook)
+TerrainShadowStrip terrainFindShadowStrip(TerrainOutlook outlook)
 {
   vec2 position = vec2(outlook.cell) + outlook.fraction;
   float major = dot(terrainBoundsAxes.xy, position) + terrainBoundsPlace.x;
   float across = dot(terrainBoundsAxes.zw, position) - terrainBoundsPlace.y * major;
-  return TerrainStrip(int((across - terrainBoundsPlace.z) * terrainBoundsPlace.w),
-    major * terrainBoundsPlace.w, dot(terrainBoundsAxes.xy, outlook.direction) * terrainBoundsPlace.w,
+  return TerrainShadowStrip(int((across - terrainBoundsPlace.z) * terrainBoundsPlace.w),
+    major * terrainBoundsPlace.w,
+    dot(terrainBoundsAxes.xy, outlook.direction) * terrainBoundsPlace.w,
     outlook.code - terrainBoundsRises * major);
 }
 
 // True if something hides the ray from the next column on.
-bool terrainIsHidden(TerrainStrip strip)
+bool terrainIsHidden(TerrainShadowStrip strip)
 {
   int column = int(strip.column + 0.5 * terrainShadowMargin) + 1;
   return column < textureSize(terrainShadowBounds, 0).x &&
@@ -63,7 +65,7 @@ bool terrainIsHidden(TerrainStrip strip)
 }
 
 // True if the ray meets nothing from a distance on.
-bool terrainIsFree(TerrainStrip strip, float s)
+bool terrainIsFree(TerrainShadowStrip strip, float s)
 {
   ivec2 size = textureSize(terrainShadowBounds, 0);
   int column = clamp(int(strip.column + s * strip.pace - 0.5 * terrainShadowMargin), 0, size.x - 1);
@@ -71,8 +73,8 @@ bool terrainIsFree(TerrainStrip strip, float s)
 }
 #endif
 
-// The highest tangent to three points of the surface, height over distance, that lie above the ray of
-// a tangent by more than rounding; else that tangent.
+// The highest tangent to three points of the surface, height over distance, that lie above the ray
+// of a tangent by more than rounding; else that tangent.
 float terrainRaise(float tangent, vec3 heights, vec3 distances, float rounding)
 {
   vec3 tangents = mix(vec3(tangent), heights / max(distances, vec3(1e-9)),
@@ -81,8 +83,8 @@ float terrainRaise(float tangent, vec3 heights, vec3 distances, float rounding)
 }
 
 #ifdef TERRAIN_COLUMNS
-// The tangent of a ray that has passed the columns of a cell, which are level: each is highest at its
-// near end if it stands above the ray's origin, else at its far end.
+// The tangent of a ray that has passed the columns of a cell, which are level: each is highest at
+// its near end if it stands above the ray's origin, else at its far end.
 float terrainPassCell(
   float tangent, vec4 codes, float originCode, vec2 begin, vec2 end, vec2 span, float rounding)
 {
@@ -96,12 +98,14 @@ float terrainPassCell(
   vec2 walls = mix(span.xx, span.yy, vec2(min(wall.x, wall.y), max(wall.x, wall.y)));
   vec3 nearEnds = vec3(span.x, walls);
   vec3 farEnds = vec3(walls, span.y);
-  return terrainRaise(terrainRaise(tangent, heights, nearEnds, rounding), heights, farEnds, rounding);
+  tangent = terrainRaise(tangent, heights, nearEnds, rounding);
+  return terrainRaise(tangent, heights, farEnds, rounding);
 }
 #else
-// The tangent of a ray that has passed the patch of a cell between two positions in it, as fractions,
-// and two distances. Over the ray the height is c + b u + a u^2 for u = 0..1, and the tangent to it
-// highest at an end or, if a < 0, where a L u^2 + 2 a s u + b s - L c = 0, with the distance s + L u.
+// The tangent of a ray that has passed the patch of a cell between two positions in it, as
+// fractions, and two distances. Over the ray the height is c + b u + a u^2 for u = 0..1, and the
+// tangent to it highest at an end or, if a < 0, where a L u^2 + 2 a s u + b s - L c = 0, with the
+// distance s + L u.
 float terrainPassCell(
   float tangent, vec4 codes, float originCode, vec2 begin, vec2 end, vec2 span, float rounding)
 {
@@ -128,11 +132,13 @@ void terrainAim(inout TerrainPath path, inout TerrainStep at, float tangent)
 }
 
 // The horizon of the point's own cell: the tangent, and the step out of the cell.
-float terrainLeaveCell(TerrainOutlook outlook, TerrainPath path, inout TerrainStep at, out bool ends)
+float terrainLeaveCell(
+  TerrainOutlook outlook, TerrainPath path, inout TerrainStep at, out bool ends)
 {
   // A point on the far side of its cell leaves it at once: its own cell is the next.
   vec2 position = path.origin.xy - vec2(at.cell - path.anchor);
-  at.cell += ivec2(greaterThanEqual(position, vec2(1.0))) * ivec2(greaterThan(path.direction.xy, vec2(0.0)));
+  at.cell += ivec2(greaterThanEqual(position, vec2(1.0))) *
+    ivec2(greaterThan(path.direction.xy, vec2(0.0)));
   ends = any(greaterThan(at.cell, path.lastCell));
   at.cell = min(at.cell, path.lastCell);
   ivec2 cell = at.cell ^ path.mirror;
@@ -140,12 +146,14 @@ float terrainLeaveCell(TerrainOutlook outlook, TerrainPath path, inout TerrainSt
   TerrainSpan span = terrainNodeSpan(path, at);
   vec2 begin = terrainCellFraction(path, at.cell, 0.0, 0, 0.0);
 #ifdef TERRAIN_COLUMNS
-  vec2 end = terrainCellFraction(path, at.cell, span.s, span.ends ? 0 : span.crossEast ? 1 : 2, 1.0);
+  vec2 end =
+    terrainCellFraction(path, at.cell, span.s, span.ends ? 0 : span.crossEast ? 1 : 2, 1.0);
   float tangent = terrainPassCell(outlook.low, codes, outlook.code, begin, end, vec2(0.0, span.s),
     1e-6 * terrainMaximumCode);
 #else
   float slope = dot(terrainPatchGradient(codes, begin), outlook.direction);
-  float bend = ((codes.x - codes.y) - (codes.z - codes.w)) * outlook.direction.x * outlook.direction.y;
+  float bend =
+    ((codes.x - codes.y) - (codes.z - codes.w)) * outlook.direction.x * outlook.direction.y;
   float tangent = max(outlook.low, slope + max(bend * span.s, 0.0));
 #endif
   tangent = terrainCellValid(codes) ? tangent : outlook.low;
@@ -173,7 +181,8 @@ TerrainPath terrainOutlookPath(TerrainOutlook outlook, out TerrainStep at)
   return path;
 }
 
-// The tangent of a ray that has passed a node by the patch over it, of these codes; of a cell, level 0.
+// The tangent of a ray that has passed a node by the patch over it, of these codes; of a cell,
+// level 0.
 float terrainPassNode(
   TerrainPath path, TerrainStep at, TerrainSpan span, vec4 codes, float tangent)
 {
@@ -193,7 +202,8 @@ float terrainPassNode(
   return valid ? passed : tangent;
 }
 
-// The step after a node whose highest code is given: down if the ray meets that. Ended: the ray ends.
+// The step after a node whose highest code is given: down if the ray meets that. Ended: the ray
+// ends.
 TerrainStep terrainPassTop(
   TerrainPath path, TerrainStep at, TerrainSpan span, float topCode, out bool down)
 {
@@ -205,7 +215,8 @@ TerrainStep terrainPassTop(
 
 #ifdef TERRAIN_TILES
 // The tangent at which a ray ends that goes on from a step through the nodes of tiles.
-float terrainOutlookTiles(TerrainOutlook outlook, TerrainPath path, TerrainStep at, float tangent, bool ended)
+float terrainOutlookTiles(
+  TerrainOutlook outlook, TerrainPath path, TerrainStep at, float tangent, bool ended)
 {
   int most = 2 * (terrainSize.x + terrainSize.y) + terrainPyramidTop;
   int crossings = 0;
@@ -236,12 +247,13 @@ float terrainOutlookTiles(TerrainOutlook outlook, TerrainPath path, TerrainStep 
   return tangent;
 }
 #else
-// The tangent at which a ray ends that goes on from a step through the pyramid: two loops in turn, as in
-// terrainTracePyramidWithin().
-float terrainOutlookNodes(TerrainOutlook outlook, TerrainPath path, TerrainStep at, float tangent, bool ended)
+// The tangent at which a ray ends that goes on from a step through the pyramid: two loops in turn,
+// as in terrainTracePyramidWithin().
+float terrainOutlookNodes(
+  TerrainOutlook outlook, TerrainPath path, TerrainStep at, float tangent, bool ended)
 {
 #ifdef TERRAIN_SHADOW_BOUNDS
-  TerrainStrip strip = terrainFindStrip(outlook);
+  TerrainShadowStrip strip = terrainFindShadowStrip(outlook);
   bool hidden = outlook.bounded && !ended && terrainIsHidden(strip);
   tangent = hidden ? 1e30 : tangent;
   ended = ended || hidden;
@@ -289,8 +301,8 @@ float terrainOutlookNodes(TerrainOutlook outlook, TerrainPath path, TerrainStep 
 }
 #endif
 
-// The horizon of a point as a tangent: that of outlook.low if nothing is higher, and any that is above
-// outlook.high for all such.
+// The horizon of a point as a tangent: that of outlook.low if nothing is higher, and any that is
+// above outlook.high for all such.
 float terrainHorizonTangent(TerrainOutlook outlook)
 {
   TerrainStep at;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exact ray casting through the min-max pyramid. Twin, node for node: src/core/rays/PyramidTraversal.h,
-// which documents the method. Needs vtkTerrainHeights.glsl and vtkTerrainRay.glsl.
+// Exact ray casting through the min-max pyramid. Twin, node for node:
+// src/core/rays/PyramidTraversal.h, which documents the method. Needs vtkTerrainHeights.glsl and
+// vtkTerrainRay.glsl.
 //
 // Uniforms to set:
 //   terrainPyramid       texture with mip levels, two channels (maximum, minimum) in the heights'
@@ -22,8 +23,8 @@
 //   TERRAIN_WITHIN    optional: tolerances count; without, terrainTracePyramidWithin() is exact
 //   TERRAIN_VISIT(node, level)  optional: run for every node visited, which counts from the
 //                     south-west
-//   TERRAIN_DETAIL    see vtkTerrainHeights.glsl; twin of its part: src/core/surface/DetailHeights.h, with
-//                     the uniforms declared below
+//   TERRAIN_DETAIL    see vtkTerrainHeights.glsl; twin of its part:
+//                     src/core/surface/DetailHeights.h, with the uniforms declared below
 
 #ifdef TERRAIN_TILES
 // terrainSlotBounds() in vtkTerrainTiles.glsl in its place
@@ -165,8 +166,9 @@ vec2 terrainNodeExtremes(ivec2 node, int level)
 }
 #endif
 
-// A ray as one that moves east and north or not at all, in cells counted backwards where it does not:
-// mirror is -1 along such an axis. Codes are relative to anchorCode, the nearest code of a height.
+// A ray as one that moves east and north or not at all, in cells counted backwards where it does
+// not: mirror is -1 along such an axis. Codes are relative to anchorCode, the nearest code of a
+// height.
 TerrainPath terrainMirrorRay(TerrainRay ray)
 {
   TerrainPath path;

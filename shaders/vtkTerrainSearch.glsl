@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Searches for the first point of the surface on a ray, by steps where the min-max pyramid lets it be.
-// Twin: src/core/rays/HeightSearch.h, which documents the method and its parameters. Needs
+// Searches for the first point of the surface on a ray, by steps where the min-max pyramid lets it
+// be. Twin: src/core/rays/HeightSearch.h, which documents the method and its parameters. Needs
 // vtkTerrainPyramid.glsl and its uniforms.
 // Defines: TERRAIN_LINEAR, TERRAIN_EXPONENTIAL or, else, the equidistant search.
 
-uniform int terrainSteps;          // steps: all of a linear or exponential search, short ones of an equidistant
+uniform int terrainSteps;          // all, or the short ones of an equidistant search
 uniform int terrainLongSteps;      // further steps of double length of an equidistant search
 uniform int terrainSecantSteps;    // steps of root polishing
 uniform float terrainStepLength;   // of an equidistant search, in cells
@@ -66,8 +66,8 @@ float terrainSecant(TerrainSample a, TerrainSample b, float weightA, float weigh
   return a.s + clamp(t, 0.0, 1.0) * (b.s - a.s);
 }
 
-// Of two samples on one side of the surface, the distance between them where the ray is on the other,
-// or may be; -1 if nowhere.
+// Of two samples on one side of the surface, the distance between them where the ray is on the
+// other, or may be; -1 if nowhere.
 float terrainDip(TerrainSample a, TerrainSample b)
 {
   float side = a.above < 0.0 ? -1.0 : 1.0;
@@ -81,7 +81,8 @@ float terrainDip(TerrainSample a, TerrainSample b)
   return closing < 0.0 && opening > 0.0 && t > 0.0 && t < interval && lowest < 0.0 ? a.s + t : -1.0;
 }
 
-// The part of the path at whose end a step from a place on ends at the latest: a cell, or all the rest.
+// The part of the path at whose end a step from a place on ends at the latest: a cell, or all the
+// rest.
 TerrainSpan terrainStepSpan(TerrainPath path, TerrainStep at)
 {
   TerrainSpan span = TerrainSpan(path.lastCell, false, true, path.sEnd, 0.0);
@@ -117,8 +118,8 @@ bool terrainHasStepped(TerrainMarch march)
 #endif
 }
 
-// Samples where steps begin, unless the last step has ended there. What rounding puts just below the
-// surface counts as on it.
+// Samples where steps begin, unless the last step has ended there. What rounding puts just below
+// the surface counts as on it.
 void terrainBeginSteps(TerrainPath path, TerrainStep at, inout TerrainMarch march)
 {
   if (at.s != march.last.s || !march.last.valid)

@@ -3,7 +3,8 @@
 //
 // What the ray of a pixel sees first, and how it is kept in a texel from a compute shader
 // (vtkTerrainSightingCS.glsl) to the fragment shader. Needs vtkTerrainHeights.glsl and
-// vtkTerrainView.glsl. Twin: src/core/rays/Sighting.h. Defines: TERRAIN_READ_SIGHTINGS for the texture of all pixels of a viewport.
+// vtkTerrainView.glsl. Twin: src/core/rays/Sighting.h. Defines: TERRAIN_READ_SIGHTINGS for the
+// texture of all pixels of a viewport.
 
 // The first point of the surface on a pixel's ray.
 struct TerrainSighting
@@ -18,8 +19,8 @@ struct TerrainSighting
   vec4 codes;        // of the cell's corners
 };
 
-// A texel: x the distance, < 0 for none; yz the position in cells, to 1/1000 of a cell in grids of 16384
-// cells and 1/16 in such of 2^20 (with detail), which is for normals and colours;
+// A texel: x the distance, < 0 for none; yz the position in cells, to 1/1000 of a cell in grids of
+// 16384 cells and 1/16 in such of 2^20 (with detail), which is for normals and colours;
 // w = +-(work + 1 + (wall + 1) / 32), minus where the back is seen.
 vec4 terrainPackSighting(TerrainSighting sighting)
 {
@@ -33,8 +34,8 @@ vec4 terrainPackSighting(TerrainSighting sighting)
     sighting.front ? work : -work);
 }
 
-// The sighting in a texel, of which cell and fraction are those of the rounded position. Codes are read
-// anew.
+// The sighting in a texel, of which cell and fraction are those of the rounded position. Codes are
+// read anew.
 TerrainSighting terrainUnpackSighting(vec4 texel)
 {
   ivec2 cell = clamp(ivec2(texel.yz), ivec2(0), terrainSize - 2);

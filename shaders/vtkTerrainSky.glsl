@@ -4,7 +4,7 @@
 // The light of an evenly bright sky: the share of it that a point of the surface sees. Needs
 // vtkTerrainSurface.glsl. Defines: TERRAIN_SKY if there is such light.
 
-uniform sampler2D terrainSky;   // share of the sky over the heights' own arrays: src/render/SkyTexture.h
+uniform sampler2D terrainSky;   // share over the heights' own arrays: src/render/SkyTexture.h
 uniform vec2 terrainSkyScale;   // texture coordinates a sample
 uniform float terrainSkyLight;  // what the whole sky gives, over a light of intensity 1
 

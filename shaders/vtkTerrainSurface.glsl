@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The point of the surface that a fragment shows: what VTK's lights and colours work on. Twin of its
-// depth, sides and numbers: src/core/rays/SurfaceShading.h.
+// The point of the surface that a fragment shows: what VTK's lights and colours work on. Twin of
+// its depth, sides and numbers: src/core/rays/SurfaceShading.h.
 // Needs vtkTerrainHeights.glsl, vtkTerrainView.glsl, vtkTerrainGradient.glsl and, for rays,
 // vtkTerrainSighting.glsl and vtkTerrainCast.glsl; for columns, vtkTerrainColumns.glsl.
 // Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_BOX if rays begin at the
 // box; TERRAIN_DEPTH_OFFSET if depths are shifted thereafter; TERRAIN_COLUMNS for columns;
-// TERRAIN_BLOCK if the surface covers a block that clipping planes cut; TERRAIN_CLIP_PLANES if there are
-// such; TERRAIN_READ_SIGHTINGS if a compute shader has cast the rays (vtkTerrainSighting.glsl).
+// TERRAIN_BLOCK if the surface covers a block that clipping planes cut; TERRAIN_CLIP_PLANES if
+// there are such; TERRAIN_READ_SIGHTINGS if a compute shader has cast the rays
+// (vtkTerrainSighting.glsl).
 
 uniform int terrainFlat; // 1 for the normals of single patches, not of differences across them
 uniform int terrainRowsFromNorth; // 1 if the image's first row is the last one here
@@ -37,8 +38,8 @@ TerrainSurface terrainSurfaceAt(
 #endif
   vec3 normalVC = terrainNormalVC(
     terrainFlat == 1 ? gradient : terrainGradient(cell, fraction, codes, -positionVC.z));
-  return TerrainSurface(true, positionVC, front ? normalVC : -normalVC, front, false, cell, fraction,
-    terrainPatchCode(codes, fraction), gradient, 0);
+  return TerrainSurface(true, positionVC, front ? normalVC : -normalVC, front, false, cell,
+    fraction, terrainPatchCode(codes, fraction), gradient, 0);
 }
 
 #ifdef TERRAIN_TILES
@@ -100,12 +101,14 @@ vec4 terrainIdColor(int id)
 }
 
 #ifdef TERRAIN_CAST
-#if defined(TERRAIN_BELOW_BOX) && defined(GL_ARB_conservative_depth) && !defined(TERRAIN_DEPTH_OFFSET)
+#if defined(TERRAIN_BELOW_BOX) && !defined(TERRAIN_DEPTH_OFFSET)
+#ifdef GL_ARB_conservative_depth
 layout(depth_greater) out float gl_FragDepth; // the hit lies behind the proxy
 #endif
+#endif
 
-// Distance at which the ray of a fragment of the proxy begins. On the box that is a little before the
-// fragment, by what interpolation rounds.
+// Distance at which the ray of a fragment of the proxy begins. On the box that is a little before
+// the fragment, by what interpolation rounds.
 float terrainEntry(vec4 proxyVC)
 {
 #ifdef TERRAIN_BELOW_BOX
@@ -171,8 +174,8 @@ float terrainDepthSlope(vec2 pixel, TerrainSurface surface)
   return length(depths - terrainDepth(surface.positionVC));
 }
 
-// Depth of the surface moved as coincident topology moves that of polygons: by a factor times its slope,
-// and by an offset in 1/65000 of the range of depths.
+// Depth of the surface moved as coincident topology moves that of polygons: by a factor times its
+// slope, and by an offset in 1/65000 of the range of depths.
 float terrainShiftedDepth(vec2 pixel, TerrainSurface surface, float factor, float offset)
 {
   return terrainDepth(surface.positionVC) + factor * terrainDepthSlope(pixel, surface) +
@@ -195,9 +198,9 @@ bool terrainIsClipped(vec4 positionVC)
 
 uniform int terrainMirrored;    // 1 if triangles turn round on their way to the view
 
-// A normal of the surface, on the viewer's side. A mesh can be seen over a ridge where the surface below
-// it falls away from the viewer already, whose normals would be lit from behind the ridge: there it
-// turns to that of the mesh's face.
+// A normal of the surface, on the viewer's side. A mesh can be seen over a ridge where the surface
+// below it falls away from the viewer already, whose normals would be lit from behind the ridge:
+// there it turns to that of the mesh's face.
 vec3 terrainFacingNormal(vec3 normalVC, vec3 faceVC, vec3 towardsVC)
 {
   float facing = min(dot(normalVC, towardsVC), 0.0);

@@ -23,7 +23,8 @@ vec2 terrainNodeFraction(
   ivec2 first = (cell >> level) << level;
   float width = 1.0 / float(1 << level);
   vec2 fraction = clamp(
-    (path.origin.xy + path.direction.xy * s - vec2(first - path.anchor)) * width, vec2(0.0), vec2(1.0));
+    (path.origin.xy + path.direction.xy * s - vec2(first - path.anchor)) * width,
+    vec2(0.0), vec2(1.0));
   fraction = vec2(line == 1 ? side : fraction.x, line == 2 ? side : fraction.y);
   return mix(fraction, 1.0 - fraction, notEqual(path.mirror, ivec2(0)));
 }
@@ -57,7 +58,8 @@ TerrainHit terrainHitInNode(TerrainPath path, TerrainStep at, TerrainPassage pas
   return TerrainHit(true, passage.s, (node << at.level) + cell, position - vec2(cell), 0);
 }
 
-// The side on which a ray passes a node by its bounds, or the part of it before s, where it goes down.
+// The side on which a ray passes a node by its bounds, or the part of it before s, where it goes
+// down.
 float terrainPassBounds(TerrainPath path, TerrainStep at, TerrainSpan span, vec2 bounds, bool down,
   float s, float side)
 {

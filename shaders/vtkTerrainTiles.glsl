@@ -7,7 +7,7 @@
 // Defines: TERRAIN_TILES; TERRAIN_HEIGHTS_INTEGER and TERRAIN_GATHER as there.
 
 #ifdef TERRAIN_HEIGHTS_INTEGER
-uniform usampler2DArray terrainTileHeights; // layer: slot; a tile's samples, one more than its cells
+uniform usampler2DArray terrainTileHeights; // layer: slot; samples, one more than the cells
 uniform usampler2DArray terrainTileBounds;  // maximum and minimum of its cells, from level 1 on
 #else
 uniform sampler2DArray terrainTileHeights;
@@ -65,8 +65,8 @@ int terrainFinestSlot(ivec2 cell, inout int level)
   return slot;
 }
 
-// Codes of the corners of a cell of level 0, of the surface at the finest level that is there: parts of
-// a patch of a coarser level are patches. All negative where that has no surface.
+// Codes of the corners of a cell of level 0, of the surface at the finest level that is there:
+// parts of a patch of a coarser level are patches. All negative where that has no surface.
 vec4 terrainTileCellCodes(ivec2 cell)
 {
   int level = 0;
@@ -82,8 +82,8 @@ vec4 terrainTileCellCodes(ivec2 cell)
   return level == 0 && slot >= 0 ? codes : valid ? corners : vec4(-1.0);
 }
 
-// Code of the surface of a level, or of the finest coarser one that is there, at a position relative to
-// a cell of level 0; negative where there is none.
+// Code of the surface of a level, or of the finest coarser one that is there, at a position
+// relative to a cell of level 0; negative where there is none.
 float terrainTileHeight(ivec2 cell, vec2 position, int level, ivec2 size)
 {
   ivec2 at = clamp(cell + ivec2(floor(position)), ivec2(0), size - 2);

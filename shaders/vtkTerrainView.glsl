@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the pixel to its ray and back to the view. Twins: src/core/rays/PixelRays.h and SurfaceShading.h.
-// Needs vtkTerrainRay.glsl. Defines: TERRAIN_CLIP_PLANES, the most clipping planes, if there are any.
-// Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start is then exact to 1e-9 of a
-// cell at any distance; else to 1e-7 of the distance.
+// From the pixel to its ray and back to the view. Twins: src/core/rays/PixelRays.h and
+// SurfaceShading.h. Needs vtkTerrainRay.glsl. Defines: TERRAIN_CLIP_PLANES, the most clipping
+// planes, if there are any. Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start
+// is then exact to 1e-9 of a cell at any distance; else to 1e-7 of the distance.
 
 // Vectors that depend on the pixel: times (1, x, y); Low holds what float cuts off.
 uniform mat3 terrainOriginGC;
@@ -52,8 +52,8 @@ vec2 terrainSplit(float number)
 }
 #endif
 
-// A vector that depends on the pixel (gl_FragCoord.xy), from its leading bits and what those cut off.
-// Twin: AtPixel().
+// A vector that depends on the pixel (gl_FragCoord.xy), from its leading bits and what those cut
+// off. Twin: AtPixel().
 terrainReal3 terrainAtPixel(mat3 leading, mat3 low, vec2 pixel)
 {
   return (terrainReal3x3(leading) + terrainReal3x3(low)) * terrainReal3(1.0, pixel);
@@ -139,9 +139,9 @@ vec3 terrainToCells(vec3 directionGC)
 }
 #endif
 
-// How the distance along the viewing direction changes from a pixel to the next on the plane through
-// a point of the pixel's ray at distance s: in x, in y. The plane's gradient is in codes per cell. At
-// grazing angles the change is limited.
+// How the distance along the viewing direction changes from a pixel to the next on the plane
+// through a point of the pixel's ray at distance s: in x, in y. The plane's gradient is in codes
+// per cell. At grazing angles the change is limited.
 vec2 terrainPlanePace(vec2 pixel, float s, vec2 gradient)
 {
   vec3 direction = terrainToCells(terrainAtPixelGC(pixel));
