@@ -13,15 +13,19 @@
 // (pyramid without beams), pyramid-within (with a tolerance of a pixel), pyramid-detail (with 64
 // cells of detail along a cell), compute and compute-detail (the same in a compute shader), full
 // (every cell two triangles), globe and compute-globe (pyramid-alone and compute, the same samples
-// in degrees on a globe, turned so that the views are the same). Names that end in -shadows are
-// drawn with hard shadows, in -soft with those of the sun's disc, in -sky with the light of the
-// sky: pyramid-shadows, compute-soft. If there are such, all are lit by a sun 20 degrees high in
-// the south-east, not by a headlight.
+// in degrees on a globe, turned so that the views are the same), tiles and compute-tiles (pyramid
+// and compute, the same samples by tiles, with a tolerance of half a pixel), tiles-alone (without
+// beams). Names that end in -shadows are drawn with hard shadows, in -soft with those of the sun's
+// disc, in -sky with the light of the sky: pyramid-shadows, compute-soft. If there are such, all
+// are lit by a sun 20 degrees high in the south-east, not by a headlight.
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainDetailSource.h"
 #include "vtkTerrainGlobe.h"
 #include "vtkTerrainSource.h"
+
+#include "core/grid/ParallelFor.h"
+#include "core/surface/MemoryTiles.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -48,6 +52,7 @@
 #include <ctime>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -172,6 +177,16 @@ void turnToMap(vtkActor* actor)
   actor->SetUserMatrix(matrix);
 }
 
+/// The samples as tiles of 256 x 256 cells.
+std::shared_ptr<terrain::TileSource> makeTiles(vtkImageData* image)
+{
+  terrain::HeightfieldView<unsigned short> view;
+  view.Samples = static_cast<const unsigned short*>(image->GetScalarPointer());
+  view.Width = image->GetDimensions()[0];
+  view.Height = image->GetDimensions()[1];
+  return terrain::MakeMemoryTiles(view, 8, terrain::SerialFor);
+}
+
 Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMesh* hull)
 {
   using Modes = vtkOpenGLTerrainMapper::ComputeModes;
@@ -192,7 +207,7 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
   mapper->SetSkyLight(endsIn(name, "-sky") ? 0.35 : 0.0);
   mapper->SetTechnique(techniqueOf(name));
   mapper->SetComputeMode(compute ? Modes::On : Modes::Off);
-  mapper->SetUseBeams(name != "pyramid-alone" && !endsIn(name, "globe"));
+  mapper->SetUseBeams(!endsIn(name, "-alone") && !endsIn(name, "globe"));
   mapper->SetPixelTolerance(name == "pyramid-within" ? 1.0 : 0.0);
   if (name == "pyramid-detail" || name == "compute-detail")
   {
@@ -200,6 +215,10 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
     detail->Update();
     mapper->SetDetailData(detail->GetOutput());
     mapper->SetDetailCells(64);
+  }
+  if (name.find("tiles") != std::string::npos)
+  {
+    mapper->SetTileSource(makeTiles(image));
   }
   Entry entry;
   entry.Name = name;
