@@ -126,14 +126,26 @@ TerrainBeamStep terrainBeamOverBlock(TerrainPath path, TerrainBeamEdges edges, T
   return TerrainBeamStep(s, min(level, terrainPyramidTop), level < lowestLevel);
 }
 
+// Codes of the corners of a cell; none of a tile that is not there, since no slope bounds the step
+// to a coarser one.
+vec4 terrainBeamCodes(ivec2 cell)
+{
+#ifdef TERRAIN_TILES
+  int slot = terrainTileSlot(cell, 0);
+  return slot < 0 ? vec4(-1.0) : terrainSlotCodes(cell, slot);
+#else
+  return terrainCellCodes(cell);
+#endif
+}
+
 // Steepest change of the code along an edge between samples of a cell and those around it, east and
 // north; and the codes of the cell's corners. False if some of the 4 x 4 samples have no height.
 bool terrainSlopeBound(ivec2 cell, out vec2 slope, out vec4 codes)
 {
-  vec4 southWest = terrainCellCodes(cell - 1);
-  vec4 southEast = terrainCellCodes(cell + ivec2(1, -1));
-  vec4 northWest = terrainCellCodes(cell + ivec2(-1, 1));
-  vec4 northEast = terrainCellCodes(cell + 1);
+  vec4 southWest = terrainBeamCodes(cell - 1);
+  vec4 southEast = terrainBeamCodes(cell + ivec2(1, -1));
+  vec4 northWest = terrainBeamCodes(cell + ivec2(-1, 1));
+  vec4 northEast = terrainBeamCodes(cell + 1);
   codes = vec4(southWest.w, southEast.z, northWest.y, northEast.x);
   // The columns of samples, each from south to north.
   vec4 a = vec4(southWest.xz, northWest.xz);
@@ -151,9 +163,6 @@ bool terrainSlopeBound(ivec2 cell, out vec2 slope, out vec4 codes)
 // patch that the steepest slope around cannot reach the box.
 TerrainBeamStep terrainBeamOverCell(TerrainPath path, TerrainBeamEdges edges, TerrainBeamStep at)
 {
-#ifdef TERRAIN_TILES
-  return TerrainBeamStep(at.s, 0, true); // no slope bounds the step between tiles of two levels
-#else
   vec2 position = path.origin.xy + path.direction.xy * at.s;
   ivec2 cell = ivec2(floor(position + terrainBeamReach)) + path.anchor;
   vec2 leave = (vec2(cell + 1 - path.anchor) - path.lineOrigin) * path.inverse.xy;
@@ -182,7 +191,6 @@ TerrainBeamStep terrainBeamOverCell(TerrainPath path, TerrainBeamEdges edges, Te
   ivec2 next = ivec2(floor(after + terrainBeamReach)) + path.anchor;
   bool leavesBlock = any(notEqual(next >> 1, cell >> 1)) || terrainBeamLevel(edges, s) > 0;
   return TerrainBeamStep(clear ? s : at.s, leavesBlock ? 1 : 0, !clear);
-#endif
 }
 
 // A distance sBegin <= s <= sEnd of the beam's ray that no ray of the tile has met the surface
