@@ -231,7 +231,7 @@ float terrainOutlookTiles(
     TerrainStep next = at;
     if (at.level > 0)
     {
-      next = terrainPassTop(path, at, span, terrainSlotBounds(node, slot).x, down);
+      next = terrainPassTop(path, at, span, terrainSlotBounds(node, at.level, slot).x, down);
     }
     int finer = max(at.level - 1, 0);
     if (down && (at.level == 0 || terrainTileSlot((next.cell >> finer) ^ path.mirror, finer) < 0))

@@ -100,7 +100,7 @@ vec2 terrainTexelExtremes(ivec2 node, int level)
 #ifdef TERRAIN_TILES
   ivec2 cell = min(node << level, terrainSize - 2); // a tile at the border is not full
   int slot = terrainFinestSlot(cell, level);
-  return terrainSlotBounds(cell >> level, slot);
+  return terrainSlotBounds(cell >> level, level, slot);
 #else
   ivec2 size = max(terrainPyramidSize >> (level - 1), ivec2(1));
   ivec2 texel = min(node, size - 1);

@@ -68,24 +68,13 @@ float terrainPassBounds(TerrainPath path, TerrainStep at, TerrainSpan span, vec2
   return terrainHoles == 1 || bounds.x < bounds.y ? 0.0 : down ? before : passed;
 }
 
-// The step in the finest node that is there, and its slot.
-void terrainAscend(TerrainPath path, inout TerrainStep at, inout int slot)
-{
-  while (slot < 0 && at.level < terrainPyramidTop)
-  {
-    ++at.level;
-    slot = terrainTileSlot((at.cell >> at.level) ^ path.mirror, at.level);
-  }
-}
-
 // What becomes of a ray at a node above level 0.
 struct TerrainDescent
 {
-  bool down;        // it comes within the bounds
-  bool small;       // and ends there, within the tolerance
-  float passes;     // as terrainPassBounds() tells
+  bool down;    // it comes within the bounds
+  bool small;   // and they are within the tolerance
+  float passes; // as terrainPassBounds() tells
   TerrainStep next;
-  int nextSlot;     // of the finer node that it goes down into; negative if its tile is not there
 };
 
 // Slot: of the node.
@@ -94,80 +83,132 @@ TerrainDescent terrainDescend(
 {
   TerrainDescent descent;
   ivec2 node = (at.cell >> at.level) ^ path.mirror;
-  vec2 bounds = terrainSlotBounds(node, slot) - path.anchorCode + vec2(path.slack, -path.slack);
+  TERRAIN_VISIT(node, at.level)
+  vec2 bounds = terrainSlotBounds(node, at.level, slot) - path.anchorCode +
+    vec2(path.slack, -path.slack);
   descent.down = min(at.z, span.z) <= bounds.x && max(at.z, span.z) >= bounds.y;
   float bound = path.direction.z < 0.0 ? bounds.x : bounds.y;
   float s = clamp(at.s + (bound - at.z) * path.inverse.z, at.s, span.s);
   descent.next = terrainNextStep(path, at, span, descent.down, descent.down ? s : span.s);
-  descent.small = descent.down && terrainIsWithin(tolerance, at.s, at.level, bounds) &&
-    terrainCellValid(terrainSlotCodes(node, slot));
-  descent.nextSlot = slot;
-  if (descent.down && !descent.small)
-  {
-    int finer = max(at.level - 1, 0);
-    descent.nextSlot = terrainTileSlot((descent.next.cell >> finer) ^ path.mirror, finer);
-  }
+  descent.small = descent.down && at.level <= terrainTileTop &&
+    terrainIsWithin(tolerance, at.s, at.level, bounds);
   descent.passes = terrainPassBounds(path, at, span, bounds, descent.down, s, side);
   return descent;
 }
 
-// The first point of the surface on a ray; tolerance: see terrainTracePyramidWithin().
+// A step and the slot of its node, negative if its tile is not there.
+struct TerrainTileStep
+{
+  TerrainStep step;
+  int slot;
+};
+
+TerrainTileStep terrainTileStep(TerrainPath path, TerrainStep step)
+{
+  return TerrainTileStep(
+    step, terrainTileSlot((step.cell >> step.level) ^ path.mirror, step.level));
+}
+
+// Codes of the corners of the node of a step.
+vec4 terrainTileStepCodes(TerrainPath path, TerrainTileStep at)
+{
+  return terrainSlotCodes((at.step.cell >> at.step.level) ^ path.mirror, at.slot);
+}
+
+// True for a cell whose tile is there.
+bool terrainTileStepIsCell(TerrainTileStep at)
+{
+  return at.step.level == 0 && at.slot >= 0;
+}
+
+// The first point of the surface on a ray; tolerance: see terrainTracePyramidWithin(). Two loops in
+// turn, as there: over nodes by their bounds, up where the tile is not there; and by their patches
+// over cells, and nodes whose finer ones are not there. The loop over nodes reads no heights, which
+// would cost a quarter of its time where no ray does (llvmpipe 22.3).
 TerrainHit terrainTraceTiles(TerrainRay ray, vec4 tolerance)
 {
   TerrainPath path = terrainClipPath(terrainMirrorRay(ray));
-  TerrainStep at = terrainFirstStep(path);
+  TerrainTileStep at = terrainTileStep(path, terrainFirstStep(path));
+  TerrainTileStep from = at; // the step before, of a ray that ends
   TerrainHit hit = terrainNoHit();
+  TerrainPassage passage;
+  passage.meets = false;
   bool ended = !(path.sBegin <= path.sEnd);
   int most = 2 * (terrainSize.x + terrainSize.y) + terrainPyramidTop;
   int crossings = 0;
   float side = 0.0;
-  int slot = terrainTileSlot((at.cell >> at.level) ^ path.mirror, at.level);
-  while (!ended)
+  bool wall = false;
+  bool small = false;
+  bool byPatch = terrainTileStepIsCell(at);
+  do
   {
-    terrainAscend(path, at, slot);
-    ++crossings;
-    ivec2 node = (at.cell >> at.level) ^ path.mirror;
-    TERRAIN_VISIT(node, at.level)
-    TerrainSpan span = terrainNodeSpan(path, at);
-    bool down = false;
-    bool byPatch = at.level == 0;
-    TerrainStep next = at;
-    int nextSlot = slot;
-    if (at.level > 0)
+    do
     {
-      TerrainDescent descent = terrainDescend(path, at, span, side, tolerance, slot);
-      down = descent.down;
-      next = descent.next;
-      nextSlot = descent.nextSlot;
-      byPatch = nextSlot < 0;
-      bool wall = !byPatch && descent.passes * side < 0.0;
-      side = byPatch ? side : descent.passes;
-      if (wall || descent.small)
+      if (!ended && !byPatch)
       {
-        hit = terrainMeetBox(path, wall ? at : next);
-        ended = true;
+        TerrainDescent descent = TerrainDescent(false, false, side, at.step);
+        ++descent.next.level;
+        bool last = false;
+        if (at.slot >= 0)
+        {
+          ++crossings;
+          TerrainSpan span = terrainNodeSpan(path, at.step);
+          descent = terrainDescend(path, at.step, span, side, tolerance, at.slot);
+          last = (span.ends && !descent.down) || crossings >= most;
+        }
+        TerrainTileStep next = terrainTileStep(path, descent.next);
+        byPatch = descent.down && !descent.small && next.slot < 0;
+        if (!byPatch)
+        {
+          wall = descent.passes * side < 0.0;
+          small = descent.small;
+          ended = last || wall || small;
+          side = small ? side : descent.passes;
+          from = at;
+          at = next;
+          byPatch = terrainTileStepIsCell(at);
+        }
+      }
+    } while (!ended && !byPatch);
+    if (small && !wall && terrainHoles == 1 && !terrainCellValid(terrainTileStepCodes(path, from)))
+    {
+      // over a hole a ray goes on exactly
+      small = false;
+      ended = crossings >= most;
+      byPatch = at.slot < 0 || at.step.level == 0;
+      side = at.slot < 0 ? side : 0.0;
+      if (at.slot < 0)
+      {
+        at = from;
       }
     }
-    if (byPatch)
+    do
     {
-      TerrainPassage passage =
-        terrainPassPatch(path, at, span, side, terrainSlotCodes(node, slot));
-      side = passage.side;
-      if (passage.meets)
+      if (!ended && byPatch)
       {
-        hit = terrainHitInNode(path, at, passage);
+        if (at.step.level == 0) // nodes were visited above
+        {
+          ++crossings;
+          TERRAIN_VISIT(at.step.cell ^ path.mirror, 0)
+        }
+        TerrainSpan span = terrainNodeSpan(path, at.step);
+        passage =
+          terrainPassPatch(path, at.step, span, side, terrainTileStepCodes(path, at));
+        side = passage.side;
+        ended = passage.meets || span.ends || crossings >= most;
+        from = at;
+        at = terrainTileStep(path, terrainNextStep(path, at.step, span, false, span.s));
+        byPatch = terrainTileStepIsCell(at);
       }
-      next = terrainNextStep(path, at, span, false, span.s);
-      down = false;
-      ended = passage.meets;
-    }
-    ended = ended || (span.ends && !down) || crossings >= most;
-    at = next;
-    if (!ended && !down)
-    {
-      nextSlot = terrainTileSlot((at.cell >> at.level) ^ path.mirror, at.level);
-    }
-    slot = nextSlot;
+    } while (!ended && byPatch);
+  } while (!ended);
+  if (passage.meets)
+  {
+    hit = terrainHitInNode(path, from.step, passage);
+  }
+  if (wall || small)
+  {
+    hit = terrainMeetBox(path, wall ? from.step : at.step);
   }
   hit.crossings = crossings;
   return hit;

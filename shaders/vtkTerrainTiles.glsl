@@ -16,15 +16,17 @@ uniform sampler2DArray terrainTileBounds;
 uniform usamplerBuffer terrainTilePages; // for each tile 0, or its slot plus 1
 uniform int terrainTileLevel;            // log2 of the cells along a side of a tile
 uniform int terrainTileTop;              // the coarsest level, which has one tile
+uniform int terrainTileTail;             // slot of the mip tail, bounds of the levels above the top
 uniform float terrainTileBias;           // texel minus code
 
-// The slot of the tile over a cell of a level; -1 if it is not there.
+// The slot of the tile over a cell of a level; -1 if it is not there. The tail's above the top.
 int terrainTileSlot(ivec2 cell, int level)
 {
-  int depth = terrainTileTop - level;
+  int depth = max(terrainTileTop - level, 0);
   ivec2 tile = cell >> terrainTileLevel;
   int place = (0x55555555 & ((1 << (2 * depth)) - 1)) + (tile.y << depth) + tile.x;
-  return int(texelFetch(terrainTilePages, place).r) - 1;
+  int slot = int(texelFetch(terrainTilePages, place).r) - 1;
+  return level > terrainTileTop ? terrainTileTail : slot;
 }
 
 // Codes of the corners of a cell of a level, from a slot: south-west, south-east, north-west,
@@ -47,9 +49,12 @@ vec4 terrainSlotCodes(ivec2 cell, int slot)
 }
 
 // Highest and lowest code of a cell of a level, level >= 1, from a slot.
-vec2 terrainSlotBounds(ivec2 cell, int slot)
+vec2 terrainSlotBounds(ivec2 cell, int level, int slot)
 {
-  ivec3 at = ivec3(cell & ((1 << terrainTileLevel) - 1), slot);
+  int side = 1 << terrainTileLevel;
+  int above = max(level - terrainTileTop, 0);
+  int begin = (side - ((2 * side) >> above)) & (side - 1); // TileTailColumn()
+  ivec3 at = ivec3((cell & (side - 1)) + ivec2(begin, 0), slot);
   return vec2(texelFetch(terrainTileBounds, at, 0).rg) - terrainTileBias;
 }
 

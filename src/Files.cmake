@@ -211,6 +211,7 @@ set(core
   surface/TileReduction
   surface/TileResidency
   surface/TileSelection
+  surface/TileTail
 )
 # Their results are the same bits on every machine: no fused multiply-add.
 set(core_without_contraction

@@ -46,11 +46,15 @@ public:
     this->Integer = this->Codes.Format == terrain::HeightCodes::TexelFormat::UInt16;
     const auto side = static_cast<std::size_t>(field.Layout.TileCells());
     std::vector<float> heights(field.Shown * (side + 1) * (side + 1));
-    std::vector<float> bounds(field.Shown * side * side * 2);
+    std::vector<float> bounds((field.Shown + 1) * side * side * 2);
     for (std::size_t slot = 0; slot < field.Shown; ++slot)
     {
-      this->Lay(field.Slots.GetTile(slot), slot, heights, bounds);
+      this->Lay(field.Slots.GetTile(slot), slot, heights);
+      this->LayNodes(field.Slots.GetTile(slot)->Nodes, field.Slots.GetTile(slot)->Cells.x,
+        &bounds[2 * side * side * slot]);
     }
+    this->LayNodes(field.Slots.GetTail(), static_cast<int>(side),
+      &bounds[2 * side * side * static_cast<std::size_t>(field.Slots.TailSlot())]);
     this->Create(window, this->Heights, 1, side + 1, heights);
     this->Create(window, this->Bounds, 2, side, bounds);
     const std::vector<std::uint32_t>& pages = field.Slots.GetPages().Get();
@@ -96,18 +100,18 @@ public:
     program->SetUniformi("terrainTilePages", this->Pages->GetTextureUnit());
     program->SetUniformi("terrainTileLevel", this->Field.Layout.TileLevel);
     program->SetUniformi("terrainTileTop", this->Field.Slots.Top());
+    program->SetUniformi("terrainTileTail", this->Field.Slots.TailSlot());
     program->SetUniformf("terrainTileBias", static_cast<float>(this->Codes.Bias));
     program->SetUniformi("terrainHoles", this->Codes.HasNoData ? 1 : 0);
-    program->SetUniformi("terrainPyramidTop", this->Field.Slots.Top());
+    program->SetUniformi("terrainPyramidTop", this->Field.Slots.PyramidTop());
     program->SetUniformi("terrainPyramidStart", this->Field.Rays.start);
     program->SetUniform2i("terrainSize", &this->Field.Rays.heights.size[0]);
     program->SetUniformf("terrainMaximumCode", this->Field.Rays.heights.maximumCode);
   }
 
 private:
-  /// Texels of a tile and of its bounds, as numbers.
-  void Lay(const Tile* tile, std::size_t slot, std::vector<float>& heights,
-    std::vector<float>& bounds) const
+  /// Texels of a tile, as numbers.
+  void Lay(const Tile* tile, std::size_t slot, std::vector<float>& heights) const
   {
     const auto side = static_cast<std::size_t>(this->Field.Layout.TileCells());
     const auto bias = static_cast<float>(this->Codes.Bias);
@@ -118,11 +122,18 @@ private:
       heights[k % width + (side + 1) * (k / width + (side + 1) * slot)] =
         this->Integer ? std::max(texel, 0.0f) : tile->Samples[k];
     }
-    for (std::size_t k = 0; k < tile->Nodes.size(); ++k)
+  }
+  /// Texels of bounds, rows of so many, as numbers.
+  void LayNodes(
+    const std::vector<terrain::PyramidNode<float>>& nodes, int cells, float* layer) const
+  {
+    const auto side = static_cast<std::size_t>(this->Field.Layout.TileCells());
+    const auto bias = static_cast<float>(this->Codes.Bias);
+    const auto width = static_cast<std::size_t>(cells);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
     {
-      const auto width = static_cast<std::size_t>(tile->Cells.x);
-      const terrain::PyramidNode<float>& node = tile->Nodes[k];
-      float* to = &bounds[2 * (k % width + side * (k / width + side * slot))];
+      const terrain::PyramidNode<float>& node = nodes[k];
+      float* to = &layer[2 * (k % width + side * (k / width))];
       to[0] = node.IsEmpty() && this->Integer ? 0.0f : node.Maximum + bias;
       to[1] = node.IsEmpty() && this->Integer ? 65535.0f : node.Minimum + bias;
     }
@@ -141,11 +152,13 @@ private:
                                           : (components == 1 ? GL_R32F : GL_RG32F);
     const GLenum format = this->Integer ? (components == 1 ? GL_RED_INTEGER : GL_RG_INTEGER)
                                         : (components == 1 ? GL_RED : GL_RG);
+    const std::size_t layers =
+      numbers.size() / (static_cast<std::size_t>(components) * side * side);
     glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D_ARRAY, name);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(internal), static_cast<GLsizei>(side),
-      static_cast<GLsizei>(side), static_cast<GLsizei>(this->Field.Shown), 0, format,
+      static_cast<GLsizei>(side), static_cast<GLsizei>(layers), 0, format,
       this->Integer ? GL_UNSIGNED_SHORT : GL_FLOAT,
       this->Integer ? static_cast<const void*>(integers.data()) : numbers.data());
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
@@ -225,29 +238,31 @@ void compareReads(
   {
     const glm::ivec2 cell(
       random() % static_cast<unsigned>(size.x - 1), random() % static_cast<unsigned>(size.y - 1));
-    const auto level = static_cast<int>(random() % static_cast<unsigned>(slots.Top() + 1));
+    const auto level = static_cast<int>(random() % static_cast<unsigned>(slots.PyramidTop() + 1));
     const float part = static_cast<float>(random() % 4096u) / 1024.0f - 2.0f;
     inputs[0].insert(inputs[0].end(),
       { static_cast<float>(cell.x), static_cast<float>(cell.y), static_cast<float>(level), part });
     int finest = level;
     const int slot = slots.FinestSlot(cell, finest);
-    const glm::vec2 bounds = finest > 0 ? slots.SlotBounds(cell >> finest, slot) : glm::vec2(0.0f);
+    const glm::vec2 bounds =
+      finest > 0 ? slots.SlotBounds(cell >> finest, finest, slot) : glm::vec2(0.0f);
     const bool empty = bounds.x < bounds.y;
     expected[0].emplace_back(slots.TileSlot(cell >> level, level), finest, empty ? 0.0f : bounds.x,
       empty ? 0.0f : bounds.y);
     expected[1].push_back(slots.TileCellCodes(cell));
     expected[2].emplace_back(
-      slots.TileHeight(cell, { part, 0.5f * part }, level, size), glm::vec3(0.0f));
+      slots.TileHeight(cell, { part, 0.5f * part }, std::min(level, slots.Top()), size),
+      glm::vec3(0.0f));
   }
   const std::string bodies[3] = {
     "ivec2 cell = ivec2(input0.xy); int level = int(input0.z); int finest = level;"
     "int slot = terrainFinestSlot(cell, finest);"
-    "vec2 bounds = finest > 0 ? terrainSlotBounds(cell >> finest, slot) : vec2(0.0);"
+    "vec2 bounds = finest > 0 ? terrainSlotBounds(cell >> finest, finest, slot) : vec2(0.0);"
     "result = vec4(terrainTileSlot(cell >> level, level), finest,"
     "bounds.x < bounds.y ? vec2(0.0) : bounds);",
     "result = terrainTileCellCodes(ivec2(input0.xy));",
-    "result.x = terrainTileHeight(ivec2(input0.xy), vec2(input0.w, 0.5 * input0.w), int(input0.z),"
-    "terrainSize);"
+    "result.x = terrainTileHeight(ivec2(input0.xy), vec2(input0.w, 0.5 * input0.w),"
+    "min(int(input0.z), terrainTileTop), terrainSize);"
   };
   for (int part = 0; part < 3; ++part)
   {

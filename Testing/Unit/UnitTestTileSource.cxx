@@ -5,6 +5,7 @@
 #include "core/surface/MemoryTiles.h"
 #include "core/surface/RepeatedTiles.h"
 #include "core/surface/TilePyramid.h"
+#include "core/surface/TileTail.h"
 
 #include <gtest/gtest.h>
 
@@ -372,4 +373,34 @@ TEST(TilePyramid, MakesTheTilesOfTheWhole)
       EXPECT_EQ(tiles.size(), expected);
     }
   }
+}
+
+TEST(TileTail, HasTheBoundsOfAllSamplesUpToOneNode)
+{
+  ForEachSource(
+    [](const TestField& field, const terrain::TileSource& source)
+    {
+      const int top = source.GetLayout().LevelCount() - 1;
+      Tile tile;
+      ASSERT_EQ(source.Read({ top, 0, 0 }, tile), "");
+      const std::vector<PyramidNode<float>> square = terrain::MakeTileTail(tile, kTileLevel);
+      ASSERT_EQ(square.size(), 16u);
+      // 2 x 2 nodes from column 0 on, one at column 2
+      for (int k = 0; k < 5; ++k)
+      {
+        const int above = k < 4 ? 1 : 2;
+        const glm::ivec2 node(k < 4 ? k % 2 : 0, k < 4 ? k / 2 : 0);
+        SCOPED_TRACE(k);
+        EXPECT_EQ(terrain::TileTailColumn(kTileLevel, above), k < 4 ? 0 : 2);
+        const auto brute = BruteBounds(field, source.GetCodes(), top + above, node.x, node.y);
+        const PyramidNode<float>& found =
+          square[static_cast<std::size_t>((k < 4 ? node.x : 2) + 4 * node.y)];
+        EXPECT_EQ(found.IsEmpty(), brute.IsEmpty());
+        if (!brute.IsEmpty())
+        {
+          EXPECT_EQ(found.Maximum, brute.Maximum);
+          EXPECT_EQ(found.Minimum, brute.Minimum);
+        }
+      }
+    });
 }

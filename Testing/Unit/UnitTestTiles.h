@@ -46,7 +46,7 @@ struct TiledField
       static_cast<float>(this->Source->GetCodes().MaximumCode) };
     this->Levels.tiles = &this->Slots;
     this->Rays.pyramid = &this->Levels;
-    this->Rays.start = this->Slots.Top();
+    this->Rays.start = this->Slots.PyramidTop();
     this->Rays.holes = this->Source->GetCodes().HasNoData;
   }
   TiledField(const TiledField&) = delete;

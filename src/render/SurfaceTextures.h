@@ -139,7 +139,7 @@ public:
   /// Top level of the pyramid on the graphics card.
   int GetPyramidTop() const
   {
-    return this->HasTiles() ? this->Tiles.GetTop() : this->PyramidTop;
+    return this->HasTiles() ? this->Tiles.GetPyramidTop() : this->PyramidTop;
   }
 
   /// Number of uploads of all heights so far, and of the texels sent in all, those of the pyramid

@@ -91,6 +91,13 @@ std::size_t TileTextures::SlotBytes() const
 }
 
 //------------------------------------------------------------------------------
+std::size_t TileTextures::TailBytes() const
+{
+  const auto side = static_cast<std::size_t>(this->Source->GetLayout().TileCells());
+  return 2 * side * side * (this->IsInteger() ? 2 : 4);
+}
+
+//------------------------------------------------------------------------------
 std::string TileTextures::Allocate(vtkOpenGLRenderWindow* window)
 {
   const TileLayout layout = this->Source->GetLayout();
@@ -104,8 +111,10 @@ std::string TileTextures::Allocate(vtkOpenGLRenderWindow* window)
     return "a heightfield of " + std::to_string(layout.Width) + " x " +
       std::to_string(layout.Height) + " samples has more tiles than this graphics driver's buffers";
   }
-  const auto most = static_cast<std::size_t>(std::max(layers, 1));
-  this->Slots = std::clamp<std::size_t>(this->CardBudget / this->SlotBytes(), 1, most);
+  const auto most = static_cast<std::size_t>(std::max(layers - 1, 1));
+  this->Slots = std::clamp<std::size_t>(
+    (std::max(this->CardBudget, this->TailBytes()) - this->TailBytes()) / this->SlotBytes(), 1,
+    most);
   std::size_t all = 0;
   for (int level = 0; level < layout.LevelCount(); ++level)
   {
@@ -117,7 +126,8 @@ std::string TileTextures::Allocate(vtkOpenGLRenderWindow* window)
   {
   }
   this->Heights = MakeArray(this->IsInteger() ? GL_R16UI : GL_R32F, side + 1, this->Slots);
-  this->Bounds = MakeArray(this->IsInteger() ? GL_RG16UI : GL_RG32F, side, this->Slots);
+  this->Bounds = MakeArray(this->IsInteger() ? GL_RG16UI : GL_RG32F, side,
+    this->Slots + 1); // the tail is behind
   if (glGetError() != GL_NO_ERROR)
   {
     return "the graphics driver has no memory for tiles; lower the budget of the card";
@@ -149,18 +159,35 @@ void TileTextures::SendAs(const TileUpload& upload)
     kInteger ? GL_RED_INTEGER : GL_RED, type, texels.data());
   if (!tile.Nodes.empty())
   {
-    texels.clear();
-    for (const PyramidNode<float>& node : tile.Nodes)
-    {
-      const auto empty = PyramidNode<Texel>::Empty();
-      texels.push_back(node.IsEmpty() ? empty.Maximum : static_cast<Texel>(node.Maximum + bias));
-      texels.push_back(node.IsEmpty() ? empty.Minimum : static_cast<Texel>(node.Minimum + bias));
-    }
-    glBindTexture(GL_TEXTURE_2D_ARRAY, this->Bounds);
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, slot, tile.Cells.x, tile.Cells.y, 1,
-      kInteger ? GL_RG_INTEGER : GL_RG, type, texels.data());
+    this->SendNodes<Texel>(tile.Nodes, tile.Cells, slot);
+  }
+  if (upload.Key.Level == this->GetTop())
+  {
+    const int tileLevel = this->Source->GetLayout().TileLevel;
+    this->SendNodes<Texel>(
+      MakeTileTail(tile, tileLevel), glm::ivec2(1 << tileLevel), static_cast<int>(this->Slots));
   }
   glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+}
+
+//------------------------------------------------------------------------------
+template <typename Texel>
+void TileTextures::SendNodes(
+  const std::vector<PyramidNode<float>>& nodes, const glm::ivec2& size, int slot)
+{
+  constexpr bool kInteger = std::is_integral_v<Texel>;
+  const auto bias = static_cast<float>(this->Source->GetCodes().Bias);
+  std::vector<Texel> texels;
+  texels.reserve(2 * nodes.size());
+  for (const PyramidNode<float>& node : nodes)
+  {
+    const auto empty = PyramidNode<Texel>::Empty();
+    texels.push_back(node.IsEmpty() ? empty.Maximum : static_cast<Texel>(node.Maximum + bias));
+    texels.push_back(node.IsEmpty() ? empty.Minimum : static_cast<Texel>(node.Minimum + bias));
+  }
+  glBindTexture(GL_TEXTURE_2D_ARRAY, this->Bounds);
+  glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, slot, size.x, size.y, 1,
+    kInteger ? GL_RG_INTEGER : GL_RG, kInteger ? GL_UNSIGNED_SHORT : GL_FLOAT, texels.data());
 }
 
 //------------------------------------------------------------------------------
@@ -200,7 +227,7 @@ std::string TileTextures::Update(vtkOpenGLRenderWindow* window, const TileView& 
     }
   }
   const auto send = [this](const TileUpload& upload) { this->Send(upload); };
-  const TileKey top{ this->Residency->GetPages().Top(), 0, 0 };
+  const TileKey top{ this->GetTop(), 0, 0 };
   const auto update = [&]()
   {
     for (const TileUpload& upload : this->Residency->Update(view))
@@ -267,17 +294,18 @@ void TileTextures::Deactivate()
 void TileTextures::SetUniforms(Uniforms& uniforms)
 {
   const HeightCodes codes = this->Source->GetCodes();
-  const int top = this->Residency->GetPages().Top();
+  const int top = this->GetTop();
   uniforms.Set("terrainTileHeights", this->HeightTexture->GetTextureUnit());
   uniforms.Set("terrainTileBounds", this->BoundTexture->GetTextureUnit());
   uniforms.Set("terrainTilePages", this->PageTexture->GetTextureUnit());
   uniforms.Set("terrainTileLevel", this->Source->GetLayout().TileLevel);
   uniforms.Set("terrainTileTop", top);
+  uniforms.Set("terrainTileTail", static_cast<int>(this->Slots));
   uniforms.Set("terrainTileBias", static_cast<float>(codes.Bias));
   uniforms.Set("terrainHoles", codes.HasNoData ? 1 : 0);
-  uniforms.Set("terrainPyramidTop", top);
+  uniforms.Set("terrainPyramidTop", this->GetPyramidTop());
   // Rays start near the surface: from the top down, most levels would be visited in vain.
-  uniforms.Set("terrainPyramidStart", std::min(top, kStartLevel));
+  uniforms.Set("terrainPyramidStart", std::min(this->GetPyramidTop(), kStartLevel));
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkWindow;
@@ -53,7 +54,7 @@ public:
   /// Bytes of the textures.
   std::size_t GetMemorySize() const
   {
-    return this->Heights ? this->Slots * this->SlotBytes() : 0;
+    return this->Heights ? this->Slots * this->SlotBytes() + this->TailBytes() : 0;
   }
   std::size_t GetNumberOfTiles() const
   {
@@ -65,6 +66,11 @@ public:
   {
     return this->Residency ? this->Residency->GetPages().Top() : 0;
   }
+  /// The coarsest level of their mip tail (TileTail.h), which has one node.
+  int GetPyramidTop() const
+  {
+    return this->GetTop() + this->Source->GetLayout().TileLevel;
+  }
 
   void Activate();
   void Deactivate();
@@ -73,11 +79,14 @@ public:
 
 private:
   std::size_t SlotBytes() const;
+  std::size_t TailBytes() const;
   bool IsInteger() const;
   std::string Allocate(vtkOpenGLRenderWindow* window);
   void Send(const TileUpload& upload);
   template <typename Texel>
   void SendAs(const TileUpload& upload);
+  template <typename Texel>
+  void SendNodes(const std::vector<PyramidNode<float>>& nodes, const glm::ivec2& size, int slot);
   bool SendPages();
 
   std::shared_ptr<const TileSource> Source;

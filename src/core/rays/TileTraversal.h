@@ -64,12 +64,13 @@ struct TiledLevels
 
   int LevelCount() const
   {
-    return this->tiles->Top();
+    return this->tiles->PyramidTop();
   }
   /// Of a node whose tile is there.
   PyramidNode<float> At(glm::ivec2 node, int level) const
   {
-    const glm::vec2 bounds = this->tiles->SlotBounds(node, this->tiles->TileSlot(node, level));
+    const glm::vec2 bounds =
+      this->tiles->SlotBounds(node, level, this->tiles->TileSlot(node, level));
     return { bounds.x, bounds.y };
   }
 };
@@ -132,7 +133,7 @@ struct TiledPyramid : CodedPyramid<TiledTexel>
 
 inline TiledPyramid::Step TiledPyramid::Ascend(const Path& path, Step at) const
 {
-  while (!this->heights.tiles->Find((at.cell >> at.level) ^ path.mirror, at.level))
+  while (this->heights.tiles->TileSlot((at.cell >> at.level) ^ path.mirror, at.level) < 0)
   {
     ++at.level;
   }
@@ -202,10 +203,11 @@ inline TiledPyramid::Descent TiledPyramid::Descend(
   const float s = std::min(std::max(at.s + (bound - at.z) * path.inverse.z, at.s), span.s);
   descent.next = this->NextStep(path, at, span, descent.down, descent.down ? s : span.s);
   const glm::ivec2 finer = (descent.next.cell >> std::max(at.level - 1, 0)) ^ path.mirror;
-  descent.small = descent.down && IsWithin(tolerance, at.s, at.level, bounds) &&
+  descent.small = descent.down && at.level <= this->heights.tiles->Top() &&
+    IsWithin(tolerance, at.s, at.level, bounds) &&
     glm::all(glm::greaterThanEqual(this->heights.LevelCodes(node, at.level), glm::vec4(0.0f)));
   descent.missing =
-    descent.down && !descent.small && this->heights.tiles->Find(finer, at.level - 1) == nullptr;
+    descent.down && !descent.small && this->heights.tiles->TileSlot(finer, at.level - 1) < 0;
   descent.passes = PassBounds(path, at, span, bounds, descent.down, s, side);
   return descent;
 }

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tiles of a heightfield that rays can see, as the GPU has them: slots that hold tiles, and a
- * page table that tells for each tile of each level which slot holds it.
+ * The tiles of a heightfield that rays can see, as the GPU has them: slots that hold tiles, a page
+ * table that tells for each tile of each level which slot holds it, and a slot behind all others
+ * for the mip tail (TileTail.h), which holds bounds only.
  */
 #ifndef terrain_TileSlots_h
 #define terrain_TileSlots_h
 
 #include "core/surface/CodedHeights.h"
 #include "core/surface/TileSource.h"
+#include "core/surface/TileTail.h"
 
 #include <glm/glm.hpp>
 
@@ -102,6 +104,20 @@ public:
   {
     return this->Pages.Top();
   }
+  /// The coarsest level of the mip tail, which has one node.
+  int PyramidTop() const
+  {
+    return this->Top() + this->Pages.GetLayout().TileLevel;
+  }
+  /// The slot of the mip tail.
+  int TailSlot() const
+  {
+    return static_cast<int>(this->Slots.size());
+  }
+  const std::vector<PyramidNode<float>>& GetTail() const
+  {
+    return this->Tail;
+  }
   bool IsShown(const TileKey& key) const
   {
     return this->Pages.IsShown(key);
@@ -111,6 +127,10 @@ public:
   {
     this->Pages.Set(key, tile ? static_cast<std::uint32_t>(slot + 1) : 0);
     this->Slots.resize(std::max(this->Slots.size(), slot + 1));
+    if (tile && key.Level == this->Top())
+    {
+      this->Tail = MakeTileTail(*tile, this->Pages.GetLayout().TileLevel);
+    }
     this->Slots[slot] = std::move(tile);
   }
 
@@ -132,6 +152,10 @@ public:
   /// document them.
   int TileSlot(glm::ivec2 cell, int level) const
   {
+    if (level > this->Top())
+    {
+      return this->TailSlot();
+    }
     const glm::ivec2 tile = cell >> this->Pages.GetLayout().TileLevel;
     return static_cast<int>(this->Pages.At({ level, tile.x, tile.y })) - 1;
   }
@@ -144,8 +168,16 @@ public:
     const float* north = south + tile.Cells.x + 1;
     return { south[0], south[1], north[0], north[1] };
   }
-  glm::vec2 SlotBounds(glm::ivec2 cell, int slot) const
+  glm::vec2 SlotBounds(glm::ivec2 cell, int level, int slot) const
   {
+    if (level > this->Top())
+    {
+      const int tileLevel = this->Pages.GetLayout().TileLevel;
+      const int column = TileTailColumn(tileLevel, level - this->Top()) + cell.x;
+      const PyramidNode<float>& node = this->Tail[static_cast<std::size_t>(column) +
+        (static_cast<std::size_t>(cell.y) << tileLevel)];
+      return { node.Maximum, node.Minimum };
+    }
     const Tile& tile = *this->Slots[static_cast<std::size_t>(slot)];
     const glm::ivec2 at = this->InTile(cell);
     const PyramidNode<float>& node = tile.Nodes[static_cast<std::size_t>(at.x) +
@@ -181,6 +213,7 @@ private:
 
   TilePages Pages;
   std::vector<std::shared_ptr<const Tile>> Slots;
+  std::vector<PyramidNode<float>> Tail;
 };
 
 inline glm::vec4 TileSlots::TileCellCodes(glm::ivec2 cell) const
