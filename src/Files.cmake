@@ -63,6 +63,7 @@ set(private_sources
   raster/RasterHeights
   raster/RasterHoles
   raster/RasterIntake
+  raster/RasterList
   raster/RasterMessages
   raster/RasterOpen
   raster/RasterPiece
@@ -73,6 +74,7 @@ set(private_sources
   raster/RasterSamples
   raster/RasterTile
   raster/RasterTileAlone
+  raster/RasterTileRead
   raster/RasterTileSource
   raster/RasterTiles
   raster/RasterUnits

@@ -11,6 +11,7 @@
 #include "raster/MemoryLimit.h"
 #include "raster/PreparedFile.h"
 #include "raster/RasterSamples.h"
+#include "raster/RasterTiles.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
@@ -215,7 +216,7 @@ int vtkTerrainRasterReader::CanReadFile(const char* fileName)
   }
   try
   {
-    terrain::RasterFile file(fileName ? fileName : "");
+    terrain::RasterFile file(fileName ? fileName : "", {}, terrain::OpenRasterTiles);
     file.SelectBand(0);
     return 2;
   }
@@ -294,7 +295,8 @@ std::shared_ptr<vtkTerrainRasterPlan> vtkTerrainRasterReader::Open() const
   auto plan = std::make_shared<vtkTerrainRasterPlan>();
   plan->File = this->Internals->Samples
     ? std::make_unique<terrain::RasterFile>(terrain::MemoryOf(this->Internals->Samples))
-    : std::make_unique<terrain::RasterFile>(this->FileName, this->Part);
+    : std::make_unique<terrain::RasterFile>(
+        this->FileName, this->Part, terrain::OpenRasterTiles);
   return plan;
 }
 

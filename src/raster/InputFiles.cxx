@@ -5,6 +5,7 @@
 #include "core/files/OutputFile.h"
 #include "raster/GDALTable.h"
 #include "raster/RasterFile.h"
+#include "raster/RasterTiles.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -72,7 +73,7 @@ std::vector<std::string> FilesOf(const std::string& name)
   }
   try
   {
-    return RasterFile(name.c_str()).GetFileNames();
+    return RasterFile(name, {}, OpenRasterTiles).GetFileNames();
   }
   catch (const RasterError&)
   {

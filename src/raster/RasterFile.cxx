@@ -4,7 +4,6 @@
 
 #include "raster/GDALTable.h"
 #include "raster/RasterArray.h"
-#include "raster/RasterOpen.h"
 #include "raster/RasterRepairs.h"
 
 #include <algorithm>
@@ -30,10 +29,10 @@ bool IsColor(GDALColorInterp color)
 }
 
 //------------------------------------------------------------------------------
-RasterFile::RasterFile(std::string fileName, const std::string& part)
+RasterFile::RasterFile(std::string fileName, const std::string& part, FolderOpener openFolder)
   : Name(std::move(fileName))
 {
-  this->Dataset = OpenRaster(this->Name, part, this->Record, this->Held);
+  this->Dataset = OpenRaster(this->Name, part, this->Record, this->Held, openFolder);
   GDALDriverH driver = GDALGetDatasetDriver(this->Dataset);
   if (driver && std::strcmp(GDALGetDriverShortName(driver), "MEM") != 0)
   {

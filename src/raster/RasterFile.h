@@ -20,6 +20,7 @@
 #include "raster/HeldFiles.h"
 #include "raster/RasterHoles.h"
 #include "raster/RasterMessages.h"
+#include "raster/RasterOpen.h"
 #include "raster/RasterRecord.h"
 #include "raster/RasterUnits.h"
 
@@ -117,8 +118,10 @@ struct RasterHoles
 class RasterFile
 {
 public:
-  /// Opens what a name stands for (RasterOpen.h) for reading. Throws RasterError.
-  explicit RasterFile(std::string fileName, const std::string& part = std::string());
+  /// Opens what a name stands for (RasterOpen.h) for reading: one raster, or with OpenRasterTiles
+  /// (RasterTiles.h) as `openFolder` also many as one. An empty `part` stands for none. Throws
+  /// RasterError.
+  RasterFile(std::string fileName, const std::string& part, FolderOpener openFolder);
   /// Takes samples in memory. Throws RasterError.
   explicit RasterFile(const RasterMemory& memory);
   ~RasterFile();
@@ -135,10 +138,6 @@ public:
   const std::string& GetName() const
   {
     return this->Name;
-  }
-  int GetBand() const
-  {
-    return this->BandNumber;
   }
   /// Bands of samples: without an alpha band at the end.
   int GetNumberOfBands() const
@@ -217,7 +216,6 @@ private:
 
   // RasterPlace.cxx
   void FindPlace(const RasterOptions& options);
-  void TakeGivenSystem(const std::string& definition);
   void PlaceByArray(const std::string& given);
   void PlaceByMemory(const std::string& given);
   void PlaceByGeolocation();
@@ -229,7 +227,6 @@ private:
   void TurnFileAxes();
   void PlaceSheared();
   void WarnOfPlace();
-  void CheckSystem();
   void MakeLayout();
 
   // RasterIntake.cxx

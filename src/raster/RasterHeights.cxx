@@ -3,6 +3,7 @@
 #include "raster/RasterHeights.h"
 
 #include "core/grid/Checksum.h"
+#include "raster/RasterTiles.h"
 
 #include <algorithm>
 #include <cstring>
@@ -130,7 +131,8 @@ RasterHeights::RasterHeights(RasterHeightsSettings settings)
 //------------------------------------------------------------------------------
 std::unique_ptr<RasterFile> RasterHeights::Open() const
 {
-  auto file = std::make_unique<RasterFile>(this->Settings.FileName, this->Settings.Part);
+  auto file =
+    std::make_unique<RasterFile>(this->Settings.FileName, this->Settings.Part, OpenRasterTiles);
   file->SelectBand(this->Settings.Band);
   file->TakeIn(this->Settings.Options);
   if (this->Request.Width > 0 &&

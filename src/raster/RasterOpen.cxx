@@ -4,9 +4,9 @@
 
 #include "core/files/OutputFile.h"
 #include "raster/GDALTable.h"
+#include "raster/RasterList.h"
 #include "raster/RasterMessages.h"
 #include "raster/RasterRepairs.h"
-#include "raster/RasterTiles.h"
 #include "raster/Words.h"
 
 #include <algorithm>
@@ -136,8 +136,21 @@ std::string ArchiveFolder(const std::string& name)
   return ends(".tar") || ends(".tgz") || ends(".tar.gz") ? "/vsitar/{" + name + "}" : std::string();
 }
 
-GDALDatasetH OpenArchive(
-  std::string& name, std::string& part, RasterRecord& record, HeldFiles& held)
+/// Several rasters as one, of which `part` says the site; it becomes empty.
+GDALDatasetH OpenSeveral(const std::string& folder, std::string& part, RasterRecord& record,
+  HeldFiles& held, FolderOpener openFolder)
+{
+  if (!openFolder)
+  {
+    throw RasterError("it is a folder or an archive, not one raster");
+  }
+  GDALDatasetH dataset = openFolder(folder, part, record, held);
+  part.clear();
+  return dataset;
+}
+
+GDALDatasetH OpenArchive(std::string& name, std::string& part, RasterRecord& record,
+  HeldFiles& held, FolderOpener openFolder)
 {
   if (Extension(name) == "gz" && ArchiveFolder(name).empty())
   {
@@ -162,8 +175,7 @@ GDALDatasetH OpenArchive(
   }
   if (rasters.size() > 1)
   {
-    GDALDatasetH dataset = OpenRasterTiles(folder, part, record, held);
-    part.clear();
+    GDALDatasetH dataset = OpenSeveral(folder, part, record, held, openFolder);
     name = folder;
     return dataset;
   }
@@ -327,7 +339,8 @@ const Part& ChoosePart(
 }
 
 /// Any dataset under this name, with or without bands. `part` becomes empty where it was used.
-GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record, HeldFiles& held)
+GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record, HeldFiles& held,
+  FolderOpener openFolder)
 {
   const GDALMessages messages;
   GDALDatasetH dataset = OpenBeside(name, false, record);
@@ -343,11 +356,9 @@ GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record,
       TellOfOthers(name, record);
       name = rasters.front();
       record.Take("file", name, "the one raster in the folder");
-      return OpenAny(name, part, record, held);
+      return OpenAny(name, part, record, held, openFolder);
     }
-    dataset = OpenRasterTiles(name, part, record, held);
-    part.clear();
-    return dataset;
+    return OpenSeveral(name, part, record, held, openFolder);
   }
   if (!dataset && !name.empty())
   {
@@ -355,7 +366,7 @@ GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record,
   }
   if (!dataset)
   {
-    dataset = OpenArchive(name, part, record, held);
+    dataset = OpenArchive(name, part, record, held, openFolder);
   }
   if (!dataset)
   {
@@ -385,8 +396,8 @@ void RegisterDrivers()
 }
 
 //------------------------------------------------------------------------------
-GDALDatasetH OpenRaster(
-  std::string& name, const std::string& wanted, RasterRecord& record, HeldFiles& held)
+GDALDatasetH OpenRaster(std::string& name, const std::string& wanted, RasterRecord& record,
+  HeldFiles& held, FolderOpener openFolder)
 {
   std::string part = wanted;
   RegisterDrivers();
@@ -395,7 +406,7 @@ GDALDatasetH OpenRaster(
   {
     throw RasterError(whyNot);
   }
-  GDALDatasetH dataset = OpenAny(name, part, record, held);
+  GDALDatasetH dataset = OpenAny(name, part, record, held, openFolder);
   const std::vector<Part> parts = ListParts(dataset);
   if (GDALGetRasterCount(dataset) > 0 && (part.empty() || parts.empty()))
   {

@@ -3,12 +3,8 @@
 #include "raster/RasterTile.h"
 
 #include "raster/GDALTable.h"
-#include "raster/RasterFile.h"
 #include "raster/RasterMessages.h"
 #include "raster/RasterReference.h"
-#include "raster/RasterTileAlone.h"
-#include "raster/RasterUnits.h"
-#include "raster/Words.h"
 
 #include <algorithm>
 #include <cctype>
@@ -29,19 +25,6 @@ constexpr double kLeastCover = 0.1;
 constexpr double kSiteGap = 2.0;
 // Below this many samples nothing is too empty.
 constexpr double kSmallRaster = 4e6;
-
-std::string FileName(const RasterTile& tile)
-{
-  return CPLGetFilename(tile.Path.c_str());
-}
-
-bool IsColour(GDALDatasetH dataset)
-{
-  const GDALColorInterp color = GDALGetRasterColorInterpretation(GDALGetRasterBand(dataset, 1));
-  return color == GCI_RedBand || color == GCI_PaletteIndex ||
-    (GDALGetRasterCount(dataset) > 2 &&
-      GDALGetRasterDataType(GDALGetRasterBand(dataset, 1)) == GDT_Byte);
-}
 
 double CoveredBy(const std::vector<RasterTile>& tiles, const std::vector<std::size_t>& site)
 {
@@ -73,14 +56,6 @@ bool AreSparse(const std::vector<RasterTile>& tiles)
   }
   const double area = (east - west) * (north - south);
   return covered <= kLeastCover * area && area / cell >= kSmallRaster;
-}
-
-bool IsSamePlace(const RasterTile& tile, const std::array<double, 6>& transform)
-{
-  constexpr double kSame = 1e-6; // of a cell
-  const double step = kSame * tile.GeoTransform[1];
-  return std::equal(transform.begin(), transform.end(), tile.GeoTransform.begin(),
-    [step](double a, double b) { return std::abs(a - b) <= step; });
 }
 
 bool AreNear(const RasterTile& a, const RasterTile& b)
@@ -124,99 +99,6 @@ std::vector<std::vector<std::size_t>> FindSites(const std::vector<RasterTile>& t
   return sites;
 }
 
-/// What GDAL says of a tile.
-void DescribeTile(GDALDatasetH dataset, GDALRasterBandH band, RasterTile& tile)
-{
-  tile.Width = GDALGetRasterXSize(dataset);
-  tile.Height = GDALGetRasterYSize(dataset);
-  tile.Bands = GDALGetRasterCount(dataset);
-  GDALGetBlockSize(band, &tile.Block[0], &tile.Block[1]);
-  tile.Type = GDALGetRasterDataType(band);
-  if (GDALGetGeoTransform(dataset, tile.GeoTransform.data()) != CE_None)
-  {
-    tile.GeoTransform = {};
-  }
-  int given = 0;
-  tile.NoData = GDALGetRasterNoDataValue(band, &given);
-  tile.HasNoData = given != 0;
-  const int flags = GDALGetMaskFlags(band);
-  tile.HasMask = (flags & (GMF_ALL_VALID | GMF_NODATA)) == 0;
-  tile.IsColour = IsColour(dataset);
-  const double scale = GDALGetRasterScale(band, &given);
-  tile.BandScale = given && std::isfinite(scale) && scale != 0.0 ? scale : 1.0;
-  const double offset = GDALGetRasterOffset(band, &given);
-  tile.BandOffset = given && std::isfinite(offset) ? offset : 0.0;
-  OGRSpatialReferenceH reference = GDALGetSpatialRef(dataset);
-  HeightFacts facts = FactsOfBand(dataset, band, reference);
-  RasterRecord own;
-  const HeightMeaning meaning = FindHeightMeaning(facts, own);
-  tile.Unit = meaning.Unit;
-  tile.Description = !facts.Description.empty() ? facts.Description
-    : facts.LongName.empty()                    ? facts.Variable
-                                                : facts.LongName;
-  tile.Warnings = own.GetWarnings();
-  tile.Scale = meaning.Factor * tile.BandScale;
-  tile.Offset = meaning.Factor * tile.BandOffset;
-  tile.IsGeographic = reference && OSRIsGeographic(reference);
-  tile.System = HorizontalSystem(reference);
-}
-
-/// What GDAL does not say of the place of a tile, as it is found where the tile is read alone.
-void PlaceAsAlone(RasterTile& tile, bool isArray, HeldFiles& held)
-{
-  RasterFile file(tile.Path);
-  file.SelectBand(0);
-  file.TakeIn(RasterOptions());
-  const RasterLayout& layout = file.GetLayout();
-  // GDAL turns rows that run from the south, the array behind them does not.
-  const bool isAsShown = !isArray ||
-    (IsFromNorth(tile) && layout.HasGeoTransform && IsSamePlace(tile, layout.GeoTransform));
-  if (file.IsReplaced() || file.IsTurned() || !isAsShown || layout.GeoTransform[5] > 0.0)
-  {
-    HoldAsAlone(tile, held);
-    return;
-  }
-  OGRSpatialReferenceH reference = MakeReference(layout.CRS);
-  tile.System = HorizontalSystem(reference);
-  tile.IsGeographic = layout.IsGeographic;
-  if (reference)
-  {
-    OSRRelease(reference);
-  }
-  if (layout.HasGeoTransform)
-  {
-    tile.GeoTransform = layout.GeoTransform;
-  }
-}
-
-/// True if an image has one band that is no colour.
-bool HasPlainBand(const std::string& path)
-{
-  try
-  {
-    RasterFile(path).SelectBand(0);
-    return true;
-  }
-  catch (const RasterError&)
-  {
-    return false;
-  }
-}
-
-/// The data that a file is for which GDAL does not open; empty if there is none.
-std::string DataBehind(const std::string& path)
-{
-  try
-  {
-    const std::string data = FindDataOf(path);
-    return data == path ? std::string() : data;
-  }
-  catch (const RasterError&)
-  {
-    return {};
-  }
-}
-
 void RemoveNamed(
   std::vector<RasterTile>& tiles, const std::vector<bool>& isLeftOut, RasterRecord& record)
 {
@@ -226,7 +108,7 @@ void RemoveNamed(
   {
     if (isLeftOut[k])
     {
-      names.push_back(FileName(tiles[k]));
+      names.push_back(tiles[k].FileName());
     }
     else
     {
@@ -241,6 +123,19 @@ void RemoveNamed(
       ListText(names, kListedTiles) + " (open one alone to see it)");
   }
 }
+}
+
+//------------------------------------------------------------------------------
+std::string RasterTile::FileName() const
+{
+  return CPLGetFilename(this->Path.c_str());
+}
+
+//------------------------------------------------------------------------------
+bool IsFromNorth(const RasterTile& tile)
+{
+  return tile.GeoTransform[1] > 0.0 && tile.GeoTransform[5] < 0.0 && tile.GeoTransform[2] == 0.0 &&
+    tile.GeoTransform[4] == 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -261,55 +156,6 @@ bool IsNamedAsProduct(const std::string& path)
     }
   }
   return name.find("hillshade") != std::string::npos;
-}
-
-//------------------------------------------------------------------------------
-RasterTile ReadRasterTile(const std::string& path, HeldFiles& held)
-{
-  const GDALMessages messages;
-  RasterTile tile;
-  tile.Path = path;
-  GDALDatasetH dataset =
-    GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
-  GDALRasterBandH band =
-    dataset && GDALGetRasterCount(dataset) > 0 ? GDALGetRasterBand(dataset, 1) : nullptr;
-  if (!band)
-  {
-    if (dataset)
-    {
-      GDALClose(dataset);
-    }
-    const std::string data = DataBehind(path);
-    if (!data.empty())
-    {
-      return ReadRasterTile(data, held);
-    }
-    throw RasterError("its tile " + FileName(tile) + " is not a raster that GDAL can open" +
-      (messages.GetFailure().empty() ? "" : " (" + messages.GetFailure() + ")"));
-  }
-  DescribeTile(dataset, band, tile);
-  const std::string format = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
-  GDALClose(dataset);
-  if (format == "XYZ") // whose type is the least that holds its numbers
-  {
-    tile.Type = GDT_Float32;
-  }
-  const bool isText = format == "XYZ" || format == "AAIGrid";
-  const bool isArray = tile.System.empty() && IsOneOf(format, { "netCDF", "Zarr", "HDF5Image" });
-  if (IsNamedAsProduct(path)) // which is left out, or the folder refused for it
-  {
-    return tile;
-  }
-  if (isText || isArray)
-  {
-    PlaceAsAlone(tile, isArray, held);
-  }
-  else if ((tile.GeoTransform != std::array<double, 6>{} && !IsFromNorth(tile)) ||
-    (tile.IsColour && tile.Bands > 1 && HasPlainBand(path)))
-  {
-    HoldAsAlone(tile, held);
-  }
-  return tile;
 }
 
 //------------------------------------------------------------------------------
@@ -335,15 +181,15 @@ void CheckTiles(const std::vector<RasterTile>& tiles)
   {
     if (!IsFromNorth(tile))
     {
-      throw RasterError("its tile " + FileName(tile) +
+      throw RasterError("its tile " + tile.FileName() +
         " has no place, or its rows do not run from the north: make it one of the others' kind "
         "(gdalwarp)");
     }
     if (tile.System != first.System && !IsSameSystem(tile.System, first.System))
     {
       throw RasterError("its " + std::to_string(tiles.size()) +
-        " tiles make no one raster: " + FileName(first) + " is in " + NameOfSystem(first.System) +
-        ", " + FileName(tile) + " in " + NameOfSystem(tile.System) +
+        " tiles make no one raster: " + first.FileName() + " is in " + NameOfSystem(first.System) +
+        ", " + tile.FileName() + " in " + NameOfSystem(tile.System) +
         "; name the CRS of that without one (gdal_translate -a_srs EPSG:N IN OUT.tif), or open "
         "them "
         "one by one");
@@ -420,7 +266,7 @@ void ChooseSite(std::vector<RasterTile>& tiles, const std::string& wanted, Raste
   double most = 0.0;
   for (std::size_t k = 0; k < sites.size(); ++k)
   {
-    names.push_back(std::to_string(k + 1) + " (" + FileName(tiles[sites[k].front()]) + ")");
+    names.push_back(std::to_string(k + 1) + " (" + tiles[sites[k].front()].FileName() + ")");
     const double covered = CoveredBy(tiles, sites[k]);
     if (!isNumber && covered > most * (1.0 + 1e-6))
     {

@@ -8,7 +8,6 @@
 #ifndef vtkTerrain_raster_RasterTile_h
 #define vtkTerrain_raster_RasterTile_h
 
-#include "raster/HeldFiles.h"
 #include "raster/RasterRecord.h"
 
 #include <gdal.h>
@@ -47,6 +46,8 @@ struct RasterTile
   /// Of its unit and sense.
   std::vector<std::string> Warnings;
 
+  /// The last part of the path, for messages.
+  std::string FileName() const;
   double West() const
   {
     return this->GeoTransform[0];
@@ -69,12 +70,11 @@ struct RasterTile
   }
 };
 
+/// True if a tile has a place, its rows run from the north and its columns from the west.
+bool IsFromNorth(const RasterTile& tile);
+
 /// True for names that hold a word of products that are no heights (hillshade, mask, slope, ...).
 bool IsNamedAsProduct(const std::string& path);
-
-/// Opens a tile and looks at what it says; one that GDAL alone does not show as it is read alone is
-/// held in memory. Throws RasterError that names it.
-RasterTile ReadRasterTile(const std::string& path, HeldFiles& held);
 
 /// Leaves out what are no heights: by name, colours, and bytes beside wider types; warns of them.
 void LeaveOutProducts(std::vector<RasterTile>& tiles, RasterRecord& record);

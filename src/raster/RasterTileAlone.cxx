@@ -28,11 +28,6 @@ constexpr double kLikeCells = 0.1;
 // Names that are listed in a message.
 constexpr std::size_t kListedNames = 5;
 
-std::string LastName(const RasterTile& tile)
-{
-  return CPLGetFilename(tile.Path.c_str());
-}
-
 /// Heights in metres row by row from the north, each from the west; NaN for none.
 std::vector<float> HeightsFromNorth(RasterFile& file)
 {
@@ -122,7 +117,7 @@ void CheckHeldSize(const RasterFile& file, const HeldFiles& held)
 
 void HoldInMemory(RasterTile& tile, HeldFiles& held)
 {
-  RasterFile file(tile.Path);
+  RasterFile file(tile.Path, {}, nullptr);
   file.SelectBand(0);
   file.TakeIn(RasterOptions());
   const RasterLayout& layout = file.GetLayout();
@@ -219,7 +214,7 @@ std::vector<double> SnapTo(const RasterTile& other, GDALDatasetH dataset)
 /// True if GDAL's warper knows what of a tile is no height.
 bool SaysItsHoles(const RasterTile& tile)
 {
-  RasterFile file(tile.Path);
+  RasterFile file(tile.Path, {}, nullptr);
   file.SelectBand(0);
   file.TakeIn(RasterOptions());
   const bool isFloat = tile.Type == GDT_Float32 || tile.Type == GDT_Float64;
@@ -230,7 +225,7 @@ bool SaysItsHoles(const RasterTile& tile)
 void BringInto(const RasterTile& first, RasterTile& tile, HeldFiles& held)
 {
   const GDALMessages messages;
-  const std::string name = LastName(tile);
+  const std::string name = tile.FileName();
   if (!SaysItsHoles(tile))
   {
     HoldAsAlone(tile, held);
@@ -261,20 +256,13 @@ void BringInto(const RasterTile& first, RasterTile& tile, HeldFiles& held)
 //------------------------------------------------------------------------------
 std::string FindDataOf(const std::string& path)
 {
-  return RasterFile(path).GetName();
-}
-
-//------------------------------------------------------------------------------
-bool IsFromNorth(const RasterTile& tile)
-{
-  return tile.GeoTransform[1] > 0.0 && tile.GeoTransform[5] < 0.0 && tile.GeoTransform[2] == 0.0 &&
-    tile.GeoTransform[4] == 0.0;
+  return RasterFile(path, {}, nullptr).GetName();
 }
 
 //------------------------------------------------------------------------------
 void HoldAsAlone(RasterTile& tile, HeldFiles& held)
 {
-  const std::string name = LastName(tile);
+  const std::string name = tile.FileName();
   try
   {
     HoldInMemory(tile, held);
@@ -295,7 +283,7 @@ void BringIntoOneSystem(std::vector<RasterTile>& tiles, HeldFiles& held, RasterR
     if (tile.System != first.System && !tile.System.empty() && !first.System.empty() &&
       !IsSameSystem(tile.System, first.System))
     {
-      names.push_back(LastName(tile) + " of " + NameOfSystem(tile.System));
+      names.push_back(tile.FileName() + " of " + NameOfSystem(tile.System));
       BringInto(first, tile, held);
     }
   }
@@ -303,7 +291,7 @@ void BringIntoOneSystem(std::vector<RasterTile>& tiles, HeldFiles& held, RasterR
   {
     record.Warn("its tiles are in several CRSs: " + std::to_string(names.size()) + " of " +
       std::to_string(tiles.size()) + " are resampled into " + NameOfSystem(first.System) +
-      ", in which " + LastName(first) + " is (" + ListText(names, kListedNames) +
+      ", in which " + first.FileName() + " is (" + ListText(names, kListedNames) +
       "); gdalwarp -t_srs CRS -dstnodata -9999 TILES OUT.tif brings all into another");
   }
 }

@@ -20,9 +20,6 @@ namespace terrain
 /// Throws RasterError.
 std::string FindDataOf(const std::string& path);
 
-/// True if a tile has a place, its rows run from the north and its columns from the west.
-bool IsFromNorth(const RasterTile& tile);
-
 /// Reads a tile as it is read alone, into a file in memory of heights in metres whose rows run from
 /// the north. Throws RasterError that names it.
 void HoldAsAlone(RasterTile& tile, HeldFiles& held);

@@ -13,25 +13,18 @@
 #include <gdal.h>
 
 #include <string>
-#include <vector>
 
 namespace terrain
 {
-/// Paths of files with the extensions of usual elevation tiles in a directory or archive and in
-/// those below it, sorted; empty if there are none. Throws RasterError if it cannot be listed.
-std::vector<std::string> FindRasters(const std::string& directory);
-
-/// Warns of files of a directory that may hold rasters and are not looked into.
-void TellOfOthers(const std::string& directory, RasterRecord& record);
-
 /// Opens the rasters of a directory as one virtual raster in memory, at the finest of their
-/// resolutions. They must have one horizontal CRS; tiles on both sides of 180 degrees are joined.
+/// resolutions. Tiles of another horizontal CRS than the first's are resampled into it, with a
+/// warning; tiles on both sides of 180 degrees are joined.
 /// Units, scales, vertical axes and NoData are those of each tile; where they differ the raster is
 /// in metres. Where tiles overlap, the finest counts, of equally fine ones the last by name, and
-/// nothing is blended. Pictures, masks and derivatives (hillshade,
-/// slope) are left out with a warning. Throws RasterError. The caller closes the dataset.
-/// Of tiles at sites far from each other those of one are opened: of the one that covers most, with
-/// a warning, or of the one with the number `site`, from 1 on.
+/// nothing is blended. Pictures, masks and derivatives (hillshade, slope) are left out with a
+/// warning. Of tiles at sites far from each other those of one are opened: of the one that covers
+/// most, with a warning, or of the one with the number `site`, from 1 on. Throws RasterError. The
+/// caller closes the dataset. A FolderOpener (RasterOpen.h).
 GDALDatasetH OpenRasterTiles(
   const std::string& directory, const std::string& site, RasterRecord& record, HeldFiles& held);
 }

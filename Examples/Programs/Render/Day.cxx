@@ -13,28 +13,9 @@
 #include "vtkImageData.h"
 #include "vtkRenderer.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <iostream>
+#include <cstddef>
 #include <string>
 #include <vector>
-
-//------------------------------------------------------------------------------
-std::string PictureName(const std::string& output, std::size_t number, std::size_t count)
-{
-  const std::filesystem::path path(output);
-  const std::size_t digits = std::max<std::size_t>(std::to_string(count).size(), 3);
-  std::string text = std::to_string(number);
-  text.insert(0, digits - text.size(), '0');
-  const std::string name = path.stem().string() + "-" + text + path.extension().string();
-  return (path.parent_path() / name).string();
-}
-
-//------------------------------------------------------------------------------
-void TellName(const std::string& file)
-{
-  std::cout << std::filesystem::absolute(file).lexically_normal().string() << '\n';
-}
 
 //------------------------------------------------------------------------------
 void DrawSuns(

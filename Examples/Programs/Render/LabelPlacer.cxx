@@ -6,12 +6,12 @@
 #include "MarkColors.h"
 #include "Options.h"
 #include "TextSize.h"
-#include "ViewMarks.h"
 
 #include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCoordinate.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -88,6 +88,14 @@ vtkSmartPointer<vtkActor2D> MakeLeader(double x, double low, double high, double
   actor->GetProperty()->SetColor(kDarkMark[0], kDarkMark[1], kDarkMark[2]);
   return actor;
 }
+}
+
+//------------------------------------------------------------------------------
+bool IsInFront(vtkCamera* camera, const double point[3])
+{
+  std::array<double, 3> way{};
+  vtkMath::Subtract(point, camera->GetPosition(), way.data());
+  return vtkMath::Dot(way.data(), camera->GetDirectionOfProjection()) > 0.0;
 }
 
 //------------------------------------------------------------------------------

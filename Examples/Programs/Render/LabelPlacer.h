@@ -82,4 +82,7 @@ private:
   std::vector<std::array<double, 2>> Anchors;
 };
 
+/// True for points in front of the eye; the projection would mirror the others into the picture.
+bool IsInFront(vtkCamera* camera, const double point[3]);
+
 #endif

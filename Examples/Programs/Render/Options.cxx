@@ -3,7 +3,6 @@
 #include "Options.h"
 
 #include "Arguments.h"
-#include "Day.h"
 #include "EmptyValues.h"
 #include "NotNumbers.h"
 #include "Outputs.h"

@@ -174,6 +174,23 @@ void PendingFile::Commit() const
 }
 
 //------------------------------------------------------------------------------
+std::string PictureName(const std::string& output, std::size_t number, std::size_t count)
+{
+  const std::filesystem::path path(output);
+  const std::size_t digits = std::max<std::size_t>(std::to_string(count).size(), 3);
+  std::string text = std::to_string(number);
+  text.insert(0, digits - text.size(), '0');
+  const std::string name = path.stem().string() + "-" + text + path.extension().string();
+  return (path.parent_path() / name).string();
+}
+
+//------------------------------------------------------------------------------
+void TellName(const std::string& file)
+{
+  std::cout << std::filesystem::absolute(file).lexically_normal().string() << '\n';
+}
+
+//------------------------------------------------------------------------------
 bool IsJPEG(const std::string& name)
 {
   const std::string suffix = SuffixOf(name);

@@ -53,6 +53,12 @@ private:
   vtkNew<vtkTerrainOutputFile> File;
 };
 
+/// Name of picture `number`, from 1 on, of so many: "terrain-007.png".
+std::string PictureName(const std::string& output, std::size_t number, std::size_t count);
+
+/// Prints the whole name of a file that has been written.
+void TellName(const std::string& file);
+
 /// True for the name of a JPEG file.
 bool IsJPEG(const std::string& name);
 

@@ -17,9 +17,6 @@ class ProgressBar;
 class Statistics;
 struct Options;
 
-/// What PlaceHeights takes of the progress bar.
-constexpr double kPlaceShare = 0.2;
-
 /// Heights in the coordinates of the scene, and where on earth those are.
 struct PlacedHeights
 {

@@ -13,6 +13,11 @@
 #include <string>
 #include <vector>
 
+/// Shares of the bar that reading, placing and preparing take; 1 in all.
+constexpr double kReadShare = 0.5;
+constexpr double kPlaceShare = 0.2;
+constexpr double kMeshShare = 0.3;
+
 /**
  * A bar on stderr, drawn only if stderr is a terminal. Each algorithm watched fills its share of
  * the bar; shares are in [0, 1] and should add up to 1. The bar is erased when it is destroyed.

@@ -6,7 +6,6 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "Options.h"
-#include "Placing.h"
 #include "Progress.h"
 #include "Statistics.h"
 
@@ -47,10 +46,6 @@
 namespace
 {
 using Techniques = vtkTerrainActor::Techniques;
-
-/// Shares of the progress bar.
-constexpr double kReadShare = 0.5;
-constexpr double kMeshShare = 0.3;
 
 /// Point array of vtkTerrainReproject in round scenes.
 const char* const kPlaceHeight = "PlaceHeight";

@@ -78,14 +78,6 @@ std::vector<vtkSmartPointer<vtkProp>> PropsOf(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-bool IsInFront(vtkCamera* camera, const double point[3])
-{
-  std::array<double, 3> way{};
-  vtkMath::Subtract(point, camera->GetPosition(), way.data());
-  return vtkMath::Dot(way.data(), camera->GetDirectionOfProjection()) > 0.0;
-}
-
-//------------------------------------------------------------------------------
 ViewMarks::ViewMarks(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options)
   : Renderer(renderer)
   , Heights(heights)

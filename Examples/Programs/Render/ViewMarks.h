@@ -88,7 +88,4 @@ private:
   std::vector<vtkSmartPointer<vtkProp>> OfThisView;
 };
 
-/// True for points in front of the eye; the projection would mirror the others into the picture.
-bool IsInFront(vtkCamera* camera, const double point[3]);
-
 #endif

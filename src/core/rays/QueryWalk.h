@@ -8,8 +8,9 @@
 #ifndef terrain_QueryWalk_h
 #define terrain_QueryWalk_h
 
+#include "core/grid/Coordinates.h"
 #include "core/rays/QueryCells.h"
-#include "core/rays/RayQuery.h"
+#include "core/rays/QueryRay.h"
 
 #include <glm/glm.hpp>
 

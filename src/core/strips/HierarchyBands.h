@@ -8,7 +8,7 @@
 #ifndef terrain_HierarchyBands_h
 #define terrain_HierarchyBands_h
 
-#include "core/strips/HierarchyBuild.h"
+#include "core/strips/HierarchyTarget.h"
 #include "core/strips/HierarchyTile.h"
 
 #include <vector>

@@ -35,31 +35,15 @@
 
 #include "core/grid/ParallelFor.h"
 #include "core/strips/Hierarchy.h"
+#include "core/strips/HierarchyTarget.h"
 
 #include <functional>
 #include <string>
 
 namespace terrain
 {
-/// Delivers rows [first, first + count) of the raster, south row of them first, as heights with NaN
-/// where there are none. Is called from one thread, from the north to the south, each row once.
-/// Returns an error message, empty if all is well.
-using HeightRows =
-  std::function<std::string(std::int64_t first, std::int64_t count, float* heights)>;
-
 /// Is told how much is done, 0 to 1; false stops the work.
 using BuildProgress = std::function<bool(double)>;
-
-/// What the preprocess writes to. Both arrays hold Layout.RecordCount() zeroed elements.
-struct HierarchyTarget
-{
-  const HierarchyLayout* Layout = nullptr;
-  GridGeometry Geometry;
-  HierarchyRecord* Records = nullptr;
-  HierarchyGradient* Gradients = nullptr;
-  HierarchySummary Summary;
-  bool KeepsBorder = false;
-};
 
 /// The message of a build that its progress function stopped.
 extern const char* const kBuildAborted;

@@ -8,7 +8,7 @@
 #ifndef terrain_HierarchyNesting_h
 #define terrain_HierarchyNesting_h
 
-#include "core/strips/HierarchyBuild.h"
+#include "core/strips/HierarchyTarget.h"
 
 namespace terrain
 {

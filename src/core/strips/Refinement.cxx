@@ -32,13 +32,6 @@ constexpr double kHeightRounding = 1.0e-6;
 constexpr double kSlantSlack = 1.0e-6;
 }
 
-void StripMesh::Clear()
-{
-  this->Vertices.clear();
-  this->Strip.clear();
-  this->Triangles = 0;
-}
-
 struct Refiner::Work
 {
   Work(

@@ -41,101 +41,16 @@
 #include "core/grid/ParallelFor.h"
 #include "core/strips/DetailHierarchy.h"
 #include "core/strips/Hierarchy.h"
+#include "core/strips/RefinementView.h"
+#include "core/strips/StripMesh.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace terrain
 {
-/// Bounds of the morph, in tolerances; their mean is 1.
-constexpr double kMorphBegin = 0.75;
-constexpr double kMorphEnd = 1.25;
-
-/// Most that a morphing vertex moves on the screen, lambda / d times its vertical movement, while
-/// the eye moves by d / lambda, a pixel in its distance, in tolerances; ancestors that morph with
-/// it add as much each. For d' = d - Radius, rho = Error lambda / (d' tolerance) and m = (kMorphEnd
-/// - rho) / (kMorphEnd - kMorphBegin) the vertex is m c from its place, c <= Error: Error |dm /
-/// dd'| = Error rho / d' / (kMorphEnd - kMorphBegin), and Error / d' = rho tolerance / lambda.
-constexpr double kMorphRate = kMorphEnd * kMorphEnd / (kMorphEnd - kMorphBegin);
-
-/// Deepest depths, counted from the finest, that lazy culling does not test.
-constexpr int kLazyDepths = 6;
-
-/// Where the surface is seen from; positions in model coordinates.
-struct RefinementView
-{
-  glm::dvec3 Eye{ 0.0, 0.0, 0.0 };
-  /// lambda: most pixels of a unit length at unit distance. In the middle of the picture that is
-  /// viewport height / (2 tan(angle / 2)), and 1 / cos^2 as much in its corners, of their angle to
-  /// the middle. For parallel projection pixels of a unit length.
-  double PixelsPerUnit = 1.0;
-  bool Parallel = false;
-  /// Vertical exaggeration, > 0, about height 0 of the grid; see GridGeometry.
-  double Exaggeration = 1.0;
-  /// Factor of the detail's heights, if there is detail, >= 0.
-  double DetailScale = 1.0;
-  /// Half spaces n . p + d >= 0 that are seen; at most 8.
-  std::vector<glm::dvec4> Planes;
-};
-
-enum class RefinementMethod
-{
-  Plain,
-  Improved
-};
-
-enum class CullingMethod
-{
-  None,
-  Nested,
-  Lazy
-};
-
-struct RefinementOptions
-{
-  /// Largest screen-space error in pixels, > 0.
-  double Tolerance = 1.0;
-  /// Largest number of triangles, 0 = any; the tolerance is raised until they suffice, but four
-  /// triangles are always left.
-  std::int64_t TriangleBudget = 0;
-  RefinementMethod Method = RefinementMethod::Improved;
-  CullingMethod Culling = CullingMethod::Nested;
-  bool Morphing = false;
-};
-
-/// One vertex of a refined mesh: a sample of the raster, or with detail of the sum.
-struct StripVertex
-{
-  /// In cells; with detail in detail cells.
-  std::uint32_t Column = 0;
-  std::uint32_t Row = 0;
-  /// Height of the sample, and what the morph adds to it, both without exaggeration.
-  float Height = 0.0f;
-  float Displacement = 0.0f;
-  /// Record of the vertex; NoRecord + corner for the corners of the square, BelowSamples for
-  /// vertices that are no samples of the base.
-  std::uint32_t Record = 0;
-
-  static constexpr std::uint32_t NoRecord = 0xfffffff0u;
-  static constexpr std::uint32_t BelowSamples = 0xfffffff8u;
-};
-
-/// A generalized triangle strip: each index makes a triangle with the two before it, every second
-/// one turned round; those with an index twice are degenerate. Seen from above the others are
-/// counter-clockwise.
-struct StripMesh
-{
-  std::vector<StripVertex> Vertices;
-  std::vector<std::uint32_t> Strip;
-  /// Triangles that are not degenerate.
-  std::int64_t Triangles = 0;
-  /// The tolerance that was kept: that of the options, or what the budget allowed.
-  double Tolerance = 0.0;
-
-  void Clear();
-};
-
 /// Refines one hierarchy again and again. The view must stay valid; use from one thread at a time.
 class Refiner
 {

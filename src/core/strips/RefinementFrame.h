@@ -8,10 +8,14 @@
 #ifndef terrain_RefinementFrame_h
 #define terrain_RefinementFrame_h
 
-#include "core/strips/Refinement.h"
+#include "core/strips/HierarchyRecord.h"
 #include "core/strips/RefinementDetail.h"
+#include "core/strips/StripMesh.h"
+
+#include <glm/glm.hpp>
 
 #include <array>
+#include <cstdint>
 
 /// The compiler's own choice leaves the small functions of the inner loop as calls, and takes rare
 /// work into it.

@@ -8,6 +8,7 @@
 #define terrain_RefinementVertex_h
 
 #include "core/strips/RefinementFrame.h"
+#include "core/strips/RefinementView.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #define terrain_TileFileHeader_h
 
 #include "core/grid/Checksum.h"
-#include "core/surface/TileFile.h"
+#include "core/surface/TileFileContent.h"
 
 #include <cstddef>
 #include <cstdint>
