@@ -16,7 +16,6 @@
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
@@ -28,14 +27,12 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
-#include <initializer_list>
 #include <new>
 #include <numeric>
 #include <sstream>
@@ -92,30 +89,6 @@ terrain::RasterFindings ReadSamples(const vtkTerrainRasterPlan& plan, void* samp
       return read(0.0);
   }
 }
-
-void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& text : texts)
-  {
-    array->InsertNextValue(text);
-  }
-  if (array->GetNumberOfValues() > 0)
-  {
-    fields->AddArray(array);
-  }
-}
-
-void AddNumbers(vtkFieldData* fields, const char* name, std::initializer_list<double> numbers)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(numbers.size()));
-  array->InsertNextTuple(numbers.begin());
-  fields->AddArray(array);
-}
-
 }
 
 vtkStandardNewMacro(vtkTerrainRasterReader);
@@ -295,8 +268,7 @@ std::shared_ptr<vtkTerrainRasterPlan> vtkTerrainRasterReader::Open() const
   auto plan = std::make_shared<vtkTerrainRasterPlan>();
   plan->File = this->Internals->Samples
     ? std::make_unique<terrain::RasterFile>(terrain::MemoryOf(this->Internals->Samples))
-    : std::make_unique<terrain::RasterFile>(
-        this->FileName, this->Part, terrain::OpenRasterTiles);
+    : std::make_unique<terrain::RasterFile>(this->FileName, this->Part, terrain::OpenRasterTiles);
   return plan;
 }
 
@@ -548,25 +520,27 @@ void vtkTerrainRasterReader::Read(vtkTerrainRasterPlan& plan, vtkImageData* imag
 //------------------------------------------------------------------------------
 void vtkTerrainRasterReader::AddFieldData(vtkTerrainRasterPlan& plan, vtkImageData* image) const
 {
-  vtkFieldData* fields = image->GetFieldData();
+  namespace FieldData = terrain::FieldData;
   const terrain::RasterWindow& window = plan.Request.Window;
-  terrain::FieldData::AddText(image, "FileName", this->FileName);
-  terrain::FieldData::AddText(image, "CRS", plan.Layout.CRS);
-  terrain::FieldData::AddText(image, "VerticalUnit", plan.VerticalUnit);
-  AddTexts(fields, "Record", plan.File->GetRecord().GetLines());
-  AddTexts(fields, "Warnings", this->Internals->ListWarnings(this->WarningMessage));
-  AddNumbers(fields, "VerticalScale", { plan.VerticalScale });
-  AddNumbers(fields, "RasterSize",
+  FieldData::AddText(image, "FileName", this->FileName);
+  FieldData::AddText(image, "CRS", plan.Layout.CRS);
+  FieldData::AddText(image, "VerticalUnit", plan.VerticalUnit);
+  FieldData::AddTexts(image, "Record", plan.File->GetRecord().GetLines());
+  FieldData::AddTexts(image, "Warnings", this->Internals->ListWarnings(this->WarningMessage));
+  FieldData::AddTuple(image, "VerticalScale", { plan.VerticalScale });
+  FieldData::AddTuple(image, "RasterSize",
     { static_cast<double>(plan.File->GetWidth()), static_cast<double>(plan.File->GetHeight()) });
-  AddNumbers(fields, "RasterWindow",
+  FieldData::AddTuple(image, "RasterWindow",
     { static_cast<double>(window.X), static_cast<double>(window.Y),
       static_cast<double>(window.Width), static_cast<double>(window.Height) });
   if (plan.Layout.HasGeoTransform)
   {
     const std::array<double, 6>& t = plan.Layout.GeoTransform;
-    AddNumbers(fields, "GeoTransform", { t[0], t[1], t[2], t[3], t[4], t[5] });
-    AddNumbers(fields, "LayoutOrigin", { plan.Layout.Origin[0], plan.Layout.Origin[1] });
-    AddNumbers(fields, "LayoutScale", { plan.Layout.Scale[0], plan.Layout.Scale[1] });
+    FieldData::AddTuple(image, "GeoTransform", { t.begin(), t.end() });
+    FieldData::AddTuple(
+      image, "LayoutOrigin", { plan.Layout.Origin.begin(), plan.Layout.Origin.end() });
+    FieldData::AddTuple(
+      image, "LayoutScale", { plan.Layout.Scale.begin(), plan.Layout.Scale.end() });
   }
 }
 

@@ -375,13 +375,13 @@ void vtkTerrainReproject::AddFieldData(vtkImageData* output) const
   {
     terrain::FieldData::AddText(output, "CRS", wkt);
   }
-  terrain::FieldData::AddNumbers(output, "GeoTransform",
+  terrain::FieldData::AddTuple(output, "GeoTransform",
     { internals.Origin[0] - 0.5 * s, s, 0.0, internals.Origin[1] + (height - 0.5) * s, 0.0, -s });
-  terrain::FieldData::AddNumbers(output, "RasterSize", { width, height });
-  terrain::FieldData::AddNumbers(output, "LayoutOrigin", { 0.0, 0.0 });
-  terrain::FieldData::AddNumbers(output, "LayoutScale", { 1.0, 1.0 });
+  terrain::FieldData::AddTuple(output, "RasterSize", { width, height });
+  terrain::FieldData::AddTuple(output, "LayoutOrigin", { 0.0, 0.0 });
+  terrain::FieldData::AddTuple(output, "LayoutScale", { 1.0, 1.0 });
   terrain::FieldData::AddText(output, "VerticalUnit", "metre");
-  terrain::FieldData::AddNumbers(output, "VerticalScale", { 1.0 });
+  terrain::FieldData::AddTuple(output, "VerticalScale", { 1.0 });
 }
 
 int vtkTerrainReproject::RequestData(

@@ -26,7 +26,8 @@ inline std::string GetText(vtkImageData* image, const char* name)
   return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : std::string();
 }
 
-/// Two doubles of a field array, if it exists.
+/// The first two doubles of a field array; false if it is not there. Files of earlier versions have
+/// them as two tuples.
 inline bool GetPair(vtkImageData* image, const char* name, double pair[2])
 {
   vtkDataArray* array = image->GetFieldData()->GetArray(name);
@@ -61,28 +62,39 @@ inline Layout GetLayout(vtkImageData* image)
   return layout;
 }
 
-inline void AddNumbers(vtkImageData* image, const char* name, const std::vector<double>& values)
+/// Adds numbers that belong together, as a pair or a transform, as one tuple.
+inline void AddTuple(vtkImageData* image, const char* name, const std::vector<double>& values)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
-  for (double value : values)
-  {
-    array->InsertNextValue(value);
-  }
+  array->SetNumberOfComponents(static_cast<int>(values.size()));
+  array->InsertNextTuple(values.data());
   image->GetFieldData()->AddArray(array);
 }
 
-/// Adds nothing for an empty text.
-inline void AddText(vtkImageData* image, const char* name, const std::string& text)
+/// Adds a list of texts; nothing if it is empty.
+inline void AddTexts(vtkImageData* image, const char* name, const std::vector<std::string>& texts)
 {
-  if (text.empty())
+  if (texts.empty())
   {
     return;
   }
   vtkNew<vtkStringArray> array;
   array->SetName(name);
-  array->InsertNextValue(text);
+  for (const std::string& text : texts)
+  {
+    array->InsertNextValue(text);
+  }
   image->GetFieldData()->AddArray(array);
+}
+
+/// Adds a text; nothing if it is empty.
+inline void AddText(vtkImageData* image, const char* name, const std::string& text)
+{
+  if (!text.empty())
+  {
+    AddTexts(image, name, { text });
+  }
 }
 }
 #endif

@@ -50,15 +50,15 @@ inline std::unique_ptr<GlobeGrid> Get(vtkImageData* image)
 
 inline void Add(vtkImageData* image, const GlobeGrid& grid)
 {
-  FieldData::AddNumbers(image, "GlobeRadii", { grid.Body.Equatorial, grid.Body.Polar });
-  FieldData::AddNumbers(image, "GlobeLongitudes", { grid.West / kDegree, grid.Step / kDegree });
-  std::vector<double> latitudes;
-  latitudes.reserve(grid.Latitudes.size());
+  FieldData::AddTuple(image, "GlobeRadii", { grid.Body.Equatorial, grid.Body.Polar });
+  FieldData::AddTuple(image, "GlobeLongitudes", { grid.West / kDegree, grid.Step / kDegree });
+  vtkNew<vtkDoubleArray> latitudes; // a row a tuple
+  latitudes->SetName("GlobeLatitudes");
   for (const double latitude : grid.Latitudes)
   {
-    latitudes.push_back(latitude / kDegree);
+    latitudes->InsertNextValue(latitude / kDegree);
   }
-  FieldData::AddNumbers(image, "GlobeLatitudes", latitudes);
+  image->GetFieldData()->AddArray(latitudes);
 }
 }
 #endif

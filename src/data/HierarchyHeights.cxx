@@ -77,8 +77,8 @@ std::string CopyHeights(const HierarchyData& data, const int extent[6], vtkImage
   {
     const glm::dvec2& origin = data.Placing.LayoutOrigin;
     const glm::dvec2& scale = data.Placing.LayoutScale;
-    FieldData::AddNumbers(heights, "LayoutOrigin", { origin.x, origin.y });
-    FieldData::AddNumbers(heights, "LayoutScale", { scale.x, scale.y });
+    FieldData::AddTuple(heights, "LayoutOrigin", { origin.x, origin.y });
+    FieldData::AddTuple(heights, "LayoutScale", { scale.x, scale.y });
   }
   return {};
 }
