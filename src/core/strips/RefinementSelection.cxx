@@ -150,7 +150,7 @@ void RefinementSelection::BeginSquare(const SquareSites& square)
   this->SetCount(Centre + 1);
 }
 
-/// Makes room for what a chunk of vertices finds.
+/// Makes room for what a batch of vertices finds.
 void RefinementSelection::Reserve()
 {
   this->Vertices.Reserve();
@@ -165,14 +165,14 @@ template <typename Site, bool IsBelow>
 void RefinementSelection::SelectDepth(int depth, std::uint32_t first, std::uint32_t last)
 {
   std::array<Found<Site>, MostFound> found;
-  for (; first < last; first += Chunk)
+  for (; first < last; first += Batch)
   {
     if (this->Counts && this->Counts->AreEnough())
     {
       return;
     }
     this->Reserve();
-    const std::uint32_t candidates = this->FindCandidates(first, std::min(first + Chunk, last));
+    const std::uint32_t candidates = this->FindCandidates(first, std::min(first + Batch, last));
     this->Locate<IsBelow>(depth, candidates);
     const std::uint32_t count = this->Test<Site, IsBelow>(depth, candidates, found.data());
     this->Take<Site, IsBelow>(depth, found.data(), count);
@@ -296,6 +296,21 @@ TERRAIN_INLINE bool RefinementSelection::TestBelow(Found<DetailVertexSite>& site
   return (int(IsDetailNeeded(frame, height, site)) & int(isDrawn)) != 0;
 }
 
+/// True if a vertex found by the links a and b is not culled. Keeps the planes that those which are
+/// found from it are tested against, as those of vertex `number`.
+template <typename Site>
+TERRAIN_INLINE bool RefinementSelection::IsSeen(const DepthTable& table, const Found<Site>& site,
+  std::uint32_t a, std::uint32_t b, std::uint32_t number)
+{
+  std::uint32_t mask = this->Masks[a >> 1] & this->Masks[b >> 1];
+  if ((mask & table.PlaneMask) != 0 && IsCulled<Site>(*this->Frame, site, mask))
+  {
+    return false;
+  }
+  this->Masks[number] = static_cast<std::uint8_t>(mask);
+  return true;
+}
+
 /// Takes the vertices that are not culled.
 template <typename Site, bool IsBelow>
 void RefinementSelection::Take(int depth, Found<Site>* found, std::uint32_t count)
@@ -316,14 +331,9 @@ void RefinementSelection::Take(int depth, Found<Site>* found, std::uint32_t coun
     const std::uint32_t k = site.At.From & 3;
     const std::uint32_t a = links[2 * v + (k >> 1)][k & 1];
     const std::uint32_t b = links[2 * v + (((k + 3) & 3) >> 1)][(k + 3) & 1];
-    if (culls)
+    if (culls && !this->IsSeen<Site>(table, site, a, b, number))
     {
-      std::uint32_t mask = this->Masks[a >> 1] & this->Masks[b >> 1];
-      if ((mask & table.PlaneMask) != 0 && IsCulled<Site>(frame, site, mask))
-      {
-        continue;
-      }
-      this->Masks[number] = static_cast<std::uint8_t>(mask);
+      continue;
     }
     const std::uint32_t corner = nodes[v].Corners[k];
     const std::uint32_t turn = (nodes[v].Turn + k) & 3;

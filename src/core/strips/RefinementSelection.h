@@ -105,9 +105,9 @@ private:
     float Twist;
   };
   /// Vertices at a time, for what is known of them to stay in the first cache.
-  static constexpr std::uint32_t Chunk = 64;
+  static constexpr std::uint32_t Batch = 64;
   /// Vertices that are found from them at most.
-  static constexpr std::size_t MostFound = std::size_t{ 4 } * Chunk;
+  static constexpr std::size_t MostFound = std::size_t{ 4 } * Batch;
 
   void Select(const RefinementFrame& frame, const SquareSites& square);
   void BeginSquare(const SquareSites& square);
@@ -118,6 +118,9 @@ private:
   void Locate(int depth, std::uint32_t count);
   template <typename Site, bool IsBelow>
   std::uint32_t Test(int depth, std::uint32_t count, Found<Site>* found);
+  template <typename Site>
+  bool IsSeen(const DepthTable& table, const Found<Site>& site, std::uint32_t a, std::uint32_t b,
+    std::uint32_t number);
   template <typename Site, bool IsBelow>
   void Take(int depth, Found<Site>* found, std::uint32_t count);
   bool TestBelow(Found<DetailVertexSite>& site) const;
