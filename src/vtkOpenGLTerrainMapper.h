@@ -40,12 +40,17 @@
  * Changes: colours and their sources, contours, hillshade, crossings, flat normals, culling, the
  * places of clipping planes and extracts, exaggeration and the steps of searches are uniforms: the
  * next frame takes as long as any. Another program is built the first time that something needs
- * one: the first paint of any kind, the first clipping plane or extract, drapes, textures and kinds
- * of material, other numbers and kinds of lights, render passes, translucency, columns, a pixel
- * tolerance, blocks, techniques, the eye in the box of the terrain, detail, heights of another
- * format, depth offsets, selection. That takes 0.4 to 0.7 s in software rendering (7 to 11 frames
- * of 640 x 360 pixels and 4096 x 4096 samples), and the program is kept: from the second time on,
- * such a change costs no more than a frame, either. A first array is uploaded: 3 to 4 frames.
+ * one:
+ *
+ *   of the surface: a technique, columns, blocks, detail, a pixel tolerance, heights of another
+ *     format, the first clipping plane or extract, the eye in the box of the terrain;
+ *   of its colours: the first paint of any kind, drapes, textures, kinds of material;
+ *   of the scene: other numbers and kinds of lights, render passes, translucency, depth offsets,
+ *     selection.
+ *
+ * Building takes 0.4 to 0.7 s in software rendering (7 to 11 frames of 640 x 360 pixels and 4096 x
+ * 4096 samples). The program is kept: from the second time on, such a change costs no more than a
+ * frame. A first array is uploaded, which takes as long as 3 to 4 frames.
  *
  * Limits: heights up to the driver's largest texture (16384 samples a side on Mesa), or of any size
  * by SetTileSource. Direction matrices are refused. Lines and points of port 0 are drawn as always.

@@ -42,7 +42,7 @@ public:
   ///@}
 
   ///@{
-  /// Highest minus lowest height, >= 0; default 1.
+  /// Highest minus lowest height, in the unit of heights, >= 0; default 1.
   vtkSetClampMacro(Relief, double, 0.0, 1e9);
   vtkGetMacro(Relief, double);
   ///@}

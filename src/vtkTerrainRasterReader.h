@@ -62,12 +62,14 @@
  *
  * A directory, or an archive of several rasters, is read as one raster of the tiles in it and in
  * folders below (.tif .tiff .hgt .dem .asc .img .dt0 to .dt2 .bil .bip .bsq .flt .grd .jp2 .sdat
- * .nc .xyz .bag .bt .cub .gxf .grb .grib .grib2 .hf2 .mtw .ntf .rst .sigdem). They must have one
- * horizontal CRS; unit, scale, sense and NoData are each tile's own, tiles on both sides of 180
- * degrees are joined, between tiles are no data. Where they overlap the finest counts, of equally
- * fine ones the last by name. Pictures, masks and derivatives (hillshade, slope) are left out with
- * a warning. Of tiles at sites far from each other those of one are read: of the one that covers
- * most, with a warning, or of the one whose number SetPart names.
+ * .nc .xyz .bag .bt .cub .gxf .grb .grib .grib2 .hf2 .mtw .ntf .rst .sigdem). Its horizontal CRS is
+ * that of the first tile: tiles of others are resampled into it, with a warning. A tile without a
+ * CRS beside such that have one is an error. Unit, scale, sense and NoData are each tile's own.
+ * Tiles on both sides of 180 degrees are joined. Between tiles there is no data. Where tiles
+ * overlap, the finest counts, of equally fine ones the last by name. Pictures, masks and
+ * derivatives (hillshade, slope) are left out, with a warning. Of tiles at sites far from each
+ * other those of one are read: of the one that covers most, with a warning, or of the one whose
+ * number SetPart names.
  *
  * A file of terrain-prepare, recognized by its content, is read like a raster: the heights as float
  * with NaN for no data, whole or in the pipeline's pieces, with FileName, CRS, LayoutOrigin,

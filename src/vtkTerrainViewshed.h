@@ -92,7 +92,9 @@ public:
   ///@}
 
   ///@{
-  /// As vtkTerrainHorizon's. Defaults: off, 0.13, 6371008.8.
+  /// Whether the ground falls away with the distance, the share of it that refraction takes back (0
+  /// to 1), and the planet's radius in metres, as vtkTerrainHorizon's. Defaults: off, 0.13,
+  /// 6371008.8.
   vtkSetMacro(Curvature, bool);
   vtkGetMacro(Curvature, bool);
   vtkBooleanMacro(Curvature, bool);
