@@ -13,6 +13,7 @@ cxx=$(git ls-files '*.h' '*.cxx')
 glsl=$(git ls-files '*.glsl')
 python=$(git ls-files '*.py')
 maximum_lines=600
+maximum_function=60
 
 # shellcheck disable=SC2086 # file names here have no spaces
 clang-format-16 --dry-run -Werror $cxx || failed=1
@@ -21,6 +22,29 @@ for file in $cxx $glsl $python; do
   grep -q 'SPDX-License-Identifier: BSD-3-Clause' "$file" || offence "$file: no SPDX licence line"
   lines=$(wc -l <"$file")
   [ "$lines" -le "$maximum_lines" ] || offence "$file: $lines lines, at most $maximum_lines"
+done
+# From the line that begins with its type to the brace at its end.
+# shellcheck disable=SC2086
+long=$(awk -v most="$maximum_function" '
+  FNR == 1 { head = 0; open = 0 }
+  /^[A-Za-z_]/ { head = FNR }
+  /^(namespace|struct|class|enum|union|extern)/ { head = 0 }
+  /^\{$/ { open = head }
+  /^\}/ {
+    if (open && FNR - open + 1 > most) print FILENAME ":" open ": " FNR - open + 1 " lines, at most " most
+    open = 0
+    head = 0
+  }' $cxx $glsl)
+[ -z "$long" ] || offence "$long"
+# Prose of the pages; tables, code and lines of links are as long as they are.
+for file in $(git ls-files '*.md'); do
+  if awk -v name="$file" '
+    /^```/ { code = !code }
+    !code && !/^\|/ && !/^!?\[/ && length($0) > 132 {
+      print name ":" FNR ": " length($0) " columns, at most 132"
+    }' "$file" | grep . >&2; then
+    failed=1
+  fi
 done
 # clang-format leaves comments alone, for it would run the rows of tables together, and shaders too.
 # shellcheck disable=SC2086
@@ -75,14 +99,54 @@ for file in $(git ls-files 'src/*/*.h' 'src/*/*.cxx'); do
     part=
   done
 done
+# Names (docs/architecture.md): functions begin with a capital, constants of a file with k.
+# shellcheck disable=SC2046
+names=$(awk '
+  FNR == 1 { head = "" }
+  /^[A-Za-z_]/ { head = $0 }
+  /^\{$/ {
+    sub(/\(.*/, "", head)
+    count = split(head, words, /[ *&]/)
+    if (head !~ /^(namespace|struct|class|enum|union|extern)/ && words[count] ~ /^[a-z][A-Za-z0-9]*$/ &&
+      words[count] !~ /^(main|vtk.*)$/) print FILENAME ": " words[count] "() begins with a capital"
+  }
+  /^(inline |static )*const(expr)? [^;(]*[={[]/ && !/^const char\* [A-Z]/ {
+    name = $0
+    sub(/ ?[={[].*/, "", name)
+    sub(/.*[ *&]/, "", name)
+    if (name !~ /^k[A-Z]/) print FILENAME ": " name " begins with k, as constants do"
+  }' $(git ls-files 'src/*.h' 'src/*.cxx' 'Examples/*.h' 'Examples/*.cxx' 'Module/*.h' 'Module/*.cxx'))
+[ -z "$names" ] || offence "$names"
+# Files include one another in no circle. A header and its .cxx count as one, and so do a class and
+# the header of its private half (XxxInternals.h), which defines a class within it.
+# shellcheck disable=SC2086
+circles=$(echo "$cxx" | awk '
+  function unit(file) {
+    sub(/\.(h|cxx)$/, "", file)
+    if (sub(/Internals$/, "", file)) sub(/.*\//, "src/vtkTerrain", file)
+    return file
+  }
+  NR == FNR { known[$1] = 1; next }
+  /^ *# *include "/ {
+    split($0, part, "\"")
+    folder = FILENAME
+    sub(/[^\/]*$/, "", folder)
+    count = split("src/ Examples/Programs/Common/ " folder, folders, " ")
+    for (k = 1; k <= count; ++k)
+      if ((folders[k] part[2]) in known && unit(folders[k] part[2]) != unit(FILENAME))
+        print unit(FILENAME), unit(folders[k] part[2])
+  }' - $cxx | tsort 2>&1 >/dev/null) || true
+[ -z "$circles" ] || offence "these include one another in a circle:
+$circles"
 # Core's own rooms, in the order in which they stand on one another: none includes a later one.
 core_rooms_for()
 {
   case $1 in
     grid | files | colors) echo "$1" ;;
     surface | place | mesh | landscape) echo "grid $1" ;;
-    rays | strips) echo "grid files surface $1" ;;
-    globe) echo "grid files surface place rays $1" ;;
+    rays) echo "grid surface $1" ;;
+    strips) echo "grid files surface $1" ;;
+    globe) echo "grid surface place rays $1" ;;
     *) echo "src/core/$1 is no room that Testing/check-sources.sh knows" >&2 ;;
   esac
 }
