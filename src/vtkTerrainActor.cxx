@@ -39,7 +39,7 @@ namespace
 {
 /// True if some cell has a surface. Cost: up to the first such cell.
 template <typename T>
-bool hasSurface(const terrain::HeightfieldView<T>& view)
+bool HoldsSurface(const terrain::HeightfieldView<T>& view)
 {
   for (std::int64_t j = 0; j + 1 < view.Height; ++j)
   {
@@ -228,7 +228,7 @@ bool vtkTerrainActor::HasSurface()
   if (terrain::ImageHeights::WhyNotHeights(heights).empty())
   {
     terrain::ImageHeights::Dispatch(
-      heights, [&found](const auto& view) { found = hasSurface(view); });
+      heights, [&found](const auto& view) { found = HoldsSurface(view); });
   }
   return found;
 }

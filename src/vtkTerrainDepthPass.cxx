@@ -32,7 +32,7 @@ vtkStandardNewMacro(vtkTerrainDepthPass);
 namespace
 {
 /// What the buffer holds where nothing is drawn; no distance is as low.
-constexpr float Nothing = std::numeric_limits<float>::lowest();
+constexpr float kNothing = std::numeric_limits<float>::lowest();
 }
 
 class vtkTerrainDepthPass::vtkInternals
@@ -130,7 +130,7 @@ void vtkTerrainDepthPass::Render(const vtkRenderState* state)
   gl->vtkglEnable(GL_DEPTH_TEST);
   gl->vtkglDepthMask(GL_TRUE);
   gl->vtkglClearDepth(1.0);
-  const std::array<float, 4> nothing{ Nothing, 0.0f, 0.0f, 0.0f };
+  const std::array<float, 4> nothing{ kNothing, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, nothing.data());
   gl->vtkglClear(GL_DEPTH_BUFFER_BIT);
 
@@ -158,7 +158,7 @@ void vtkTerrainDepthPass::Download(int width, int height)
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, distances->GetPointer(0));
   float* values = distances->GetPointer(0);
-  std::replace(values, values + distances->GetNumberOfValues(), Nothing,
+  std::replace(values, values + distances->GetNumberOfValues(), kNothing,
     std::numeric_limits<float>::quiet_NaN());
   vtkImageData* image = this->Internals->Distances;
   image->SetDimensions(width, height, 1);

@@ -250,7 +250,7 @@ std::string vtkTerrainGeoreference::GetSceneCoordinateSystem()
 // Points.
 
 template <typename Function>
-bool vtkTerrainGeoreference::Chunked(
+bool vtkTerrainGeoreference::InBatches(
   const double* in, double* out, vtkIdType count, bool needsPlaces, Function&& function)
 {
   this->Prepare();
@@ -288,7 +288,7 @@ void vtkTerrainGeoreference::ConvertHeights(double* places, vtkIdType count, boo
 
 bool vtkTerrainGeoreference::FileToPlaces(const double* file, double* places, vtkIdType count)
 {
-  return this->Chunked(file, places, count, true,
+  return this->InBatches(file, places, count, true,
     [this](double* points, vtkIdType size)
     {
       this->Internals->System.ToPlaces(points, size);
@@ -302,7 +302,7 @@ bool vtkTerrainGeoreference::FileToPlaces(const double* file, double* places, vt
 
 bool vtkTerrainGeoreference::PlacesToFile(const double* places, double* file, vtkIdType count)
 {
-  return this->Chunked(places, file, count, true,
+  return this->InBatches(places, file, count, true,
     [this](double* points, vtkIdType size)
     {
       this->ConvertHeights(points, size, false);
@@ -316,7 +316,7 @@ bool vtkTerrainGeoreference::PlacesToFile(const double* places, double* file, vt
 
 bool vtkTerrainGeoreference::PlacesToScene(const double* places, double* scene, vtkIdType count)
 {
-  return this->Chunked(places, scene, count, true,
+  return this->InBatches(places, scene, count, true,
     [this](double* points, vtkIdType size)
     {
       const vtkInternals& internals = *this->Internals;
@@ -341,7 +341,7 @@ bool vtkTerrainGeoreference::PlacesToScene(const double* places, double* scene, 
 
 bool vtkTerrainGeoreference::SceneToPlaces(const double* scene, double* places, vtkIdType count)
 {
-  return this->Chunked(scene, places, count, true,
+  return this->InBatches(scene, places, count, true,
     [this](double* points, vtkIdType size)
     {
       const vtkInternals& internals = *this->Internals;
@@ -371,7 +371,7 @@ bool vtkTerrainGeoreference::FileToScene(const double* file, double* scene, vtkI
   {
     return this->FileToPlaces(file, scene, count) && this->PlacesToScene(scene, scene, count);
   }
-  return this->Chunked(file, scene, count, false,
+  return this->InBatches(file, scene, count, false,
     [&internals](double* points, vtkIdType size)
     {
       for (vtkIdType i = 0; i < size; ++i)
@@ -390,7 +390,7 @@ bool vtkTerrainGeoreference::SceneToFile(const double* scene, double* file, vtkI
   {
     return this->SceneToPlaces(scene, file, count) && this->PlacesToFile(file, file, count);
   }
-  return this->Chunked(scene, file, count, false,
+  return this->InBatches(scene, file, count, false,
     [&internals](double* points, vtkIdType size)
     {
       for (vtkIdType i = 0; i < size; ++i)

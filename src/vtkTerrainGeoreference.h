@@ -265,7 +265,7 @@ private:
   std::string WhyNoFrame();
   std::string PlaceFrame();
   template <typename Function>
-  bool Chunked(
+  bool InBatches(
     const double* in, double* out, vtkIdType count, bool needsPlaces, Function&& function);
 
   std::string CoordinateSystem;

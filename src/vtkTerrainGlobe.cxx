@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkTerrainGlobe);
 namespace
 {
 /// The lowest height that is to be seen; hidden samples may hold any number. NaN if there is none.
-double lowestSeen(vtkImageData* heights)
+double LowestSeen(vtkImageData* heights)
 {
   double lowest = terrain::kNaN;
   terrain::ImageHeights::Dispatch(heights,
@@ -102,7 +102,7 @@ int vtkTerrainGlobe::RequestData(
     return this->Fail(output, plan.WhyNot);
   }
   const terrain::Ellipsoid& body = plan.Grid.Body;
-  const bool radii = lowestSeen(heights) > 0.5 * body.Polar;
+  const bool radii = LowestSeen(heights) > 0.5 * body.Polar;
   if (radii && body.Flattening() > 0.0)
   {
     return this->Fail(output,

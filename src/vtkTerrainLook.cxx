@@ -16,7 +16,7 @@ vtkStandardNewMacro(vtkTerrainLook);
 namespace
 {
 template <typename Value>
-void printSetting(ostream& os, vtkIndent indent, const char* name, const Value& value)
+void PrintSetting(ostream& os, vtkIndent indent, const char* name, const Value& value)
 {
   os << indent << name << ": ";
   if constexpr (std::is_enum_v<Value>)
@@ -29,7 +29,7 @@ void printSetting(ostream& os, vtkIndent indent, const char* name, const Value& 
   }
 }
 
-void printSetting(
+void PrintSetting(
   ostream& os, vtkIndent indent, const char* name, const std::array<double, 4>& values)
 {
   os << indent << name << ": " << values[0] << " " << values[1] << " " << values[2] << " "
@@ -41,7 +41,7 @@ void printSetting(
 void vtkTerrainLook::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-#define vtkTerrainPrintMacro(Name) printSetting(os, indent, #Name, this->Values.Name)
+#define vtkTerrainPrintMacro(Name) PrintSetting(os, indent, #Name, this->Values.Name)
   vtkTerrainPrintMacro(Technique);
   vtkTerrainPrintMacro(VerticalExaggeration);
   vtkTerrainPrintMacro(DetailCells);

@@ -71,7 +71,7 @@ private:
 
 /// What a mapper cuts away of its surface: all but the drawn rectangle and the block below it, and
 /// what clipping planes cut off.
-void readPlanes(vtkOpenGLTerrainMapper* mapper, vtkMatrix4x4* modelToWorld, ShownTerrain& shown)
+void ReadPlanes(vtkOpenGLTerrainMapper* mapper, vtkMatrix4x4* modelToWorld, ShownTerrain& shown)
 {
   terrain::Surface& surface = shown.Surface;
   const double* bounds = mapper->GetBounds();
@@ -94,7 +94,7 @@ void readPlanes(vtkOpenGLTerrainMapper* mapper, vtkMatrix4x4* modelToWorld, Show
 }
 
 /// The terrain of a mapper and of its actor's matrix.
-void readMapper(vtkMapper* anyMapper, vtkMatrix4x4* modelToWorld, KnownSurfaces& known, int& scans,
+void ReadMapper(vtkMapper* anyMapper, vtkMatrix4x4* modelToWorld, KnownSurfaces& known, int& scans,
   ShownTerrain& shown)
 {
   auto* mapper = vtkOpenGLTerrainMapper::SafeDownCast(anyMapper);
@@ -120,23 +120,23 @@ void readMapper(vtkMapper* anyMapper, vtkMatrix4x4* modelToWorld, KnownSurfaces&
   shown.Surface.Block = all && mapper->GetBlock();
   if (shown.Surface.HasCells())
   {
-    readPlanes(mapper, modelToWorld, shown);
+    ReadPlanes(mapper, modelToWorld, shown);
   }
   shown.ModelToWorld->DeepCopy(modelToWorld);
   vtkMatrix4x4::Invert(shown.ModelToWorld, shown.WorldToModel);
 }
 
 /// The terrain of an actor, up to date.
-void readActor(vtkActor* actor, KnownSurfaces& known, int& scans, ShownTerrain& shown)
+void ReadActor(vtkActor* actor, KnownSurfaces& known, int& scans, ShownTerrain& shown)
 {
   if (actor && actor->GetMapper())
   {
     actor->GetMapper()->GetBounds(); // brings the heights up to date
-    readMapper(actor->GetMapper(), actor->GetMatrix(), known, scans, shown);
+    ReadMapper(actor->GetMapper(), actor->GetMatrix(), known, scans, shown);
   }
 }
 
-glm::dvec3 transform(vtkMatrix4x4* matrix, const glm::dvec3& point)
+glm::dvec3 Transform(vtkMatrix4x4* matrix, const glm::dvec3& point)
 {
   const double in[4] = { point.x, point.y, point.z, 1.0 };
   std::array<double, 4> out{};
@@ -144,13 +144,13 @@ glm::dvec3 transform(vtkMatrix4x4* matrix, const glm::dvec3& point)
   return glm::dvec3(out[0], out[1], out[2]) / out[3];
 }
 
-bool isFinite(const glm::dvec3& point)
+bool IsFinite(const glm::dvec3& point)
 {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
 /// Linear between a and b; neither counts where its weight is 0, for it may be NaN.
-double mix(double a, double b, double t)
+double Mix(double a, double b, double t)
 {
   if (t <= 0.0)
   {
@@ -210,7 +210,7 @@ private:
   {
     const glm::dvec3 along = this->From + t * (this->To - this->From);
     const double height = piece.HeightAt(t);
-    const glm::dvec3 point = transform(this->Shown.ModelToWorld,
+    const glm::dvec3 point = Transform(this->Shown.ModelToWorld,
       { along.x, along.y, this->Geometry.ToModel({ 0.0, 0.0 }, height).z });
     this->EndHeight = height;
     this->Line.push_back(this->Points->InsertNextPoint(point.x, point.y, point.z));
@@ -317,7 +317,7 @@ double vtkTerrainPicker::IntersectActorWithLine(const double p1[3], const double
     return this->PickGlobe(*globe, p1, p2, prop, mapper);
   }
   ShownTerrain shown;
-  readMapper(mapper, prop->GetMatrix(), this->Internals->Surfaces, this->NumberOfScans, shown);
+  ReadMapper(mapper, prop->GetMatrix(), this->Internals->Surfaces, this->NumberOfScans, shown);
   if (!shown.Heights)
   {
     return this->Superclass::IntersectActorWithLine(p1, p2, t1, t2, tol, prop, mapper);
@@ -421,9 +421,9 @@ double vtkTerrainPicker::Interpolate(vtkDataArray* array, int component) const
   const double u = this->PCoords[0];
   const double v = this->PCoords[1];
   const auto value = [&](vtkIdType id) { return array->GetComponent(id, component); };
-  const double south = mix(value(first), value(first + 1), u);
-  const double north = mix(value(first + columns), value(first + columns + 1), u);
-  return mix(south, north, v);
+  const double south = Mix(value(first), value(first + 1), u);
+  const double north = Mix(value(first + columns), value(first + columns + 1), u);
+  return Mix(south, north, v);
 }
 
 //------------------------------------------------------------------------------
@@ -444,11 +444,11 @@ bool vtkTerrainPicker::HasLineOfSight(
     return this->SeesOnGlobe(*globe, terrain, from, to, obstacle);
   }
   ShownTerrain shown;
-  readActor(terrain, this->Internals->Surfaces, this->NumberOfScans, shown);
+  ReadActor(terrain, this->Internals->Surfaces, this->NumberOfScans, shown);
   terrain::QueryRay ray;
-  ray.Origin = transform(shown.WorldToModel, { from[0], from[1], from[2] });
-  ray.Direction = transform(shown.WorldToModel, { to[0], to[1], to[2] }) - ray.Origin;
-  if (!shown.Heights || !isFinite(ray.Origin) || !isFinite(ray.Direction))
+  ray.Origin = Transform(shown.WorldToModel, { from[0], from[1], from[2] });
+  ray.Direction = Transform(shown.WorldToModel, { to[0], to[1], to[2] }) - ray.Origin;
+  if (!shown.Heights || !IsFinite(ray.Origin) || !IsFinite(ray.Direction))
   {
     return false;
   }
@@ -464,7 +464,7 @@ bool vtkTerrainPicker::HasLineOfSight(
   if (hit.Found)
   {
     const glm::dvec3 point =
-      transform(shown.ModelToWorld, ray.Origin + hit.Distance * ray.Direction);
+      Transform(shown.ModelToWorld, ray.Origin + hit.Distance * ray.Direction);
     std::copy(&point.x, &point.x + 3, obstacle);
   }
   return !hit.Found;
@@ -477,20 +477,20 @@ bool vtkTerrainPicker::SeesOnGlobe(const terrain::GlobeSurface& globe, vtkActor*
 {
   vtkNew<vtkMatrix4x4> toModel;
   vtkMatrix4x4::Invert(terrain->GetMatrix(), toModel);
-  const glm::dvec3 origin = transform(toModel, { from[0], from[1], from[2] });
-  const glm::dvec3 direction = transform(toModel, { to[0], to[1], to[2] }) - origin;
+  const glm::dvec3 origin = Transform(toModel, { from[0], from[1], from[2] });
+  const glm::dvec3 direction = Transform(toModel, { to[0], to[1], to[2] }) - origin;
   const double length = glm::length(direction);
   const double margin =
     SightMargin * globe.GetGrid().Step * globe.GetGrid().Body.Equatorial / length;
-  if (!isFinite(origin) || !isFinite(direction) || !(2.0 * margin < 1.0))
+  if (!IsFinite(origin) || !IsFinite(direction) || !(2.0 * margin < 1.0))
   {
-    return isFinite(origin) && isFinite(direction);
+    return IsFinite(origin) && IsFinite(direction);
   }
   const auto hit = globe.Trace(origin, direction, margin, 1.0 - margin,
     static_cast<vtkOpenGLTerrainMapper*>(terrain->GetMapper())->GetVerticalExaggeration());
   if (hit.Found)
   {
-    const glm::dvec3 point = transform(terrain->GetMatrix(), origin + hit.T * direction);
+    const glm::dvec3 point = Transform(terrain->GetMatrix(), origin + hit.T * direction);
     std::copy(&point.x, &point.x + 3, obstacle);
   }
   return !hit.Found;
@@ -508,10 +508,10 @@ bool vtkTerrainPicker::GetProfile(
     return false;
   }
   ShownTerrain shown;
-  readActor(terrain, this->Internals->Surfaces, this->NumberOfScans, shown);
-  const glm::dvec3 start = transform(shown.WorldToModel, { from[0], from[1], from[2] });
-  const glm::dvec3 end = transform(shown.WorldToModel, { to[0], to[1], to[2] });
-  if (!shown.Heights || !isFinite(start) || !isFinite(end))
+  ReadActor(terrain, this->Internals->Surfaces, this->NumberOfScans, shown);
+  const glm::dvec3 start = Transform(shown.WorldToModel, { from[0], from[1], from[2] });
+  const glm::dvec3 end = Transform(shown.WorldToModel, { to[0], to[1], to[2] });
+  if (!shown.Heights || !IsFinite(start) || !IsFinite(end))
   {
     return false;
   }

@@ -44,7 +44,7 @@
 
 namespace
 {
-constexpr double Side = 40960.0; // metres, the source's own
+constexpr double kSide = 40960.0; // metres, the source's own
 
 /// A landscape, 40 km wide and drawn twice as high as it is, in a window.
 struct Picture
@@ -63,8 +63,8 @@ struct Picture
     this->Renderer->SetBackground(0.90, 0.93, 0.95);
     this->Renderer->AddLight(this->Sun);
     this->Sun->SetLightTypeToSceneLight();
-    this->Sun->SetPosition(-0.5 * Side, 0.0, 0.8 * Side);
-    this->Sun->SetFocalPoint(0.5 * Side, 0.5 * Side, 0.0);
+    this->Sun->SetPosition(-0.5 * kSide, 0.0, 0.8 * kSide);
+    this->Sun->SetFocalPoint(0.5 * kSide, 0.5 * kSide, 0.0);
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
     this->Window->AddRenderer(this->Renderer);
@@ -80,15 +80,15 @@ struct Picture
   void Look(double x, double y, double z, double atX, double atY, double atZ)
   {
     vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(x * Side, y * Side, z);
-    camera->SetFocalPoint(atX * Side, atY * Side, atZ);
+    camera->SetPosition(x * kSide, y * kSide, z);
+    camera->SetFocalPoint(atX * kSide, atY * kSide, atZ);
     camera->SetViewUp(0.0, 0.0, 1.0);
   }
 
   vtkSmartPointer<vtkActor> AddSphere(double x, double y, double z, double radius)
   {
     vtkNew<vtkSphereSource> sphere;
-    sphere->SetCenter(x * Side, y * Side, z);
+    sphere->SetCenter(x * kSide, y * kSide, z);
     sphere->SetRadius(radius);
     sphere->SetThetaResolution(48);
     sphere->SetPhiResolution(48);
@@ -109,7 +109,7 @@ struct Picture
 };
 
 /// A picture with a city's blocks, transparent towards its border.
-vtkSmartPointer<vtkImageData> makeCity()
+vtkSmartPointer<vtkImageData> MakeCity()
 {
   constexpr int side = 512;
   vtkNew<vtkUnsignedCharArray> texels;
@@ -132,17 +132,17 @@ vtkSmartPointer<vtkImageData> makeCity()
   return image;
 }
 
-void plain(Picture& picture)
+void Plain(Picture& picture)
 {
   picture.Terrain->SetColorByHeight(false);
   picture.Terrain->GetProperty()->SetColor(0.85, 0.8, 0.7);
 }
 
-void relief(Picture& /*picture*/)
+void Relief(Picture& /*picture*/)
 {
 }
 
-void array(Picture& picture)
+void Array(Picture& picture)
 {
   vtkNew<vtkFloatArray> plume;
   plume->SetName("plume");
@@ -167,7 +167,7 @@ void array(Picture& picture)
   picture.Mapper()->SelectColorArray("plume");
 }
 
-void slope(Picture& picture)
+void Slope(Picture& picture)
 {
   vtkNew<vtkLookupTable> table;
   table->SetHueRange(0.33, 0.0);
@@ -176,7 +176,7 @@ void slope(Picture& picture)
   picture.Mapper()->SetColorSource(vtkOpenGLTerrainMapper::ColorSources::Slope);
 }
 
-void aspect(Picture& picture)
+void Aspect(Picture& picture)
 {
   vtkNew<vtkLookupTable> table;
   table->SetHueRange(0.0, 1.0);
@@ -186,7 +186,7 @@ void aspect(Picture& picture)
   picture.Mapper()->SetColorSource(vtkOpenGLTerrainMapper::ColorSources::Aspect);
 }
 
-void contours(Picture& picture)
+void Contours(Picture& picture)
 {
   picture.Mapper()->SetContours(true);
   picture.Mapper()->SetContourInterval(200.0);
@@ -194,26 +194,26 @@ void contours(Picture& picture)
   picture.Mapper()->SetContourColor(0.3, 0.15, 0.0, 0.8);
 }
 
-void hillshade(Picture& picture)
+void Hillshade(Picture& picture)
 {
   picture.Terrain->GetProperty()->LightingOff();
   picture.Mapper()->SetHillshade(true);
   picture.Look(0.5, 0.49, 84000.0, 0.5, 0.5, 0.0);
 }
 
-void drape(Picture& picture)
+void Drape(Picture& picture)
 {
-  const double bounds[4] = { 0.25 * Side, 0.75 * Side, 0.2 * Side, 0.7 * Side };
-  picture.Mapper()->SetDrape(makeCity(), bounds);
+  const double bounds[4] = { 0.25 * kSide, 0.75 * kSide, 0.2 * kSide, 0.7 * kSide };
+  picture.Mapper()->SetDrape(MakeCity(), bounds);
 }
 
-void amongActors(Picture& picture)
+void AmongActors(Picture& picture)
 {
   picture.AddSphere(0.35, 0.3, 2500.0, 3500.0);
   picture.AddSphere(0.65, 0.4, 3500.0, 4500.0)->GetProperty()->SetOpacity(0.4);
 }
 
-void translucent(Picture& picture)
+void Translucent(Picture& picture)
 {
   picture.Terrain->GetProperty()->SetOpacity(0.5);
   picture.AddSphere(0.4, 0.4, 1000.0, 2500.0);
@@ -224,10 +224,10 @@ void translucent(Picture& picture)
   picture.Look(0.5, -0.6, 14000.0, 0.5, 0.45, 0.0);
 }
 
-void shadows(Picture& picture)
+void Shadows(Picture& picture)
 {
   picture.AddSphere(0.4, 0.35, 9000.0, 2500.0);
-  picture.Sun->SetPosition(-1.1 * Side, 0.1 * Side, 1.2 * Side);
+  picture.Sun->SetPosition(-1.1 * kSide, 0.1 * kSide, 1.2 * kSide);
   picture.Sun->SetPositional(true);
   picture.Sun->SetConeAngle(35.0);
   picture.Sun->SetShadowAttenuation(0.9f);
@@ -243,7 +243,7 @@ void shadows(Picture& picture)
   picture.Renderer->SetPass(camera);
 }
 
-void occlusion(Picture& picture)
+void Occlusion(Picture& picture)
 {
   vtkNew<vtkRenderStepsPass> steps;
   vtkNew<vtkSSAOPass> pass;
@@ -255,7 +255,7 @@ void occlusion(Picture& picture)
   picture.Renderer->SetPass(pass);
 }
 
-void eyeDome(Picture& picture)
+void EyeDome(Picture& picture)
 {
   vtkNew<vtkRenderStepsPass> steps;
   vtkNew<vtkEDLShading> pass;
@@ -263,7 +263,7 @@ void eyeDome(Picture& picture)
   picture.Renderer->SetPass(pass);
 }
 
-void physicallyBased(Picture& picture)
+void PhysicallyBased(Picture& picture)
 {
   picture.Terrain->SetColorByHeight(false);
   picture.Terrain->GetProperty()->SetInterpolationToPBR();
@@ -273,18 +273,18 @@ void physicallyBased(Picture& picture)
   picture.Sun->SetIntensity(3.0);
 }
 
-void block(Picture& picture)
+void Block(Picture& picture)
 {
   picture.Mapper()->SetBlock(true);
   picture.Mapper()->SetBlockBase(-1500.0);
   picture.Look(-0.35, -0.65, 22000.0, 0.5, 0.42, -1000.0);
 }
 
-void openedBlock(Picture& picture)
+void OpenedBlock(Picture& picture)
 {
   block(picture);
   vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.6 * Side, 0.35 * Side, 0.0);
+  plane->SetOrigin(0.6 * kSide, 0.35 * kSide, 0.0);
   plane->SetNormal(0.5, 1.0, 0.0);
   picture.Mapper()->AddClippingPlane(plane);
   const int first[2] = { 0, 0 };
@@ -292,14 +292,14 @@ void openedBlock(Picture& picture)
   picture.Mapper()->SetExtract(first, last);
 }
 
-void samples(Picture& picture)
+void Samples(Picture& picture)
 {
   picture.Window->SetMultiSamples(8);
   picture.Mapper()->SetSampleShading(true);
   picture.Look(0.35, 0.0, 5500.0, 0.5, 0.6, 2500.0);
 }
 
-void columns(Picture& picture)
+void Columns(Picture& picture)
 {
   picture.Mapper()->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Columns);
   const int first[2] = { 96, 64 };
@@ -309,7 +309,7 @@ void columns(Picture& picture)
   picture.Look(0.4, 0.05, 9500.0, 0.5, 0.37, 1500.0);
 }
 
-void scalarBar(Picture& picture)
+void ScalarBar(Picture& picture)
 {
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(picture.Terrain->GetLookupTable());
@@ -329,7 +329,7 @@ void scalarBar(Picture& picture)
   picture.Renderer->AddViewProp(bar);
 }
 
-void depthOfField(Picture& picture)
+void DepthOfField(Picture& picture)
 {
   picture.Look(0.35, -0.05, 6500.0, 0.5, 0.45, 2500.0);
   picture.Renderer->GetActiveCamera()->SetFocalDisk(600.0);
@@ -342,7 +342,7 @@ void depthOfField(Picture& picture)
   picture.Window->Render(); // the first frame of this pass is black, whatever the scene
 }
 
-void oneSample(Picture& picture)
+void OneSample(Picture& picture)
 {
   picture.Look(0.35, 0.0, 5500.0, 0.5, 0.6, 2500.0);
 }
@@ -353,15 +353,15 @@ struct Entry
   void (*Make)(Picture& picture);
 };
 
-constexpr Entry Entries[] = { { "plain", plain }, { "relief", relief }, { "array", array },
-  { "slope", slope }, { "aspect", aspect }, { "contours", contours }, { "hillshade", hillshade },
-  { "drape", drape }, { "actors", amongActors }, { "translucent", translucent },
-  { "shadows", shadows }, { "occlusion", occlusion }, { "eye-dome", eyeDome },
-  { "physically-based", physicallyBased }, { "block", block }, { "opened-block", openedBlock },
-  { "columns", columns }, { "scalar-bar", scalarBar }, { "depth-of-field", depthOfField },
-  { "one-sample", oneSample }, { "samples", samples } };
+constexpr Entry kEntries[] = { { "plain", Plain }, { "relief", Relief }, { "array", Array },
+  { "slope", Slope }, { "aspect", Aspect }, { "contours", Contours }, { "hillshade", Hillshade },
+  { "drape", Drape }, { "actors", AmongActors }, { "translucent", Translucent },
+  { "shadows", Shadows }, { "occlusion", Occlusion }, { "eye-dome", EyeDome },
+  { "physically-based", PhysicallyBased }, { "block", Block }, { "opened-block", OpenedBlock },
+  { "columns", Columns }, { "scalar-bar", ScalarBar }, { "depth-of-field", DepthOfField },
+  { "one-sample", OneSample }, { "samples", Samples } };
 
-bool write(Picture& picture, const std::string& path)
+bool Write(Picture& picture, const std::string& path)
 {
   picture.Renderer->ResetCameraClippingRange();
   picture.Window->Render();
@@ -388,13 +388,13 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   bool done = true;
-  for (const Entry& entry : Entries)
+  for (const Entry& entry : kEntries)
   {
     Picture picture;
     picture.Window->SetSize(width, width * 9 / 16);
     entry.Make(picture);
     const std::string path = folder + "/" + entry.Name + ".jpg";
-    done = write(picture, path) && done;
+    done = Write(picture, path) && done;
     std::cout << path << "\n";
   }
   return done ? EXIT_SUCCESS : EXIT_FAILURE;

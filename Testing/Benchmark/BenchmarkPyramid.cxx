@@ -153,7 +153,7 @@ std::vector<View> MakeViews(const Landscape& landscape)
 struct Spectrum
 {
   std::vector<int> Visits = std::vector<int>(std::size_t{ PixelsX } * PixelsY);
-  int BeamSteps = 0;
+  int kBeamSteps = 0;
   double Seconds = 0.0;
 
   Spectrum(const Landscape& landscape, const View& view, int tile)
@@ -168,7 +168,7 @@ struct Spectrum
         const double half = 0.5 * side;
         const double start = tile == 0
           ? Near
-          : Near + beams.BeamStart(view.Beam(x + half, y + half, half), this->BeamSteps);
+          : Near + beams.BeamStart(view.Beam(x + half, y + half, half), this->kBeamSteps);
         for (int k = 0; k < side * side && start < Far; ++k)
         {
           const int i = x + k % side;
@@ -229,7 +229,7 @@ void PrintViews(Landscape& landscape, int start)
                   "%5.1f %%  over 85 %4.1f %%  beam %4.2f  %5.2f Mrays/s\n",
         view.Name, tile, spectrum.Mean(), spectrum.MeanOfGroups(), spectrum.PercentWithin(16),
         spectrum.PercentWithin(35), 100.0 - spectrum.PercentWithin(85),
-        static_cast<double>(spectrum.BeamSteps) / (PixelsX * PixelsY),
+        static_cast<double>(spectrum.kBeamSteps) / (PixelsX * PixelsY),
         1e-6 * PixelsX * PixelsY / spectrum.Seconds);
     }
   }

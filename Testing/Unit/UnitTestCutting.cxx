@@ -73,7 +73,7 @@ TEST(Cutting, BlocksHaveAFloor)
   EXPECT_EQ(cutting.Lowest(70.0), 50.0);
   EXPECT_EQ(cutting.Lowest(40.0), 40.0); // a base above the surface adds nothing
   const auto planes = cutting.PlanesGC(cutting.Drawn({ 9, 5 }, 1), Base);
-  EXPECT_LE(planes.size() + 6, static_cast<std::size_t>(terrain::MaximumClipPlanes));
+  EXPECT_LE(planes.size() + 6, static_cast<std::size_t>(terrain::kMaximumClipPlanes));
   EXPECT_TRUE(isKept(planes, { 4.0, 2.0, Base }));
   EXPECT_FALSE(isKept(planes, { 4.0, 2.0, Base - 0.01 }));
 }

@@ -126,7 +126,7 @@ struct CodedField
     this->TexelView.Width = view.Width;
     this->TexelView.Height = view.Height;
     this->TexelView.HasNoData = this->Codes.HasNoData;
-    this->TexelView.NoData = integer ? Texel{} : static_cast<Texel>(NoDataCode);
+    this->TexelView.NoData = integer ? Texel{} : static_cast<Texel>(kNoDataCode);
     this->Pyramid.Build(this->TexelView, SerialFor);
     this->Coded.heights = { this->Texels.data(), { field.Width, field.Height }, this->Codes.Bias,
       static_cast<float>(this->Codes.MaximumCode) };

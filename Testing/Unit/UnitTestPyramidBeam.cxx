@@ -122,7 +122,7 @@ TEST(PyramidBeam, IsNeverBeyondTheFirstHitOfItsRays)
       const float start = beams.BeamStart(camera.Beam(0.5, 0.5, half, length), steps);
       ASSERT_GE(start, 0.0f);
       ASSERT_LE(start, length);
-      ASSERT_LE(steps, terrain::BeamSteps);
+      ASSERT_LE(steps, terrain::kBeamSteps);
       for (int k = 0; k < 9; ++k)
       {
         // The centres and corners of the tile's pixels lie within its square.

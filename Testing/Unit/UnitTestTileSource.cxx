@@ -220,7 +220,7 @@ TEST(TileSource, LevelZeroIsTheHeightfield)
               const auto height = static_cast<float>(field.View().At(first.x + x, first.y + y));
               const float expected = std::isfinite(height)
                 ? static_cast<float>(codes.ToCode(static_cast<double>(height)))
-                : terrain::NoDataCode;
+                : terrain::kNoDataCode;
               ASSERT_EQ(SampleAt(tile, x, y), expected);
             }
           }

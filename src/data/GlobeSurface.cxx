@@ -52,7 +52,7 @@ bool GlobeSurface::SetImage(vtkImageData* image)
   view.Width = image->GetDimensions()[0];
   view.Height = image->GetDimensions()[1];
   view.HasNoData = this->Codes.HasNoData;
-  view.NoData = NoDataCode;
+  view.NoData = kNoDataCode;
   this->Pyramid.Build(view, SMPParallelFor);
   return true;
 }

@@ -31,7 +31,7 @@ struct Degrees
   glm::ivec2 Count{ 0 };
 };
 
-Degrees degreesOf(vtkImageData* heights, double unit)
+Degrees DegreesOf(vtkImageData* heights, double unit)
 {
   const FieldData::Layout layout = FieldData::GetLayout(heights);
   const GridGeometry geometry = ImageHeights::Geometry(heights);
@@ -46,7 +46,7 @@ Degrees degreesOf(vtkImageData* heights, double unit)
 }
 
 /// Lines between lines, so that none are wider apart than kWidest.
-std::vector<GlobePlan::Line> divide(const std::vector<GlobePlan::Line>& lines, int parts)
+std::vector<GlobePlan::Line> Divide(const std::vector<GlobePlan::Line>& lines, int parts)
 {
   std::vector<GlobePlan::Line> divided;
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -59,7 +59,7 @@ std::vector<GlobePlan::Line> divide(const std::vector<GlobePlan::Line>& lines, i
   return divided;
 }
 
-std::string planColumns(const Degrees& degrees, GlobePlan& plan)
+std::string PlanColumns(const Degrees& degrees, GlobePlan& plan)
 {
   GlobeGrid& grid = plan.Grid;
   const int count = degrees.Count.x;
@@ -87,7 +87,7 @@ std::string planColumns(const Degrees& degrees, GlobePlan& plan)
     : std::string();
 }
 
-void planRows(const Degrees& degrees, GlobePlan& plan)
+void PlanRows(const Degrees& degrees, GlobePlan& plan)
 {
   std::vector<double>& latitudes = plan.Grid.Latitudes;
   const bool joined = plan.Grid.IsJoined();
@@ -123,7 +123,7 @@ void planRows(const Degrees& degrees, GlobePlan& plan)
 }
 
 /// Divides wide cells; lines of the plan are then those of the undivided one.
-void divideCells(const Degrees& degrees, GlobePlan& plan)
+void DivideCells(const Degrees& degrees, GlobePlan& plan)
 {
   const int across = static_cast<int>(std::ceil(degrees.Step.x / kWidest - kRounding));
   const int along = static_cast<int>(std::ceil(degrees.Step.y / kWidest - kRounding));
@@ -133,8 +133,8 @@ void divideCells(const Degrees& degrees, GlobePlan& plan)
   }
   plan.IsPlain = false;
   plan.IsDivided = true;
-  const std::vector<GlobePlan::Line> columns = divide(plan.Columns, across);
-  const std::vector<GlobePlan::Line> rows = divide(plan.Rows, along);
+  const std::vector<GlobePlan::Line> columns = Divide(plan.Columns, across);
+  const std::vector<GlobePlan::Line> rows = Divide(plan.Rows, along);
   std::vector<double> latitudes;
   for (const GlobePlan::Line& row : rows)
   {
@@ -165,7 +165,7 @@ void divideCells(const Degrees& degrees, GlobePlan& plan)
 /// The samples of one row of the heights, as doubles with NaN for none; the mean of the first row
 /// for -1, of the last for the number of rows.
 template <typename T>
-std::vector<double> rowOf(const HeightfieldView<T>& view, int row)
+std::vector<double> RowOf(const HeightfieldView<T>& view, int row)
 {
   const std::int64_t at = std::clamp<std::int64_t>(row, 0, view.Height - 1);
   std::vector<double> samples(static_cast<std::size_t>(view.Width));
@@ -187,7 +187,7 @@ std::vector<double> rowOf(const HeightfieldView<T>& view, int row)
 }
 
 /// Bilinear between two rows, which may be the same.
-double sampleAt(const std::vector<double>& south, const std::vector<double>& north, double along,
+double SampleAt(const std::vector<double>& south, const std::vector<double>& north, double along,
   const GlobePlan::Line& column)
 {
   const auto first = static_cast<std::size_t>(column.First);
@@ -217,16 +217,16 @@ GlobePlan PlanGlobe(vtkImageData* heights, const double radii[2])
   }
   plan.Grid.Body = radii[0] > 0.0 ? Ellipsoid{ radii[0], radii[1] }
                                   : Ellipsoid{ system.GetSemiMajor(), system.GetSemiMinor() };
-  const Degrees degrees = degreesOf(heights, system.GetDegrees());
-  plan.WhyNot = planColumns(degrees, plan);
-  planRows(degrees, plan);
+  const Degrees degrees = DegreesOf(heights, system.GetDegrees());
+  plan.WhyNot = PlanColumns(degrees, plan);
+  PlanRows(degrees, plan);
   if (plan.WhyNot.empty())
   {
     plan.WhyNot = plan.Grid.WhyNot();
   }
   if (plan.WhyNot.empty())
   {
-    divideCells(degrees, plan);
+    DivideCells(degrees, plan);
   }
   return plan;
 }
@@ -241,7 +241,7 @@ glm::dvec2 GlobeReach(vtkImageData* heights, bool& isEarth)
     return glm::dvec2(0.0);
   }
   isEarth = system.IsOnEarth();
-  const Degrees degrees = degreesOf(heights, system.GetDegrees());
+  const Degrees degrees = DegreesOf(heights, system.GetDegrees());
   return degrees.Step * glm::dvec2(degrees.Count);
 }
 
@@ -265,12 +265,12 @@ void FillGlobe(vtkImageData* heights, const GlobePlan& plan, double offset, vtkI
           for (vtkIdType j = begin; j < end; ++j)
           {
             const GlobePlan::Line& row = plan.Rows[static_cast<std::size_t>(j)];
-            const std::vector<double> south = rowOf(view, row.First);
-            const std::vector<double> north = row.At > 0.0 ? rowOf(view, row.First + 1) : south;
+            const std::vector<double> south = RowOf(view, row.First);
+            const std::vector<double> north = row.At > 0.0 ? RowOf(view, row.First + 1) : south;
             for (int i = 0; i < plan.Grid.Columns; ++i)
             {
               const double height =
-                sampleAt(south, north, row.At, plan.Columns[static_cast<std::size_t>(i)]);
+                SampleAt(south, north, row.At, plan.Columns[static_cast<std::size_t>(i)]);
               const vtkIdType at = j * plan.Grid.Columns + i;
               const bool none = std::isnan(height);
               scalars->SetComponent(at, 0, none ? 0.0 : height - offset);

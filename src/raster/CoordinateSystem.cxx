@@ -20,7 +20,7 @@ namespace
 using Reference = std::unique_ptr<void, void (*)(void*)>;
 
 // Points transformed by one call of OGR.
-constexpr std::int64_t kChunk = 1024;
+constexpr std::int64_t kBatch = 1024;
 
 /// GDAL's messages of the calling thread go nowhere while this lives; results tell what went wrong.
 class Quiet
@@ -308,25 +308,25 @@ bool CoordinateSystem::Transform(double* points, std::int64_t count, int stride,
   {
     return false;
   }
-  std::array<double, kChunk> x{};
-  std::array<double, kChunk> y{};
-  std::array<int, kChunk> good{};
-  for (std::int64_t begin = 0; begin < count; begin += kChunk)
+  std::array<double, kBatch> x{};
+  std::array<double, kBatch> y{};
+  std::array<int, kBatch> good{};
+  for (std::int64_t begin = 0; begin < count; begin += kBatch)
   {
-    const std::int64_t size = std::min(kChunk, count - begin);
-    double* chunk = points + begin * stride;
+    const std::int64_t size = std::min(kBatch, count - begin);
+    double* batch = points + begin * stride;
     for (std::int64_t i = 0; i < size; ++i)
     {
-      x[i] = chunk[i * stride];
-      y[i] = chunk[i * stride + 1];
+      x[i] = batch[i * stride];
+      y[i] = batch[i * stride + 1];
     }
     OCTTransformEx(
       transformation, static_cast<int>(size), x.data(), y.data(), nullptr, good.data());
     for (std::int64_t i = 0; i < size; ++i)
     {
       const bool found = good[i] && std::isfinite(x[i]) && std::isfinite(y[i]);
-      chunk[i * stride] = found ? x[i] : std::numeric_limits<double>::quiet_NaN();
-      chunk[i * stride + 1] = found ? y[i] : std::numeric_limits<double>::quiet_NaN();
+      batch[i * stride] = found ? x[i] : std::numeric_limits<double>::quiet_NaN();
+      batch[i * stride + 1] = found ? y[i] : std::numeric_limits<double>::quiet_NaN();
     }
   }
   this->Transformations->GiveBack(way, transformation);

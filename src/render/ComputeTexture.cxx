@@ -13,7 +13,7 @@ namespace terrain
 {
 namespace
 {
-GLuint groups(int texels)
+GLuint Groups(int texels)
 {
   return static_cast<GLuint>((texels + kGroupSize - 1) / kGroupSize);
 }
@@ -53,7 +53,7 @@ std::string ComputeTexture::Fill(vtkOpenGLRenderWindow* window, const Features& 
   this->Texture->Activate();
   glBindImageTexture(0, this->Texture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
     components == 4 ? GL_RGBA32F : GL_R32F);
-  glDispatchCompute(groups(size.x), groups(size.y), 1);
+  glDispatchCompute(Groups(size.x), Groups(size.y), 1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT); // Read(), too
   glUseProgram(0);
   this->Size = size;

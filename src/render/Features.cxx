@@ -19,7 +19,7 @@ namespace terrain
 namespace
 {
 template <typename Value>
-std::string define(const char* name, Value value)
+std::string Define(const char* name, Value value)
 {
   std::ostringstream line;
   line.imbue(std::locale::classic());
@@ -27,20 +27,20 @@ std::string define(const char* name, Value value)
   return line.str();
 }
 
-std::string defineIf(const char* name, bool is)
+std::string DefineIf(const char* name, bool is)
 {
   return is ? std::string("#define ") + name + "\n" : std::string();
 }
 
 /// A number that #if may compare; nothing for 0.
-std::string defineNumber(const char* name, int number)
+std::string DefineNumber(const char* name, int number)
 {
   return number != 0 ? std::string("#define ") + name + " " + std::to_string(number) + "\n"
                      : std::string();
 }
 
 /// Every feature.
-auto membersOf(const Features& features)
+auto MembersOf(const Features& features)
 {
   return std::tie(features.Way, features.IntegerHeights, features.BuffersPyramid, features.Gathers,
     features.Globe, features.Tiles, features.Detail, features.Columns, features.Within,
@@ -54,7 +54,7 @@ auto membersOf(const Features& features)
 //------------------------------------------------------------------------------
 bool Features::operator==(const Features& other) const
 {
-  return membersOf(*this) == membersOf(other);
+  return MembersOf(*this) == MembersOf(other);
 }
 
 //------------------------------------------------------------------------------
@@ -77,23 +77,23 @@ std::string Features::Defines() const
              "#define TERRAIN_GATHER\n"
              "#endif\n";
   }
-  return lines + defineIf(ways[static_cast<std::size_t>(this->Way)], true) +
-    defineIf("TERRAIN_CAST", this->CastsRays()) +
-    defineIf("TERRAIN_HEIGHTS_INTEGER", this->IntegerHeights) +
-    defineIf("TERRAIN_PYRAMID_BUFFER", this->BuffersPyramid) +
-    defineIf("TERRAIN_GLOBE", this->Globe) + defineIf("TERRAIN_TILES", this->Tiles) +
-    defineIf("TERRAIN_DETAIL", this->Detail) + defineIf("TERRAIN_COLUMNS", this->Columns) +
-    defineIf("TERRAIN_WITHIN", this->Within) + defineIf("TERRAIN_BLOCK", this->Block) +
-    defineIf("TERRAIN_BELOW_BOX", this->BelowBox) +
-    defineIf("TERRAIN_READ_SIGHTINGS", this->ReadsSightings) +
-    defineIf("TERRAIN_DEPTH_OFFSET", this->ShiftsDepth) +
-    defineIf("TERRAIN_TEXTURED", this->Textured) + defineIf("TERRAIN_PAINT", this->Paints) +
-    defineNumber("TERRAIN_CLIP_PLANES", this->ClipPlanes) +
-    defineNumber("TERRAIN_BEAM_PIXELS", this->BeamPixels) +
-    defineNumber("TERRAIN_DRAPE", this->DrapeComponents) +
-    defineNumber("TERRAIN_SHADOWS", this->Shadows()) +
-    defineIf("TERRAIN_READ_LIGHTS", this->ReadsLights) + defineIf("TERRAIN_SKY", this->Sky) +
-    defineIf("TERRAIN_SHADOW_BOUNDS", this->BoundsShadows);
+  return lines + DefineIf(ways[static_cast<std::size_t>(this->Way)], true) +
+    DefineIf("TERRAIN_CAST", this->CastsRays()) +
+    DefineIf("TERRAIN_HEIGHTS_INTEGER", this->IntegerHeights) +
+    DefineIf("TERRAIN_PYRAMID_BUFFER", this->BuffersPyramid) +
+    DefineIf("TERRAIN_GLOBE", this->Globe) + DefineIf("TERRAIN_TILES", this->Tiles) +
+    DefineIf("TERRAIN_DETAIL", this->Detail) + DefineIf("TERRAIN_COLUMNS", this->Columns) +
+    DefineIf("TERRAIN_WITHIN", this->Within) + DefineIf("TERRAIN_BLOCK", this->Block) +
+    DefineIf("TERRAIN_BELOW_BOX", this->BelowBox) +
+    DefineIf("TERRAIN_READ_SIGHTINGS", this->ReadsSightings) +
+    DefineIf("TERRAIN_DEPTH_OFFSET", this->ShiftsDepth) +
+    DefineIf("TERRAIN_TEXTURED", this->Textured) + DefineIf("TERRAIN_PAINT", this->Paints) +
+    DefineNumber("TERRAIN_CLIP_PLANES", this->ClipPlanes) +
+    DefineNumber("TERRAIN_BEAM_PIXELS", this->BeamPixels) +
+    DefineNumber("TERRAIN_DRAPE", this->DrapeComponents) +
+    DefineNumber("TERRAIN_SHADOWS", this->Shadows()) +
+    DefineIf("TERRAIN_READ_LIGHTS", this->ReadsLights) + DefineIf("TERRAIN_SKY", this->Sky) +
+    DefineIf("TERRAIN_SHADOW_BOUNDS", this->BoundsShadows);
 }
 
 //------------------------------------------------------------------------------
@@ -102,16 +102,16 @@ std::string Features::Constants()
   static constexpr std::array<const char*, 7> kinds{ "terrainOfMaterial", "terrainOfHeight",
     "terrainOfSlope", "terrainOfAspect", "terrainOfValues", "terrainOfColors",
     "terrainOfCrossings" };
-  std::string lines = define("terrainBeamSteps", BeamSteps) +
-    define("terrainBeamMargin", BeamMargin) + define("terrainBeamReach", BeamReach) +
-    define("terrainColumnReach", ColumnReach) +
-    define("terrainFirstSlopeLevel", 1.0 * kFirstSlopeLevel) +
-    define("terrainShadowMargin", kShadowMargin) + define("terrainShareSteps", 1.0 * kShareSteps) +
-    define("terrainNotANumber", kNotANumber) + define("terrainColorMapSize", kColorMapSize) +
-    defineNumber("TERRAIN_GROUP_SIZE", kGroupSize);
+  std::string lines = Define("terrainBeamSteps", kBeamSteps) +
+    Define("terrainBeamMargin", kBeamMargin) + Define("terrainBeamReach", kBeamReach) +
+    Define("terrainColumnReach", kColumnReach) +
+    Define("terrainFirstSlopeLevel", 1.0 * kFirstSlopeLevel) +
+    Define("terrainShadowMargin", kShadowMargin) + Define("terrainShareSteps", 1.0 * kShareSteps) +
+    Define("terrainNotANumber", kNotANumber) + Define("terrainColorMapSize", kColorMapSize) +
+    DefineNumber("TERRAIN_GROUP_SIZE", kGroupSize);
   for (std::size_t kind = 0; kind < kinds.size(); ++kind)
   {
-    lines += define(kinds[kind], kind);
+    lines += Define(kinds[kind], kind);
   }
   return lines;
 }

@@ -23,7 +23,7 @@ namespace
 constexpr double kFar = 0.05;
 
 /// The point of an ellipsoid that a ray meets first, or passes nearest to.
-glm::dvec3 lookedAt(const Ellipsoid& body, const glm::dvec3& eye, const glm::dvec3& direction)
+glm::dvec3 LookedAt(const Ellipsoid& body, const glm::dvec3& eye, const glm::dvec3& direction)
 {
   const glm::dvec3 scale(1.0 / body.Equatorial, 1.0 / body.Equatorial, 1.0 / body.Polar);
   const glm::dvec3 o = scale * eye;
@@ -122,7 +122,7 @@ bool Globe::Update(vtkRenderer* renderer, vtkActor* actor)
   const bool far = camera->GetParallelProjection() ||
     glm::length(eye) > (1.0 + kFar) * this->Grid->Body.Equatorial;
   this->Anchor =
-    GlobeAnchor(*this->Grid, this->Range, far ? lookedAt(this->Grid->Body, eye, forward) : eye);
+    GlobeAnchor(*this->Grid, this->Range, far ? LookedAt(this->Grid->Body, eye, forward) : eye);
   return this->Upload(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
 }
 

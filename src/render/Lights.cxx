@@ -21,7 +21,7 @@ namespace
 constexpr double kSteepest = 89.99;
 
 /// Tangent of an altitude in degrees.
-double tangentOf(double altitude)
+double TangentOf(double altitude)
 {
   return std::tan(std::clamp(altitude, -kSteepest, kSteepest) * kDegree);
 }
@@ -98,13 +98,13 @@ bool Lights::Add(
         view.GetHeightOfCode() * cells / across; // tangent in the model over that in codes
       const double radius = std::clamp(0.5 * sunAngle, 0.0, 90.0);
       this->WaysGC[index] = glm::vec4(glm::dvec2(wayGC) / cells,
-        tangentOf(altitude - radius) / codes, tangentOf(altitude + radius) / codes);
+        TangentOf(altitude - radius) / codes, TangentOf(altitude + radius) / codes);
       this->WaysVC[index] = glm::vec4(glm::dvec4(wayVC / cells, 0.0));
       if (this->Steady < 0 && light->LightTypeIsSceneLight() && this->WaysGC[index].z > 0.0f)
       {
         this->Steady = this->Count;
-        this->SteadyRays = { glm::dvec2(wayGC) / cells, tangentOf(altitude - radius) / codes,
-          tangentOf(altitude + radius) / codes };
+        this->SteadyRays = { glm::dvec2(wayGC) / cells, TangentOf(altitude - radius) / codes,
+          TangentOf(altitude + radius) / codes };
       }
       disc = { altitude * kDegree, radius * kDegree, codes, disc.w };
     }

@@ -32,7 +32,7 @@ using ColorSources = vtkTerrainLook::ColorSources;
 
 /// Text that changes with an object's state and with some numbers.
 template <typename... Numbers>
-std::string stateOf(vtkObject* object, Numbers... numbers)
+std::string StateOf(vtkObject* object, Numbers... numbers)
 {
   std::ostringstream state;
   state << static_cast<const void*>(object) << ' ' << object->GetMTime();
@@ -41,7 +41,7 @@ std::string stateOf(vtkObject* object, Numbers... numbers)
 }
 
 /// The array that the mapper's scalar mode selects in the heights' image, or null.
-vtkDataArray* findArray(vtkMapper* mapper, vtkImageData* heights, bool& cells)
+vtkDataArray* FindArray(vtkMapper* mapper, vtkImageData* heights, bool& cells)
 {
   int association = 0;
   vtkAbstractArray* array = vtkAbstractMapper::GetAbstractScalars(heights, mapper->GetScalarMode(),
@@ -52,7 +52,7 @@ vtkDataArray* findArray(vtkMapper* mapper, vtkImageData* heights, bool& cells)
 
 /// The mapper's color mode for an array. Heights in unsigned chars are no colours, whatever VTK's
 /// default takes those for.
-int colorModeOf(vtkMapper* mapper, vtkDataArray* array, vtkImageData* heights)
+int ColorModeOf(vtkMapper* mapper, vtkDataArray* array, vtkImageData* heights)
 {
   const int mode = mapper->GetColorMode();
   const bool isHeight =
@@ -62,10 +62,10 @@ int colorModeOf(vtkMapper* mapper, vtkDataArray* array, vtkImageData* heights)
 
 /// True if the array's tuples become colours one by one, which are then mixed: it holds colours, or
 /// the table knows values only that are equal to its own.
-bool isDirect(vtkMapper* mapper, vtkDataArray* array, vtkImageData* heights)
+bool IsDirect(vtkMapper* mapper, vtkDataArray* array, vtkImageData* heights)
 {
   vtkScalarsToColors* table = mapper->GetLookupTable();
-  const int mode = colorModeOf(mapper, array, heights);
+  const int mode = ColorModeOf(mapper, array, heights);
   const bool vectors = mapper->GetArrayComponent() < 0 && array->GetNumberOfComponents() > 1 &&
     table->GetVectorMode() == vtkScalarsToColors::RGBCOLORS;
   return vectors || table->GetIndexedLookup() || mode == VTK_COLOR_MODE_DIRECT_SCALARS ||
@@ -73,7 +73,7 @@ bool isDirect(vtkMapper* mapper, vtkDataArray* array, vtkImageData* heights)
 }
 
 /// Component of an array that the table maps; -1 for the magnitude.
-int mappedComponent(vtkMapper* mapper, vtkDataArray* array)
+int MappedComponent(vtkMapper* mapper, vtkDataArray* array)
 {
   vtkScalarsToColors* table = mapper->GetLookupTable();
   const int last = array->GetNumberOfComponents() - 1;
@@ -85,7 +85,7 @@ int mappedComponent(vtkMapper* mapper, vtkDataArray* array)
   return std::clamp(own < 0 ? table->GetVectorComponent() : own, 0, last);
 }
 
-double valueOf(vtkDataArray* array, vtkIdType tuple, int component)
+double ValueOf(vtkDataArray* array, vtkIdType tuple, int component)
 {
   if (component >= 0)
   {
@@ -100,7 +100,7 @@ double valueOf(vtkDataArray* array, vtkIdType tuple, int component)
 }
 
 /// Whether a point of an image has a height.
-bool isSeen(vtkImageData* heights, vtkIdType point)
+bool IsSeen(vtkImageData* heights, vtkIdType point)
 {
   vtkUnsignedCharArray* ghosts = heights->GetPointGhostArray();
   return (!ghosts || (ghosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) == 0) &&
@@ -109,7 +109,7 @@ bool isSeen(vtkImageData* heights, vtkIdType point)
 
 /// A value that the others lie about: the median of some where there is terrain; 0 if none is
 /// finite. Differences from it fit floats, whatever a few wild ones are.
-double typicalValue(vtkDataArray* array, int component, vtkImageData* heights, int width)
+double TypicalValue(vtkDataArray* array, int component, vtkImageData* heights, int width)
 {
   constexpr vtkIdType enough = 4096;
   const vtkIdType count = array->GetNumberOfTuples();
@@ -119,8 +119,8 @@ double typicalValue(vtkDataArray* array, int component, vtkImageData* heights, i
   values.reserve(static_cast<std::size_t>(count / step + 1));
   for (vtkIdType k = 0; k < count; k += step)
   {
-    const double value = valueOf(array, k, component);
-    if (std::isfinite(value) && isSeen(heights, k / width * columns + k % width))
+    const double value = ValueOf(array, k, component);
+    if (std::isfinite(value) && IsSeen(heights, k / width * columns + k % width))
     {
       values.push_back(value);
     }
@@ -134,14 +134,14 @@ double typicalValue(vtkDataArray* array, int component, vtkImageData* heights, i
   return *middle;
 }
 
-glm::vec4 colorOf(vtkScalarsToColors* table, double value)
+glm::vec4 ColorOf(vtkScalarsToColors* table, double value)
 {
   unsigned char color[4];
   table->MapScalarsThroughTable2(&value, color, VTK_DOUBLE, 1, 1, VTK_RGBA);
   return glm::vec4(color[0], color[1], color[2], color[3]) / 255.0f;
 }
 
-void clampToEdge(vtkTextureObject* texture)
+void SetClampedToEdge(vtkTextureObject* texture)
 {
   texture->SetWrapS(vtkTextureObject::ClampToEdge);
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
@@ -149,7 +149,7 @@ void clampToEdge(vtkTextureObject* texture)
 
 /// Multiplies the colours of an image with alpha, of 2 or 4 components, by it: only so may texels
 /// be mixed.
-std::vector<unsigned char> premultiplied(
+std::vector<unsigned char> Premultiplied(
   const unsigned char* texels, vtkIdType count, int components)
 {
   std::vector<unsigned char> result(texels, texels + count * components);
@@ -226,7 +226,7 @@ bool Paint::StartsToMake(Made& made, const std::string& from)
   made.Texture->SetContext(this->Window);
   made.Texture->SetMinificationFilter(vtkTextureObject::Nearest);
   made.Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  clampToEdge(made.Texture);
+  SetClampedToEdge(made.Texture);
   return true;
 }
 
@@ -242,13 +242,13 @@ std::string Paint::UpdateScalars()
   }
   bool cells = false;
   vtkDataArray* array =
-    source == ColorSources::Array ? findArray(mapper, this->Heights, cells) : nullptr;
+    source == ColorSources::Array ? FindArray(mapper, this->Heights, cells) : nullptr;
   if (array && array->GetLookupTable())
   {
     mapper->SetLookupTable(array->GetLookupTable()); // as VTK's mappers do
   }
   const bool heights = array && array == this->Heights->GetPointData()->GetScalars() &&
-    !isDirect(mapper, array, this->Heights);
+    !IsDirect(mapper, array, this->Heights);
   if (heights || source == ColorSources::Height)
   {
     this->Kind = PaintKinds::Height;
@@ -281,14 +281,14 @@ std::string Paint::UpdateArray(vtkDataArray* array, bool cells)
       " tuples, not " + std::to_string(width) + " x " + std::to_string(height);
   }
   this->OfCells = cells;
-  if (isDirect(this->Mapper, array, this->Heights))
+  if (IsDirect(this->Mapper, array, this->Heights))
   {
     this->Kind = PaintKinds::Colors;
     this->UpdateColors(array, width, height);
     return {};
   }
   this->Kind = PaintKinds::Values;
-  this->UpdateValues(array, mappedComponent(this->Mapper, array), width, height);
+  this->UpdateValues(array, MappedComponent(this->Mapper, array), width, height);
   this->UpdateColorMap();
   return {};
 }
@@ -296,18 +296,18 @@ std::string Paint::UpdateArray(vtkDataArray* array, bool cells)
 //------------------------------------------------------------------------------
 void Paint::UpdateValues(vtkDataArray* array, int component, int width, int height)
 {
-  if (!this->StartsToMake(this->Values, stateOf(array, component, width, height)))
+  if (!this->StartsToMake(this->Values, StateOf(array, component, width, height)))
   {
     return;
   }
-  this->ValueOffset = typicalValue(array, component, this->Heights, width);
+  this->ValueOffset = TypicalValue(array, component, this->Heights, width);
   std::vector<float> values(static_cast<std::size_t>(width) * height);
   SMPParallelFor(array->GetNumberOfTuples(),
     [&](std::int64_t begin, std::int64_t end)
     {
       for (std::int64_t i = begin; i < end; ++i)
       {
-        const double value = valueOf(array, i, component) - this->ValueOffset;
+        const double value = ValueOf(array, i, component) - this->ValueOffset;
         values[i] = std::isfinite(value) ? static_cast<float>(value) : kNotANumber;
       }
     });
@@ -324,10 +324,10 @@ void Paint::UpdateColors(vtkDataArray* array, int width, int height)
 {
   vtkMapper* mapper = this->Mapper;
   vtkScalarsToColors* table = mapper->GetLookupTable();
-  const int mode = colorModeOf(mapper, array, this->Heights);
+  const int mode = ColorModeOf(mapper, array, this->Heights);
   table->Build();
   if (!this->StartsToMake(
-        this->Colors, stateOf(array, mode, mapper->GetArrayComponent(), table->GetMTime())))
+        this->Colors, StateOf(array, mode, mapper->GetArrayComponent(), table->GetMTime())))
   {
     return;
   }
@@ -356,7 +356,7 @@ void Paint::UpdateColorMap()
     table->SetRange(mapper->GetScalarRange());
   }
   table->Build();
-  if (!this->StartsToMake(this->ColorMap, stateOf(table)))
+  if (!this->StartsToMake(this->ColorMap, StateOf(table)))
   {
     return;
   }
@@ -364,8 +364,8 @@ void Paint::UpdateColorMap()
   this->Logarithm = table->UsingLogScale() != 0 && range[0] > 0.0 && range[1] > 0.0;
   const double below = range[0] - 1.0 - std::abs(range[0]);
   const double above = range[1] + 1.0 + std::abs(range[1]);
-  this->SpecialColors = { colorOf(table, this->Logarithm ? 0.5 * range[0] : below),
-    colorOf(table, above), colorOf(table, vtkMath::Nan()) };
+  this->SpecialColors = { ColorOf(table, this->Logarithm ? 0.5 * range[0] : below),
+    ColorOf(table, above), ColorOf(table, vtkMath::Nan()) };
   if (this->Logarithm)
   {
     range[0] = std::log(range[0]);
@@ -404,7 +404,7 @@ std::string Paint::UpdateDrape()
   {
     return "The drape has more than " + std::to_string(limit) + " pixels a side";
   }
-  if (!this->StartsToMake(this->DrapeTexture, stateOf(drape)))
+  if (!this->StartsToMake(this->DrapeTexture, StateOf(drape)))
   {
     return {};
   }
@@ -412,7 +412,7 @@ std::string Paint::UpdateDrape()
   std::vector<unsigned char> copy;
   if (this->DrapeComponents % 2 == 0)
   {
-    copy = premultiplied(texels->GetPointer(0), texels->GetNumberOfTuples(), this->DrapeComponents);
+    copy = Premultiplied(texels->GetPointer(0), texels->GetNumberOfTuples(), this->DrapeComponents);
   }
   vtkTextureObject* texture = this->DrapeTexture.Texture;
   texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
@@ -437,12 +437,12 @@ bool Paint::IsTranslucent(vtkMapper* mapper, vtkImageData* heights, const vtkTer
   }
   bool cells = false;
   vtkDataArray* array = look->GetColorSource() == ColorSources::Array
-    ? findArray(mapper, heights, cells)
+    ? FindArray(mapper, heights, cells)
     : heights->GetPointData()->GetScalars();
   vtkScalarsToColors* table = mapper->GetLookupTable();
   table->Build();
   return array &&
-    table->IsOpaque(array, colorModeOf(mapper, array, heights), mapper->GetArrayComponent()) == 0;
+    table->IsOpaque(array, ColorModeOf(mapper, array, heights), mapper->GetArrayComponent()) == 0;
 }
 
 //------------------------------------------------------------------------------

@@ -17,10 +17,10 @@ namespace terrain
 namespace
 {
 /// Level of the pyramid in which rays begin at the start of a beam, which lies near the surface.
-constexpr int BeamLevel = 2;
+constexpr int kBeamLevel = 2;
 
 /// Those of a program's features that concern how heights are read, and no more.
-Features ofHeights(const Features& program)
+Features OfHeights(const Features& program)
 {
   Features features;
   features.Way = Features::Ways::Pyramid;
@@ -36,7 +36,7 @@ Features ofHeights(const Features& program)
 //------------------------------------------------------------------------------
 std::string Prepass::ComputeBeams(const PrepassFrame& frame)
 {
-  Features features = ofHeights(frame.Features);
+  Features features = OfHeights(frame.Features);
   features.BeamPixels = kBeamPixels;
   return this->BeamStarts.Fill(
     frame.Window, features, [&] { return Technique::BeamSource(features); },
@@ -46,7 +46,7 @@ std::string Prepass::ComputeBeams(const PrepassFrame& frame)
 //------------------------------------------------------------------------------
 std::string Prepass::ComputeSightings(const PrepassFrame& frame)
 {
-  Features features = ofHeights(frame.Features);
+  Features features = OfHeights(frame.Features);
   features.Way = frame.Features.Way;
   features.Globe = frame.Features.Globe;
   features.Columns = frame.Features.Columns;
@@ -62,7 +62,7 @@ std::string Prepass::ComputeSightings(const PrepassFrame& frame)
 //------------------------------------------------------------------------------
 std::string Prepass::ComputeLights(const PrepassFrame& frame)
 {
-  Features features = ofHeights(frame.Features);
+  Features features = OfHeights(frame.Features);
   features.Columns = frame.Features.Columns;
   features.ClipPlanes = frame.Features.ClipPlanes;
   features.ShadowMask = frame.Features.ShadowMask;
@@ -105,7 +105,7 @@ void Prepass::SetUniforms(Uniforms& uniforms, const SurfaceTextures& surface)
     uniforms.Set("terrainBeamStarts", this->BeamStarts.GetTextureUnit());
     // with detail, beams stop farther off, counted in its cells: half of its levels higher
     uniforms.Set("terrainPyramidStart",
-      std::min(surface.GetPyramidTop(), BeamLevel) + surface.GetDetailLevel() / 2);
+      std::min(surface.GetPyramidTop(), kBeamLevel) + surface.GetDetailLevel() / 2);
   }
   if (uniforms.Uses("terrainLightShares"))
   {

@@ -16,13 +16,13 @@ namespace terrain
 namespace
 {
 /// Triangles of a box, outward, from points numbered x + 2 y + 4 z.
-constexpr vtkIdType BoxTriangles[12][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 },
+constexpr vtkIdType kBoxTriangles[12][3] = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 },
   { 0, 1, 5 }, { 0, 5, 4 }, { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 },
   { 1, 7, 5 } };
 /// Cells by which rounding may not put a ray beside the grid.
-constexpr double Beside = 1e-3;
+constexpr double kBeside = 1e-3;
 
-void buildBox(vtkPolyData* box, const std::array<glm::dvec3, 2>& corners)
+void BuildBox(vtkPolyData* box, const std::array<glm::dvec3, 2>& corners)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -31,7 +31,7 @@ void buildBox(vtkPolyData* box, const std::array<glm::dvec3, 2>& corners)
     points->InsertNextPoint(corners[i & 1].x, corners[(i >> 1) & 1].y, corners[i >> 2].z);
   }
   vtkNew<vtkCellArray> triangles;
-  for (const auto& triangle : BoxTriangles)
+  for (const auto& triangle : kBoxTriangles)
   {
     triangles->InsertNextCell(3, triangle);
   }
@@ -41,7 +41,7 @@ void buildBox(vtkPolyData* box, const std::array<glm::dvec3, 2>& corners)
 }
 
 /// The buffer of positions, if it is shifted and scaled.
-vtkOpenGLVertexBufferObject* shiftedBuffer(vtkOpenGLVertexBufferObjectGroup* buffers)
+vtkOpenGLVertexBufferObject* ShiftedBuffer(vtkOpenGLVertexBufferObjectGroup* buffers)
 {
   vtkOpenGLVertexBufferObject* vertices = buffers->GetVBO("vertexMC");
   return vertices && vertices->GetCoordShiftAndScaleEnabled() ? vertices : nullptr;
@@ -52,7 +52,7 @@ vtkOpenGLVertexBufferObject* shiftedBuffer(vtkOpenGLVertexBufferObjectGroup* buf
 glm::dmat4 ModelFromBuffer(vtkOpenGLVertexBufferObjectGroup* buffers)
 {
   glm::dmat4 matrix(1.0);
-  if (vtkOpenGLVertexBufferObject* vertices = shiftedBuffer(buffers))
+  if (vtkOpenGLVertexBufferObject* vertices = ShiftedBuffer(buffers))
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -70,15 +70,15 @@ void Proxy::Update(const GridGeometry& geometry, const HeightCodes& codes, const
   const glm::dvec2 last(size - 1);
   const double lowest = codes.ToCode(lowestHeight);
   const double margin = 1e-3 * std::max(codes.MaximumCode - lowest, 1e-3);
-  this->Bounds = { glm::dvec3(-Beside, -Beside, lowest - margin),
-    glm::dvec3(last + Beside, codes.MaximumCode + margin) };
+  this->Bounds = { glm::dvec3(-kBeside, -kBeside, lowest - margin),
+    glm::dvec3(last + kBeside, codes.MaximumCode + margin) };
   const std::array<glm::dvec3, 2> corners{ geometry.ToModel(
                                              { 0.0, 0.0 }, codes.ToHeight(lowest - margin)),
     geometry.ToModel(last, codes.ToHeight(codes.MaximumCode + margin)) };
   if (this->CornersMC != corners)
   {
     this->CornersMC = corners;
-    buildBox(this->Box, corners);
+    BuildBox(this->Box, corners);
   }
 }
 
@@ -88,7 +88,7 @@ void Proxy::Update(const BoxGC& boxMC)
   if (this->CornersMC != boxMC)
   {
     this->CornersMC = boxMC;
-    buildBox(this->Box, boxMC);
+    BuildBox(this->Box, boxMC);
   }
 }
 

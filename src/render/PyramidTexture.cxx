@@ -14,15 +14,15 @@ namespace terrain
 namespace
 {
 template <typename Texel>
-constexpr bool IsInteger = std::is_integral_v<Texel>;
+constexpr bool kIsInteger = std::is_integral_v<Texel>;
 template <typename Texel>
-constexpr GLenum InternalFormat = IsInteger<Texel> ? GL_RG16UI : GL_RG32F;
+constexpr GLenum kInternalFormat = kIsInteger<Texel> ? GL_RG16UI : GL_RG32F;
 template <typename Texel>
-constexpr GLenum Format = IsInteger<Texel> ? GL_RG_INTEGER : GL_RG;
+constexpr GLenum kFormat = kIsInteger<Texel> ? GL_RG_INTEGER : GL_RG;
 template <typename Texel>
-constexpr GLenum Type = IsInteger<Texel> ? GL_UNSIGNED_SHORT : GL_FLOAT;
+constexpr GLenum kType = kIsInteger<Texel> ? GL_UNSIGNED_SHORT : GL_FLOAT;
 template <typename Texel>
-constexpr int VtkType = IsInteger<Texel> ? VTK_UNSIGNED_SHORT : VTK_FLOAT;
+constexpr int kVtkType = kIsInteger<Texel> ? VTK_UNSIGNED_SHORT : VTK_FLOAT;
 }
 
 //------------------------------------------------------------------------------
@@ -38,8 +38,8 @@ bool PyramidTexture::Upload(vtkOpenGLRenderWindow* window, const MinMaxPyramid<T
   this->InBuffer = Driver::Current().BuffersPyramid;
   this->Texture->SetContext(window);
   this->Texture->ResetFormatAndType();
-  this->Texture->SetInternalFormat(InternalFormat<Texel>);
-  this->Texture->SetFormat(Format<Texel>);
+  this->Texture->SetInternalFormat(kInternalFormat<Texel>);
+  this->Texture->SetFormat(kFormat<Texel>);
   return this->InBuffer ? this->UploadBuffer(pyramid) : this->UploadLevels(pyramid);
 }
 
@@ -50,7 +50,7 @@ bool PyramidTexture::UploadBuffer(const MinMaxPyramid<Texel>& pyramid)
   return this->Buffer->Upload(
            pyramid.AllNodes(), pyramid.NumberOfNodes(), vtkOpenGLBufferObject::TextureBuffer) &&
     this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(pyramid.NumberOfNodes()), 2, VtkType<Texel>, this->Buffer);
+      static_cast<unsigned int>(pyramid.NumberOfNodes()), 2, kVtkType<Texel>, this->Buffer);
 }
 
 //------------------------------------------------------------------------------
@@ -66,13 +66,13 @@ bool PyramidTexture::UploadLevels(const MinMaxPyramid<Texel>& pyramid)
   auto nodes = [&](int level)
   { return const_cast<PyramidNode<Texel>*>(pyramid.LevelNodes(level)); };
   const glm::uvec2 first(pyramid.LevelSize(1));
-  bool done = this->Texture->Create2DFromRaw(first.x, first.y, 2, VtkType<Texel>, nodes(1));
+  bool done = this->Texture->Create2DFromRaw(first.x, first.y, 2, kVtkType<Texel>, nodes(1));
   this->Texture->Activate();
   for (int level = 2; done && level <= pyramid.LevelCount(); ++level)
   {
     const glm::ivec2 size = pyramid.LevelSize(level);
-    glTexImage2D(GL_TEXTURE_2D, level - 1, static_cast<GLint>(InternalFormat<Texel>), size.x,
-      size.y, 0, Format<Texel>, Type<Texel>, nodes(level));
+    glTexImage2D(GL_TEXTURE_2D, level - 1, static_cast<GLint>(kInternalFormat<Texel>), size.x,
+      size.y, 0, kFormat<Texel>, kType<Texel>, nodes(level));
   }
   this->Texture->Deactivate();
   return done && glGetError() == GL_NO_ERROR;
@@ -95,7 +95,7 @@ void PyramidTexture::UploadPart(
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, width);
     glTexSubImage2D(GL_TEXTURE_2D, level - 1, nodes.First.x, nodes.First.y, size.x, size.y,
-      Format<Texel>, Type<Texel>, texels);
+      kFormat<Texel>, kType<Texel>, texels);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     this->Texture->Deactivate();
     return;

@@ -275,7 +275,7 @@ void Scene::AddFeatures(Features& features) const
   // planes that cut the surface are a tenth of a frame on processors that run both sides of a
   // branch
   const bool cuts = this->Mapper->GetNumberOfClippingPlanes() > 0 || this->Cutting.Cuts();
-  features.ClipPlanes = cuts ? MaximumClipPlanes : 0;
+  features.ClipPlanes = cuts ? kMaximumClipPlanes : 0;
   this->Surface.AddFeatures(features);
   if (technique.CastsRays())
   {

@@ -8,21 +8,21 @@ namespace terrain
 {
 namespace
 {
-const std::string BeginMark = "// terrain begins\n";
-const std::string EndMark = "// terrain ends\n";
+const std::string kBeginMark = "// terrain begins\n";
+const std::string kEndMark = "// terrain ends\n";
 
 /// Where a pattern stands next in a source outside the marks, from a position on; npos for nowhere.
-std::size_t findOutside(const std::string& source, const std::string& pattern, std::size_t from)
+std::size_t FindOutside(const std::string& source, const std::string& pattern, std::size_t from)
 {
   while (from != std::string::npos)
   {
     const std::size_t found = source.find(pattern, from);
-    const std::size_t begin = source.find(BeginMark, from);
+    const std::size_t begin = source.find(kBeginMark, from);
     if (found == std::string::npos || begin == std::string::npos || found < begin)
     {
       return found;
     }
-    from = source.find(EndMark, begin);
+    from = source.find(kEndMark, begin);
   }
   return from;
 }
@@ -43,7 +43,7 @@ void ShaderText::Insert(const std::string& tag, const std::string& before,
 {
   std::string source = this->Shader->GetSource();
   std::string marked = before;
-  marked += "\n" + BeginMark + code + (code.empty() || code.back() == '\n' ? "" : "\n") + EndMark;
+  marked += "\n" + kBeginMark + code + (code.empty() || code.back() == '\n' ? "" : "\n") + kEndMark;
   marked += behind;
   if (vtkShaderProgram::Substitute(source, tag, marked))
   {
@@ -78,8 +78,8 @@ bool ShaderText::Follow(const std::string& pattern, const std::string& text)
 {
   std::string source = this->Shader->GetSource();
   bool followed = false;
-  for (std::size_t at = findOutside(source, pattern, 0); at != std::string::npos;
-       at = findOutside(source, pattern, at + text.size()))
+  for (std::size_t at = FindOutside(source, pattern, 0); at != std::string::npos;
+       at = FindOutside(source, pattern, at + text.size()))
   {
     source.replace(at, pattern.size(), text);
     followed = true;

@@ -12,7 +12,7 @@ namespace terrain
 {
 namespace
 {
-bool areSame(const ShadowBoundsTexture::Key& a, const ShadowBoundsTexture::Key& b)
+bool AreSame(const ShadowBoundsTexture::Key& a, const ShadowBoundsTexture::Key& b)
 {
   return AreSameRays(a.Rays, b.Rays) && a.Complete == b.Complete &&
     a.PyramidTime == b.PyramidTime && a.HeightOfCode == b.HeightOfCode;
@@ -24,7 +24,7 @@ bool ShadowBoundsTexture::Upload(
   vtkOpenGLRenderWindow* window, const Key& key, const std::function<ShadowBounds()>& make)
 {
   if (this->Texture->GetContext() == window && this->Texture->GetHandle() &&
-    areSame(this->MadeFrom, key))
+    AreSame(this->MadeFrom, key))
   {
     return true;
   }

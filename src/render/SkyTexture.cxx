@@ -31,7 +31,7 @@ struct MeanHeights
 };
 
 template <typename T>
-float meanOf(const HeightfieldView<T>& view, const glm::i64vec2& square, int level)
+float MeanOf(const HeightfieldView<T>& view, const glm::i64vec2& square, int level)
 {
   const glm::i64vec2 first = square << glm::i64vec2(level);
   const glm::i64vec2 last =
@@ -51,7 +51,7 @@ float meanOf(const HeightfieldView<T>& view, const glm::i64vec2& square, int lev
 }
 
 template <typename T>
-MeanHeights meansOf(const HeightfieldView<T>& view)
+MeanHeights MeansOf(const HeightfieldView<T>& view)
 {
   MeanHeights means;
   const glm::i64vec2 whole(view.Width, view.Height);
@@ -71,7 +71,7 @@ MeanHeights meansOf(const HeightfieldView<T>& view)
         for (std::int64_t i = 0; i < means.Size.x; ++i)
         {
           means.Heights[static_cast<std::size_t>(i + means.Size.x * j)] =
-            meanOf(view, { i, j }, means.Level);
+            MeanOf(view, { i, j }, means.Level);
         }
       }
     });
@@ -79,7 +79,7 @@ MeanHeights meansOf(const HeightfieldView<T>& view)
 }
 
 /// Shares of the sky; 1 where there is no height.
-std::vector<float> sharesOf(const MeanHeights& means, const glm::dvec2& spacing)
+std::vector<float> SharesOf(const MeanHeights& means, const glm::dvec2& spacing)
 {
   HeightfieldView<float> view;
   view.Samples = means.Heights.data();
@@ -115,11 +115,11 @@ bool SkyTexture::Upload(vtkOpenGLRenderWindow* window, vtkImageData* heights, do
   }
   this->ReleaseGraphicsResources(this->Texture->GetContext());
   MeanHeights means;
-  ImageHeights::Dispatch(heights, [&](const auto& view) { means = meansOf(view); });
+  ImageHeights::Dispatch(heights, [&](const auto& view) { means = MeansOf(view); });
   const double* spacing = heights->GetSpacing();
   const GridGeometry drawn{ {}, {}, exaggeration };
   std::vector<float> shares =
-    sharesOf(means, { drawn.RiseToHeights(spacing[0]), drawn.RiseToHeights(spacing[1]) });
+    SharesOf(means, { drawn.RiseToHeights(spacing[0]), drawn.RiseToHeights(spacing[1]) });
   this->Scale = 1.0 / (std::exp2(means.Level) * glm::dvec2(means.Size));
   this->Heights = heights;
   this->HeightsTime = heights->GetMTime();

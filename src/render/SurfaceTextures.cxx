@@ -18,7 +18,7 @@ namespace terrain
 namespace
 {
 /// Cells along a side of a surface with detail: float still tells a tenth of one.
-constexpr int MostCells = 1 << 20;
+constexpr int kMostCells = 1 << 20;
 }
 
 //------------------------------------------------------------------------------
@@ -67,7 +67,7 @@ std::string SurfaceTextures::SetDetail(vtkImageData* detail, int level, double s
   this->Sum.Codes.Offset += scale * codes.Offset;
   this->Sum.Codes.MaximumCode += this->DetailScale * codes.MaximumCode;
   this->Sum.Geometry.Spacing /= cells;
-  if (std::max(this->Size.x, this->Size.y) - 1 > (MostCells >> level))
+  if (std::max(this->Size.x, this->Size.y) - 1 > (kMostCells >> level))
   {
     return "detail: " + std::to_string(cells) + " cells along a cell of the heights are too many";
   }
@@ -91,9 +91,9 @@ std::string SurfaceTextures::SetTiledSum()
   {
     return "the tiles are not those of the heights";
   }
-  if (std::max(layout.Width, layout.Height) - 1 > MostCells)
+  if (std::max(layout.Width, layout.Height) - 1 > kMostCells)
   {
-    return "its tiles have more than " + std::to_string(MostCells) + " cells along a side";
+    return "its tiles have more than " + std::to_string(kMostCells) + " cells along a side";
   }
   this->Sum.Codes = source.GetCodes();
   this->Sum.Size = glm::ivec2(static_cast<int>(layout.Width), static_cast<int>(layout.Height));
@@ -179,7 +179,7 @@ HeightfieldView<Texel> SurfaceTextures::TexelView(const Texels<Texel>& texels) c
   view.Width = this->Size.x;
   view.Height = this->Size.y;
   view.HasNoData = this->Codes.HasNoData;
-  view.NoData = std::is_floating_point_v<Texel> ? static_cast<Texel>(NoDataCode) : Texel{};
+  view.NoData = std::is_floating_point_v<Texel> ? static_cast<Texel>(kNoDataCode) : Texel{};
   return view;
 }
 

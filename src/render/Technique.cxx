@@ -34,7 +34,7 @@ namespace terrain
 {
 namespace
 {
-Features::Ways wayOf(vtkTerrainLook::Techniques technique)
+Features::Ways WayOf(vtkTerrainLook::Techniques technique)
 {
   switch (technique)
   {
@@ -51,7 +51,7 @@ Features::Ways wayOf(vtkTerrainLook::Techniques technique)
   }
 }
 
-SearchKind searchKind(Features::Ways way)
+SearchKind KindOf(Features::Ways way)
 {
   switch (way)
   {
@@ -65,21 +65,21 @@ SearchKind searchKind(Features::Ways way)
 }
 
 /// What all programs begin with, after their defines.
-std::string commonFunctions(const Features& features)
+std::string CommonFunctions(const Features& features)
 {
   return Features::Constants() + (features.Tiles ? vtkTerrainTiles : "") + vtkTerrainHeights +
     vtkTerrainColumns + vtkTerrainRay + vtkTerrainView +
     (features.Globe ? vtkTerrainGlobeLines : "");
 }
 
-std::string pyramidFunctions(const Features& features)
+std::string PyramidFunctions(const Features& features)
 {
   return std::string(vtkTerrainPyramid) + (features.Tiles ? vtkTerrainTileTrace : "");
 }
 
-std::string castFunctions(const Features& features)
+std::string CastFunctions(const Features& features)
 {
-  return pyramidFunctions(features) +
+  return PyramidFunctions(features) +
     (features.Way == Features::Ways::Pyramid ? "" : vtkTerrainSearch) +
     (features.Globe ? vtkTerrainGlobeTrace : "") + vtkTerrainTrace + vtkTerrainSighting +
     vtkTerrainCast;
@@ -88,22 +88,22 @@ std::string castFunctions(const Features& features)
 
 //------------------------------------------------------------------------------
 Technique::Technique(vtkTerrainLook::Techniques technique)
-  : Way(wayOf(technique))
+  : Way(WayOf(technique))
 {
 }
 
 //------------------------------------------------------------------------------
 std::string Technique::FragmentFunctions(const Features& features)
 {
-  std::string functions = commonFunctions(features);
+  std::string functions = CommonFunctions(features);
   if (features.CastsRays())
   {
-    functions += features.ReadsSightings ? vtkTerrainSighting : castFunctions(features);
+    functions += features.ReadsSightings ? vtkTerrainSighting : CastFunctions(features);
   }
   functions += std::string(vtkTerrainGradient) + vtkTerrainSurface + vtkTerrainColor;
   const bool looks = features.ShadowMask != 0 && !features.ReadsLights;
   const bool hasPyramid = features.CastsRays() && !features.ReadsSightings;
-  functions += looks && !hasPyramid ? pyramidFunctions(features) : "";
+  functions += looks && !hasPyramid ? PyramidFunctions(features) : "";
   functions += looks ? vtkTerrainOutlook : "";
   functions += features.ShadowMask != 0 ? vtkTerrainLight : "";
   return functions + (features.Sky ? vtkTerrainSky : "");
@@ -112,21 +112,21 @@ std::string Technique::FragmentFunctions(const Features& features)
 //------------------------------------------------------------------------------
 std::string Technique::BeamSource(const Features& features)
 {
-  return features.Defines() + commonFunctions(features) + vtkTerrainPyramid + vtkTerrainBeam +
+  return features.Defines() + CommonFunctions(features) + vtkTerrainPyramid + vtkTerrainBeam +
     vtkTerrainBeamCS;
 }
 
 //------------------------------------------------------------------------------
 std::string Technique::SightingSource(const Features& features)
 {
-  return features.Defines() + commonFunctions(features) + castFunctions(features) +
+  return features.Defines() + CommonFunctions(features) + CastFunctions(features) +
     vtkTerrainSightingCS;
 }
 
 //------------------------------------------------------------------------------
 std::string Technique::LightSource(const Features& features)
 {
-  return features.Defines() + commonFunctions(features) + pyramidFunctions(features) +
+  return features.Defines() + CommonFunctions(features) + PyramidFunctions(features) +
     vtkTerrainSighting + vtkTerrainGradient + vtkTerrainSurface + vtkTerrainOutlook +
     vtkTerrainLight + vtkTerrainLightCS;
 }
@@ -146,7 +146,7 @@ void Technique::SetSearchUniforms(Uniforms& uniforms, const vtkTerrainLook* look
   scene.MaximumCode = codes.MaximumCode;
   scene.CodesPerCell = geometry.HeightOfCellSide() / codes.Scale;
 
-  const SearchKind kind = searchKind(this->Way);
+  const SearchKind kind = KindOf(this->Way);
   SearchParameters search = ChooseSearchParameters(scene, kind);
   search.Steps = look->GetSteps() > 0 ? look->GetSteps() : search.Steps;
   search.LongSteps = look->GetLongSteps() > 0 ? look->GetLongSteps() : search.LongSteps;

@@ -13,9 +13,9 @@ namespace terrain
 namespace
 {
 /// Components of the uniforms that are passed; drivers have 128 for all varyings.
-constexpr int MostPassedComponents = 120;
+constexpr int kMostPassedComponents = 120;
 
-int componentsOf(const std::string& type)
+int ComponentsOf(const std::string& type)
 {
   return type == "mat3" ? 9 : type == "float" || type == "int" ? 1 : type.back() - '0';
 }
@@ -85,11 +85,11 @@ public:
     const std::string type = match[1];
     const std::string name = match[2];
     const std::string rest = this->WithInputs(match.suffix());
-    if (this->Left < componentsOf(type) || this->VertexSource.find(name) != std::string::npos)
+    if (this->Left < ComponentsOf(type) || this->VertexSource.find(name) != std::string::npos)
     {
       return match.prefix().str() + match[0].str() + rest;
     }
-    this->Left -= componentsOf(type);
+    this->Left -= ComponentsOf(type);
     const std::string passed = name + "VSOutput";
     this->Declarations += "uniform " + type + " " + name + ";\n";
     this->Declarations += "flat out " + type + " " + passed + ";\n";
@@ -103,7 +103,7 @@ public:
 
 private:
   const std::string& VertexSource;
-  int Left = MostPassedComponents;
+  int Left = kMostPassedComponents;
 };
 }
 

@@ -23,7 +23,7 @@ namespace
 {
 /// Sets a pixel vector, whose columns take (1, x, y) to its value, as floats; and what float cuts
 /// off.
-void setVector(
+void SetVector(
   Uniforms& uniforms, const char* name, const PixelVector& vector, const char* lowName = nullptr)
 {
   const glm::dmat3 matrix(vector[0], vector[1], vector[2]);
@@ -119,10 +119,10 @@ void View::SetClippingPlanes(
 //------------------------------------------------------------------------------
 void View::SetUniforms(Uniforms& uniforms) const
 {
-  setVector(uniforms, "terrainOriginGC", this->Rays.OriginGC, "terrainOriginLowGC");
-  setVector(uniforms, "terrainDirectionGC", this->Rays.DirectionGC, "terrainDirectionLowGC");
-  setVector(uniforms, "terrainOriginVC", this->Rays.OriginVC);
-  setVector(uniforms, "terrainDirectionVC", this->Rays.DirectionVC);
+  SetVector(uniforms, "terrainOriginGC", this->Rays.OriginGC, "terrainOriginLowGC");
+  SetVector(uniforms, "terrainDirectionGC", this->Rays.DirectionGC, "terrainDirectionLowGC");
+  SetVector(uniforms, "terrainOriginVC", this->Rays.OriginVC);
+  SetVector(uniforms, "terrainDirectionVC", this->Rays.DirectionVC);
   uniforms.Set("terrainNormalMatrix", glm::mat3(this->Rays.NormalMatrix));
   uniforms.Set("terrainDepthRow", glm::vec4(this->Rays.DepthRow));
   uniforms.Set("terrainWeightRow", glm::vec4(this->Rays.WeightRow));
@@ -136,10 +136,10 @@ void View::SetUniforms(Uniforms& uniforms) const
   uniforms.SetArray("terrainBoxMaximum", 1, &box[1]);
   if (uniforms.Uses("terrainClipPlaneCount") || uniforms.Uses("terrainClipPlanesVC"))
   {
-    std::array<glm::vec4, MaximumClipPlanes> planes{};
+    std::array<glm::vec4, kMaximumClipPlanes> planes{};
     std::copy(this->PlanesVC.begin(), this->PlanesVC.end(), planes.begin());
     uniforms.Set("terrainClipPlaneCount", static_cast<int>(this->PlanesVC.size()));
-    uniforms.SetArray("terrainClipPlanesVC", MaximumClipPlanes, planes.data());
+    uniforms.SetArray("terrainClipPlanesVC", kMaximumClipPlanes, planes.data());
   }
 }
 

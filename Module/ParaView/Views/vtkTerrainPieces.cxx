@@ -24,7 +24,7 @@ namespace
 {
 /// Those datasets of a type in another one, which may be one itself, that have points.
 template <typename DataSet>
-std::vector<DataSet*> findParts(vtkDataObject* data)
+std::vector<DataSet*> FindParts(vtkDataObject* data)
 {
   std::vector<DataSet*> parts;
   const auto add = [&parts](vtkDataObject* object)
@@ -55,13 +55,13 @@ namespace vtkTerrainPieces
 //------------------------------------------------------------------------------
 std::vector<vtkImageData*> FindImages(vtkDataObject* data)
 {
-  return findParts<vtkImageData>(data);
+  return FindParts<vtkImageData>(data);
 }
 
 //------------------------------------------------------------------------------
 std::vector<vtkPolyData*> FindSurfaces(vtkDataObject* data)
 {
-  return findParts<vtkPolyData>(data);
+  return FindParts<vtkPolyData>(data);
 }
 
 //------------------------------------------------------------------------------

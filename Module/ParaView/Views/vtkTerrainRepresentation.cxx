@@ -43,10 +43,10 @@ vtkStandardNewMacro(vtkTerrainRepresentation);
 namespace
 {
 /// Which of the arrays to process is which.
-constexpr int ColorArray = 0;
-constexpr int HeightArray = 1;
+constexpr int kColorArray = 0;
+constexpr int kHeightArray = 1;
 
-int numberOfProcesses()
+int NumberOfProcesses()
 {
   vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
   return processes ? processes->GetNumberOfProcesses() : 1;
@@ -54,7 +54,7 @@ int numberOfProcesses()
 
 /// Makes a view have so many of some actors.
 template <typename Actor>
-void setNumberOfActors(std::vector<vtkSmartPointer<Actor>>& actors, std::size_t number,
+void SetNumberOfActors(std::vector<vtkSmartPointer<Actor>>& actors, std::size_t number,
   vtkPVRenderView* view, vtkTerrainRepresentation* owner)
 {
   while (actors.size() > number)
@@ -151,7 +151,7 @@ void vtkTerrainRepresentation::ShareHeightRange()
   const std::array<double, 2> own =
     vtkTerrainPieces::HeightRange(vtkTerrainPieces::FindImages(this->Pieces));
   this->HeightRange = own;
-  if (numberOfProcesses() > 1)
+  if (NumberOfProcesses() > 1)
   {
     vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
     processes->AllReduce(&own[0], &this->HeightRange[0], 1, vtkCommunicator::MIN_OP);
@@ -164,7 +164,7 @@ void vtkTerrainRepresentation::ShareHeightRange()
 void vtkTerrainRepresentation::AddPiece(vtkImageData* image)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* array = this->GetInputArrayToProcess(HeightArray, image, association);
+  vtkDataArray* array = this->GetInputArrayToProcess(kHeightArray, image, association);
   vtkSmartPointer<vtkImageData> heights;
   if (array && association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
@@ -269,7 +269,7 @@ void vtkTerrainRepresentation::TakePieces(vtkDataObject* delivered)
                  [](vtkImageData* heights) { return !vtkTerrainPieces::HasCells(heights); }),
     pieces.end());
   this->Actor->SetVisibility(!pieces.empty() && this->GetVisibility());
-  setNumberOfActors(this->OtherActors, pieces.empty() ? 0 : pieces.size() - 1,
+  SetNumberOfActors(this->OtherActors, pieces.empty() ? 0 : pieces.size() - 1,
     vtkPVRenderView::SafeDownCast(this->GetView()), this);
   if (!this->ReliefColors && !pieces.empty())
   {
@@ -285,7 +285,7 @@ void vtkTerrainRepresentation::TakePieces(vtkDataObject* delivered)
     // each update brings other images, but other arrays only if something has changed
     if (!actor->GetHeights() || !vtkTerrainPieces::AreSame(actor->GetHeights(), pieces[k]))
     {
-      vtkTerrainLooks::TakePiece(actor, pieces[k], pieces.size() > 1 || numberOfProcesses() > 1);
+      vtkTerrainLooks::TakePiece(actor, pieces[k], pieces.size() > 1 || NumberOfProcesses() > 1);
     }
     if (k > 0)
     {
@@ -300,7 +300,7 @@ void vtkTerrainRepresentation::TakePieces(vtkDataObject* delivered)
 void vtkTerrainRepresentation::TakeSurfaces(vtkDataObject* delivered)
 {
   const std::vector<vtkPolyData*> surfaces = vtkTerrainPieces::FindSurfaces(delivered);
-  setNumberOfActors(
+  SetNumberOfActors(
     this->SurfaceActors, surfaces.size(), vtkPVRenderView::SafeDownCast(this->GetView()), this);
   for (std::size_t k = 0; k < surfaces.size(); ++k)
   {
@@ -327,7 +327,7 @@ void vtkTerrainRepresentation::PlaceSurface(vtkActor* actor)
 // Null without one.
 const char* vtkTerrainRepresentation::GetColorArray(bool& isOfCells)
 {
-  vtkInformation* array = this->GetInputArrayInformation(ColorArray);
+  vtkInformation* array = this->GetInputArrayInformation(kColorArray);
   const char* name = array && array->Has(vtkDataObject::FIELD_NAME())
     ? array->Get(vtkDataObject::FIELD_NAME())
     : nullptr;
@@ -393,8 +393,8 @@ bool vtkTerrainRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
-  setNumberOfActors(this->OtherActors, 0, renderView, this);
-  setNumberOfActors(this->SurfaceActors, 0, renderView, this);
+  SetNumberOfActors(this->OtherActors, 0, renderView, this);
+  SetNumberOfActors(this->SurfaceActors, 0, renderView, this);
   renderView->GetRenderer()->RemoveActor(this->Actor);
   renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
   return this->Superclass::RemoveFromView(view);

@@ -10,7 +10,7 @@ namespace terrain
 {
 namespace
 {
-GlobeShell makeShell(const Ellipsoid& body, double height, const glm::dvec2& meridian)
+GlobeShell MakeShell(const Ellipsoid& body, double height, const glm::dvec2& meridian)
 {
   GlobeShell shell;
   const double a = body.Equatorial + height;
@@ -23,7 +23,7 @@ GlobeShell makeShell(const Ellipsoid& body, double height, const glm::dvec2& mer
 }
 
 /// Sine and cosine of a latitude: exactly on the axis at the poles.
-glm::dvec2 sineCosine(double latitude)
+glm::dvec2 SineCosine(double latitude)
 {
   return std::abs(latitude) >= 90.0 * kDegree ? glm::dvec2(std::copysign(1.0, latitude), 0.0)
                                               : glm::dvec2(std::sin(latitude), std::cos(latitude));
@@ -52,9 +52,9 @@ GlobeAnchor::GlobeAnchor(const GlobeGrid& grid, const GlobeRange& range, const g
   const double relief = std::max(std::abs(range.Lowest), std::abs(range.Highest));
   const double margin = 1.0 + 1e-6 * glm::length(position) + 1e-6 * body.Equatorial +
     relief * body.Flattening() * body.Flattening() + 1e-3 * (range.Highest - range.Lowest);
-  this->Outer = makeShell(body, range.Highest + margin, meridian);
+  this->Outer = MakeShell(body, range.Highest + margin, meridian);
   this->Inner =
-    makeShell(body, std::max(range.Lowest - margin, -0.5 * body.LeastRadius()), meridian);
+    MakeShell(body, std::max(range.Lowest - margin, -0.5 * body.LeastRadius()), meridian);
   this->Curvature = 1.0 / (body.LeastRadius() + std::min(range.Lowest - margin, 0.0));
   this->Spread = body.GreatestRadius() / body.LeastRadius() - 1.0;
 
@@ -71,7 +71,7 @@ GlobeAnchor::GlobeAnchor(const GlobeGrid& grid, const GlobeRange& range, const g
   this->Rows.resize(grid.Latitudes.size());
   for (std::size_t j = 0; j < this->Rows.size(); ++j)
   {
-    const glm::dvec2 line = sineCosine(grid.Latitudes[j]);
+    const glm::dvec2 line = SineCosine(grid.Latitudes[j]);
     const glm::dvec2 apart = meridian - body.Foot(line.x, line.y);
     this->Rows[j] = { line, apart.y * line.y - apart.x * line.x,
       apart.x * line.y + apart.y * line.x - this->Height };
@@ -84,7 +84,7 @@ std::vector<glm::dvec4> GlobeCurves(const GlobeGrid& grid)
   std::vector<glm::dvec4> curves(grid.Latitudes.size());
   for (std::size_t j = 0; j < curves.size(); ++j)
   {
-    const glm::dvec2 line = sineCosine(grid.Latitudes[j]);
+    const glm::dvec2 line = SineCosine(grid.Latitudes[j]);
     const double w2 = 1.0 - e2 * line.x * line.x;
     const double radius = grid.Body.Meridional(line.x);
     const double sc = line.x * line.y;

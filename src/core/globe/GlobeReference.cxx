@@ -18,7 +18,7 @@ constexpr int kParts = 12;
 
 /// Where a value with one minimum in an interval is least, by thirds.
 template <typename Function>
-double leastAt(double low, double high, Function&& value)
+double LeastAt(double low, double high, Function&& value)
 {
   for (int step = 0; step < 60; ++step)
   {
@@ -36,7 +36,7 @@ double leastAt(double low, double high, Function&& value)
 }
 
 template <typename Function>
-double bisect(double low, double high, bool lowIsNegative, Function&& value)
+double Bisect(double low, double high, bool lowIsNegative, Function&& value)
 {
   for (int step = 0; step < 60; ++step)
   {
@@ -48,7 +48,7 @@ double bisect(double low, double high, bool lowIsNegative, Function&& value)
 
 /// First root in [begin, end], NaN if none; nearest: least |value| where looked.
 template <typename Function>
-double firstRoot(double begin, double end, double& nearest, Function&& value)
+double FirstRoot(double begin, double end, double& nearest, Function&& value)
 {
   std::array<double, kParts + 1> at{};
   std::array<double, kParts + 1> f{};
@@ -74,23 +74,23 @@ double firstRoot(double begin, double end, double& nearest, Function&& value)
     if (dips && negative == (f[i + 1] < 0.0))
     {
       const double least =
-        leastAt(at[i], at[i + 1], [&](double t) { return negative ? -value(t) : value(t); });
+        LeastAt(at[i], at[i + 1], [&](double t) { return negative ? -value(t) : value(t); });
       const double there = value(least);
       nearest = std::min(nearest, std::abs(there));
       if (negative != (there < 0.0))
       {
-        return bisect(at[i], least, negative, value);
+        return Bisect(at[i], least, negative, value);
       }
     }
     if (negative != (f[i + 1] < 0.0))
     {
-      return bisect(at[i], at[i + 1], negative, value);
+      return Bisect(at[i], at[i + 1], negative, value);
     }
   }
   return f[kParts] == 0.0 ? at[kParts] : kNaN;
 }
 
-void addRoots(double a, double halfB, double c, std::vector<double>& roots)
+void AddRoots(double a, double halfB, double c, std::vector<double>& roots)
 {
   if (a == 0.0)
   {
@@ -148,7 +148,7 @@ std::vector<double> GlobeReference::Cuts(const GlobeReferenceRay& ray) const
     const double c = std::cos(latitude);
     const double apex = -this->Grid.Body.E2() * this->Grid.Body.PrimeVertical(s) * s;
     const double z = o.z - apex;
-    addRoots(d.z * d.z * c * c - (d.x * d.x + d.y * d.y) * s * s,
+    AddRoots(d.z * d.z * c * c - (d.x * d.x + d.y * d.y) * s * s,
       z * d.z * c * c - (o.x * d.x + o.y * d.y) * s * s,
       z * z * c * c - (o.x * o.x + o.y * o.y) * s * s, cuts);
   }
@@ -208,7 +208,7 @@ GlobeReferenceHit GlobeReference::Cast(const GlobeReferenceRay& ray) const
       continue;
     }
     double nearest = kInfinity;
-    hit.T = firstRoot(cuts[i], cuts[i + 1], nearest,
+    hit.T = FirstRoot(cuts[i], cuts[i + 1], nearest,
       [this, &ray, &hit](double t)
       { return this->Above(ray.Origin + t * ray.Direction, hit.Cell, hit.Fraction, true); });
     hit.Found = !std::isnan(hit.T);

@@ -22,7 +22,7 @@
 namespace terrain
 {
 /// Code of a sample without height, as terrainCellCodes() gives it.
-constexpr float NoDataCode = -1.0f;
+constexpr float kNoDataCode = -1.0f;
 
 /// How heights are coded, see above.
 struct HeightCodes
@@ -142,7 +142,7 @@ void EncodeHeights(const HeightfieldView<T>& view, const HeightCodes& codes, std
   const ParallelFor& parallelFor)
 {
   const Texel noData =
-    codes.Format == HeightCodes::TexelFormat::UInt16 ? Texel{} : static_cast<Texel>(NoDataCode);
+    codes.Format == HeightCodes::TexelFormat::UInt16 ? Texel{} : static_cast<Texel>(kNoDataCode);
   parallelFor(end - begin,
     [&](std::int64_t rowBegin, std::int64_t rowEnd)
     {

@@ -10,7 +10,7 @@ namespace terrain
 {
 namespace
 {
-glm::dvec3 unproject(const glm::dmat4& displayToView, double x, double y, double z)
+glm::dvec3 Unproject(const glm::dmat4& displayToView, double x, double y, double z)
 {
   const glm::dvec4 p = displayToView * glm::dvec4(x, y, z, 1.0);
   return glm::dvec3(p) / p.w;
@@ -18,17 +18,17 @@ glm::dvec3 unproject(const glm::dmat4& displayToView, double x, double y, double
 
 /// Origin and direction in view coordinates of the ray through normalised display coordinates (x,
 /// y).
-std::array<glm::dvec3, 2> rayThrough(const glm::dmat4& displayToView, double x, double y)
+std::array<glm::dvec3, 2> RayThrough(const glm::dmat4& displayToView, double x, double y)
 {
-  const glm::dvec3 nearPoint = unproject(displayToView, x, y, -1.0);
-  const glm::dvec3 farPoint = unproject(displayToView, x, y, 1.0);
+  const glm::dvec3 nearPoint = Unproject(displayToView, x, y, -1.0);
+  const glm::dvec3 farPoint = Unproject(displayToView, x, y, 1.0);
   const glm::dvec3 direction = (farPoint - nearPoint) / (nearPoint.z - farPoint.z);
   return { nearPoint + nearPoint.z * direction, direction };
 }
 
 /// A pixel vector from its values at the lower left, lower right and upper left corner of the
 /// viewport.
-PixelVector fromCorners(const glm::dvec3& lowerLeft, const glm::dvec3& lowerRight,
+PixelVector FromCorners(const glm::dvec3& lowerLeft, const glm::dvec3& lowerRight,
   const glm::dvec3& upperLeft, const glm::dvec4& viewport)
 {
   const glm::dvec3 perX = (lowerRight - lowerLeft) / viewport.z;
@@ -36,14 +36,14 @@ PixelVector fromCorners(const glm::dvec3& lowerLeft, const glm::dvec3& lowerRigh
   return { lowerLeft - viewport.x * perX - viewport.y * perY, perX, perY };
 }
 
-PixelVector transform(const glm::dmat4& matrix, const PixelVector& vector, double w)
+PixelVector Transform(const glm::dmat4& matrix, const PixelVector& vector, double w)
 {
   return { glm::dvec3(matrix * glm::dvec4(vector[0], w)),
     glm::dvec3(matrix * glm::dvec4(vector[1], 0.0)),
     glm::dvec3(matrix * glm::dvec4(vector[2], 0.0)) };
 }
 
-glm::dvec4 row(const glm::dmat4& matrix, int index)
+glm::dvec4 Row(const glm::dmat4& matrix, int index)
 {
   return { matrix[0][index], matrix[1][index], matrix[2][index], matrix[3][index] };
 }
@@ -53,21 +53,21 @@ PixelRays MakePixelRays(
   const glm::dmat4& gridToView, const glm::dmat4& viewToDisplay, const glm::dvec4& viewport)
 {
   const glm::dmat4 displayToView = glm::inverse(viewToDisplay);
-  const auto lowerLeft = rayThrough(displayToView, -1.0, -1.0);
-  const auto lowerRight = rayThrough(displayToView, 1.0, -1.0);
-  const auto upperLeft = rayThrough(displayToView, -1.0, 1.0);
+  const auto lowerLeft = RayThrough(displayToView, -1.0, -1.0);
+  const auto lowerRight = RayThrough(displayToView, 1.0, -1.0);
+  const auto upperLeft = RayThrough(displayToView, -1.0, 1.0);
 
   PixelRays rays;
-  rays.OriginVC = fromCorners(lowerLeft[0], lowerRight[0], upperLeft[0], viewport);
-  rays.DirectionVC = fromCorners(lowerLeft[1], lowerRight[1], upperLeft[1], viewport);
+  rays.OriginVC = FromCorners(lowerLeft[0], lowerRight[0], upperLeft[0], viewport);
+  rays.DirectionVC = FromCorners(lowerLeft[1], lowerRight[1], upperLeft[1], viewport);
   const glm::dmat4 viewToGrid = glm::inverse(gridToView);
-  rays.OriginGC = transform(viewToGrid, rays.OriginVC, 1.0);
-  rays.DirectionGC = transform(viewToGrid, rays.DirectionVC, 0.0);
+  rays.OriginGC = Transform(viewToGrid, rays.OriginVC, 1.0);
+  rays.DirectionGC = Transform(viewToGrid, rays.DirectionVC, 0.0);
   rays.NormalMatrix = glm::transpose(glm::dmat3(viewToGrid));
-  rays.DepthRow = row(viewToDisplay, 2);
-  rays.WeightRow = row(viewToDisplay, 3);
-  rays.Near = -unproject(displayToView, 0.0, 0.0, -1.0).z;
-  rays.Far = -unproject(displayToView, 0.0, 0.0, 1.0).z;
+  rays.DepthRow = Row(viewToDisplay, 2);
+  rays.WeightRow = Row(viewToDisplay, 3);
+  rays.Near = -Unproject(displayToView, 0.0, 0.0, -1.0).z;
+  rays.Far = -Unproject(displayToView, 0.0, 0.0, 1.0).z;
   rays.Begin = rays.WeightRow.z != 0.0 ? 0.0 : rays.Near;
   return rays;
 }

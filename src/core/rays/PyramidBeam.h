@@ -18,8 +18,8 @@
  *
  * Conservative: no ray of the tile meets the surface before the distance returned. Every bound is
  * taken over all cells that the box touches on the way, heights are widened by Path::slack and the
- * box by BeamMargin and BeamReach, more than what rounding moves a ray; if the number of steps runs
- * out, the distance reached so far is as safe as any.
+ * box by kBeamMargin and kBeamReach, more than what rounding moves a ray; if the number of steps
+ * runs out, the distance reached so far is as safe as any.
  */
 #ifndef terrain_PyramidBeam_h
 #define terrain_PyramidBeam_h
@@ -30,11 +30,11 @@
 namespace terrain
 {
 /// Most steps of a beam.
-constexpr int BeamSteps = 192;
+constexpr int kBeamSteps = 192;
 /// The box of a beam is widened by this part of its coordinates, above what float rounds them by.
-constexpr float BeamMargin = 1e-6f;
+constexpr float kBeamMargin = 1e-6f;
 /// Cells by which a beam gets past a line between cells: more than what rounding moves positions.
-constexpr float BeamReach = 1e-4f;
+constexpr float kBeamReach = 1e-4f;
 
 /// The rays of a tile of pixels: all lie in ray(s) -+ (radius + s * growth), s being that of the
 /// ray.
@@ -113,8 +113,8 @@ typename PyramidBeam<Texel>::Edges PyramidBeam<Texel>::BeamEdges(
   const Path& path, const TerrainBeam& beam) const
 {
   const glm::vec3 radius =
-    beam.radius + BeamMargin * (glm::abs(path.origin) + 1.0f) + glm::vec3(0.0f, 0.0f, path.slack);
-  const glm::vec3 growth = beam.growth + BeamMargin * glm::abs(path.direction);
+    beam.radius + kBeamMargin * (glm::abs(path.origin) + 1.0f) + glm::vec3(0.0f, 0.0f, path.slack);
+  const glm::vec3 growth = beam.growth + kBeamMargin * glm::abs(path.direction);
   return { path.origin - radius, path.direction - growth, path.origin + radius,
     path.direction + growth };
 }
@@ -256,12 +256,12 @@ typename PyramidBeam<Texel>::Step PyramidBeam<Texel>::BeamOverCell(
   const glm::vec2 origin(path.origin);
   const glm::vec2 direction(path.direction);
   const glm::ivec2 cell =
-    glm::ivec2(glm::floor(origin + direction * at.s + BeamReach)) + path.anchor;
+    glm::ivec2(glm::floor(origin + direction * at.s + kBeamReach)) + path.anchor;
   const glm::vec2 leave =
     (glm::vec2(cell + 1 - path.anchor) - path.lineOrigin) * glm::vec2(path.inverse);
   const float s = std::min(std::max(std::min(leave.x, leave.y), at.s), path.sEnd);
   const glm::vec3 radius = 0.5f * (edges.high - edges.low + (edges.highMove - edges.lowMove) * s) +
-    glm::vec3(2.0f * BeamReach, 2.0f * BeamReach, 0.0f);
+    glm::vec3(2.0f * kBeamReach, 2.0f * kBeamReach, 0.0f);
   const bool inside = glm::all(glm::greaterThan(cell, path.firstCell)) &&
     glm::all(glm::lessThan(cell, path.lastCell));
   if (!inside || std::max(radius.x, radius.y) > 0.9f)
@@ -283,7 +283,7 @@ typename PyramidBeam<Texel>::Step PyramidBeam<Texel>::BeamOverCell(
   const bool clear = valid &&
     (std::min(difference.x, difference.y) - 0.25f * std::max(bend, 0.0f) > reach ||
       std::max(difference.x, difference.y) - 0.25f * std::min(bend, 0.0f) < -reach);
-  const glm::ivec2 next = glm::ivec2(glm::floor(origin + direction * s + BeamReach)) + path.anchor;
+  const glm::ivec2 next = glm::ivec2(glm::floor(origin + direction * s + kBeamReach)) + path.anchor;
   const bool leavesBlock =
     glm::any(glm::notEqual(next >> 1, cell >> 1)) || this->BeamLevel(edges, s) > 0;
   return { clear ? s : at.s, leavesBlock ? 1 : 0, !clear };
@@ -297,7 +297,7 @@ float PyramidBeam<Texel>::BeamStart(const TerrainBeam& beam, int& steps) const
   const Edges edges = this->BeamEdges(path, beam);
   const float s = top < 1 ? path.sEnd : this->BeamEntry(path, edges);
   Step at{ s, std::min(std::max(this->BeamLevel(edges, s) + 2, 1), top), false };
-  for (int i = 0; i < BeamSteps && !at.stops && at.s < path.sEnd; ++i)
+  for (int i = 0; i < kBeamSteps && !at.stops && at.s < path.sEnd; ++i)
   {
     ++steps;
     at = at.level > 0 ? this->BeamOverBlock(path, edges, at) : this->BeamOverCell(path, edges, at);

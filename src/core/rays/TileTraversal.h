@@ -49,7 +49,7 @@ struct TiledHeights
   glm::vec4 LevelCodes(glm::ivec2 cell, int level) const
   {
     const int slot = this->tiles->TileSlot(cell, level);
-    return slot < 0 ? glm::vec4(NoDataCode) : this->tiles->SlotCodes(cell, slot);
+    return slot < 0 ? glm::vec4(kNoDataCode) : this->tiles->SlotCodes(cell, slot);
   }
   glm::vec4 CellCodes(glm::ivec2 cell) const
   {

@@ -17,7 +17,7 @@ const char* const kBuildAborted = "stopped on request";
 namespace
 {
 /// Part of the work that the first pass is.
-constexpr double BandShare = 0.8;
+constexpr double kBandShare = 0.8;
 
 /// Gives the samples of the border an error that is above all others, and yet a known one.
 void KeepBorder(HierarchyTarget& target)
@@ -70,7 +70,7 @@ std::string BuildHierarchy(HierarchyTarget& target, const HeightRows& rows,
       return error;
     }
     const double done = static_cast<double>(bands.Count() - band);
-    if (!goOn(BandShare * done / static_cast<double>(bands.Count())))
+    if (!goOn(kBandShare * done / static_cast<double>(bands.Count())))
     {
       return kBuildAborted;
     }
@@ -80,7 +80,7 @@ std::string BuildHierarchy(HierarchyTarget& target, const HeightRows& rows,
   {
     KeepBorder(target);
   }
-  double left = 1.0 - BandShare;
+  double left = 1.0 - kBandShare;
   for (int depth = layout.Depths() - 2; depth >= 0; --depth)
   {
     NestDepth(target, depth, parallelFor);

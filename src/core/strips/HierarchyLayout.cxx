@@ -8,7 +8,7 @@ namespace terrain
 {
 namespace
 {
-constexpr int GroupRecords = 3;
+constexpr int kGroupRecords = 3;
 
 /// Columns or rows of vertices that refinement can reach, for a raster of `size` samples. Ancestors
 /// of a vertex on the raster's last row lie up to three of their steps beyond it, their children
@@ -58,7 +58,7 @@ HierarchyLayout::HierarchyLayout(std::int64_t width, std::int64_t height)
   {
     ++this->PairCount;
   }
-  constexpr std::int64_t blockRecords = std::int64_t(BlockSide) * BlockSide * GroupRecords;
+  constexpr std::int64_t blockRecords = std::int64_t(BlockSide) * BlockSide * kGroupRecords;
   std::int64_t begin = 0;
   for (int pair = 0; pair < this->PairCount; ++pair)
   {
@@ -66,9 +66,9 @@ HierarchyLayout::HierarchyLayout(std::int64_t width, std::int64_t height)
     const std::int64_t columns = ReachableSteps(width, this->Shift(pair), this->Cells());
     const std::int64_t rows = ReachableSteps(height, this->Shift(pair), this->Cells());
     // South side (x odd, y even) is slot 0, west side (x even, y odd) 1, centre (both odd) 2.
-    this->Terms[0].push_back(TermsOf(columns, blockRecords, GroupRecords, 1));
+    this->Terms[0].push_back(TermsOf(columns, blockRecords, kGroupRecords, 1));
     this->Terms[1].push_back(
-      TermsOf(rows, blockRecords * BlocksOf(columns), std::int64_t(GroupRecords) * BlockSide, 2));
+      TermsOf(rows, blockRecords * BlocksOf(columns), std::int64_t(kGroupRecords) * BlockSide, 2));
     for (std::uint32_t& term : this->Terms[1].back())
     {
       term += static_cast<std::uint32_t>(begin - 1);
@@ -93,7 +93,7 @@ int HierarchyLayout::DepthOf(std::int64_t index) const
 {
   const auto next = std::upper_bound(this->PairBegin.begin(), this->PairBegin.end(), index);
   const auto pair = static_cast<int>(next - this->PairBegin.begin()) - 1;
-  const bool isCentre = (index - this->PairBegin[pair]) % GroupRecords == 2;
+  const bool isCentre = (index - this->PairBegin[pair]) % kGroupRecords == 2;
   return 2 * pair + (isCentre ? 0 : 1);
 }
 

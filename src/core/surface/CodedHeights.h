@@ -43,7 +43,7 @@ struct CodedHeights
   int bias = 0;
   float maximumCode = 0.0f;
 
-  /// As in terrainTexelCode(): code of a sample, NoDataCode (or any negative) if it has none.
+  /// As in terrainTexelCode(): code of a sample, kNoDataCode (or any negative) if it has none.
   float Code(glm::ivec2 sample) const
   {
     return static_cast<float>(

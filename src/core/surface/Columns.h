@@ -18,7 +18,7 @@
 namespace terrain
 {
 /// Cells by which a point on a wall is told from one on a top.
-constexpr float ColumnReach = 1e-3f;
+constexpr float kColumnReach = 1e-3f;
 
 /// Code of the sample whose column has a quarter of a cell: east, north half or not.
 inline float ColumnCode(const glm::vec4& codes, const glm::bvec2& quarter)
@@ -74,7 +74,7 @@ struct ColumnFace
 inline ColumnFace FindColumnFace(
   const glm::vec4& codes, const glm::vec2& fraction, const glm::vec3& direction)
 {
-  const glm::vec2 reach = ColumnReach * glm::sign(glm::vec2(direction));
+  const glm::vec2 reach = kColumnReach * glm::sign(glm::vec2(direction));
   const glm::bvec2 from = glm::greaterThanEqual(fraction - reach, glm::vec2(0.5f));
   const glm::bvec2 to = glm::greaterThanEqual(fraction + reach, glm::vec2(0.5f));
   const float near = ColumnCode(codes, from);

@@ -18,7 +18,7 @@
 namespace terrain
 {
 /// Clipping planes of a mapper, four sides of a rectangle or block, and its floor.
-constexpr int MaximumClipPlanes = 6 + 4 + 1;
+constexpr int kMaximumClipPlanes = 6 + 4 + 1;
 
 /// A rectangle of samples, both corners included.
 struct SampleRectangle

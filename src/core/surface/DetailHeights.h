@@ -104,7 +104,7 @@ struct DetailedHeights
     const glm::vec4 codes = this->base.CellCodes(cell);
     if (!glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0f))))
     {
-      return glm::vec4(NoDataCode);
+      return glm::vec4(kNoDataCode);
     }
     const float width = 1.0f / static_cast<float>(1 << parts);
     const glm::vec2 low = glm::vec2(part - (cell << parts)) * width;

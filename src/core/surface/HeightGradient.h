@@ -24,7 +24,7 @@ float TexelHeight(const Heights& heights, glm::ivec2 cell, glm::vec2 position)
   const glm::vec4 codes = heights.CellCodes(at);
   return glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0f)))
     ? PatchCode(codes, position - glm::vec2(at - cell))
-    : NoDataCode;
+    : kNoDataCode;
 }
 
 /// Gradient at a position in a cell, in codes per cell, as the central difference over a width in

@@ -262,7 +262,7 @@ void CutTile(const TileLayout& layout, const TileKey& key, const LevelPlane<cons
       const T value = samples.At(first.x + x, first.y + y);
       *sample++ = IsStoredHeight(value)
         ? static_cast<float>(codes.ToCode(static_cast<double>(value)))
-        : NoDataCode;
+        : kNoDataCode;
     }
   }
   tile.Nodes.resize(key.Level > 0 ? static_cast<std::size_t>(count.x * count.y) : 0);

@@ -128,8 +128,8 @@ struct Tile
 {
   /// Cells east and north.
   glm::ivec2 Cells{ 0, 0 };
-  /// (Cells.x + 1) x (Cells.y + 1) samples, row by row from the south; NoDataCode where there is no
-  /// height.
+  /// (Cells.x + 1) x (Cells.y + 1) samples, row by row from the south; kNoDataCode where there is
+  /// no height.
   std::vector<float> Samples;
   /// Bounds of the cells, Cells.x x Cells.y; empty for level 0, whose cells have their samples.
   std::vector<PyramidNode<float>> Nodes;
