@@ -165,12 +165,13 @@ float terrainLeaveCell(
   return tangent;
 }
 
-// The path of the ray from a point, and its first step.
+// The path of the ray from a point, and its first step. It ends where the lowest ray is above all
+// codes. That one goes down does not end it: what is below all codes has the surface above it.
 TerrainPath terrainOutlookPath(TerrainOutlook outlook, out TerrainStep at)
 {
   float anchorCode = clamp(outlook.code, 0.0, terrainMaximumCode);
   TerrainRay ray = TerrainRay(outlook.cell, vec3(outlook.fraction, anchorCode),
-    vec3(outlook.direction, outlook.low), 0.0, outlook.end, outlook.code - anchorCode);
+    vec3(outlook.direction, max(outlook.low, 0.0)), 0.0, outlook.end, outlook.code - anchorCode);
   TerrainPath path = terrainMirrorRay(ray);
 #ifndef TERRAIN_COLUMNS
   path.origin.z = terrainPatchCode(outlook.codes - anchorCode, outlook.fraction);
