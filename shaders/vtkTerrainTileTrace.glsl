@@ -121,95 +121,119 @@ bool terrainTileStepIsCell(TerrainTileStep at)
   return at.step.level == 0 && at.slot >= 0;
 }
 
+// How far a ray has come.
+struct TerrainTileWalk
+{
+  TerrainTileStep at;
+  TerrainTileStep from; // the step before
+  float side;           // as in TerrainPassage
+  bool byPatch;         // at is passed by its patch
+  bool wall;            // met from the step before
+  bool small;           // within the tolerance at the node of the step before
+  bool ended;
+  int crossings;
+  int most;
+};
+
+// On over a node by its bounds, or up where its tile is not there.
+void terrainWalkNode(TerrainPath path, vec4 tolerance, inout TerrainTileWalk walk)
+{
+  TerrainDescent descent = TerrainDescent(false, false, walk.side, walk.at.step);
+  ++descent.next.level;
+  bool last = false;
+  if (walk.at.slot >= 0)
+  {
+    ++walk.crossings;
+    TerrainSpan span = terrainNodeSpan(path, walk.at.step);
+    descent = terrainDescend(path, walk.at.step, span, walk.side, tolerance, walk.at.slot);
+    last = (span.ends && !descent.down) || walk.crossings >= walk.most;
+  }
+  TerrainTileStep next = terrainTileStep(path, descent.next);
+  walk.byPatch = descent.down && !descent.small && next.slot < 0;
+  if (!walk.byPatch)
+  {
+    walk.wall = descent.passes * walk.side < 0.0;
+    walk.small = descent.small;
+    walk.ended = last || walk.wall || walk.small;
+    walk.side = walk.small ? walk.side : descent.passes;
+    walk.from = walk.at;
+    walk.at = next;
+    walk.byPatch = terrainTileStepIsCell(next);
+  }
+}
+
+// On over a hole, where no tolerance ends a ray.
+void terrainWalkOverHole(inout TerrainTileWalk walk)
+{
+  walk.small = false;
+  walk.ended = walk.crossings >= walk.most;
+  walk.byPatch = walk.at.slot < 0 || walk.at.step.level == 0;
+  walk.side = walk.at.slot < 0 ? walk.side : 0.0;
+  if (walk.at.slot < 0)
+  {
+    walk.at = walk.from;
+  }
+}
+
+// On over a cell, or a node whose finer ones are not there, by its patch.
+void terrainWalkPatch(TerrainPath path, inout TerrainTileWalk walk, inout TerrainPassage passage)
+{
+  if (walk.at.step.level == 0) // nodes were visited as such
+  {
+    ++walk.crossings;
+    TERRAIN_VISIT(walk.at.step.cell ^ path.mirror, 0)
+  }
+  TerrainSpan span = terrainNodeSpan(path, walk.at.step);
+  passage = terrainPassPatch(
+    path, walk.at.step, span, walk.side, terrainTileStepCodes(path, walk.at));
+  walk.side = passage.side;
+  walk.ended = passage.meets || span.ends || walk.crossings >= walk.most;
+  walk.from = walk.at;
+  walk.at = terrainTileStep(path, terrainNextStep(path, walk.at.step, span, false, span.s));
+  walk.byPatch = terrainTileStepIsCell(walk.at);
+}
+
 // The first point of the surface on a ray; tolerance: see terrainTracePyramidWithin(). Two loops in
-// turn, as there: over nodes by their bounds, up where the tile is not there; and by their patches
-// over cells, and nodes whose finer ones are not there. The loop over nodes reads no heights, which
-// would cost a quarter of its time where no ray does (llvmpipe 22.3).
+// turn, as there. The loop over nodes reads no heights, which would cost a quarter of its time where
+// no ray does (llvmpipe 22.3).
 TerrainHit terrainTraceTiles(TerrainRay ray, vec4 tolerance)
 {
   TerrainPath path = terrainClipPath(terrainMirrorRay(ray));
   TerrainTileStep at = terrainTileStep(path, terrainFirstStep(path));
-  TerrainTileStep from = at; // the step before, of a ray that ends
-  TerrainHit hit = terrainNoHit();
-  TerrainPassage passage;
-  passage.meets = false;
-  bool ended = !(path.sBegin <= path.sEnd);
-  int most = 2 * (terrainSize.x + terrainSize.y) + terrainPyramidTop;
-  int crossings = 0;
-  float side = 0.0;
-  bool wall = false;
-  bool small = false;
-  bool byPatch = terrainTileStepIsCell(at);
+  TerrainTileWalk walk = TerrainTileWalk(at, at, 0.0, terrainTileStepIsCell(at), false, false,
+    !(path.sBegin <= path.sEnd), 0, 2 * (terrainSize.x + terrainSize.y) + terrainPyramidTop);
+  TerrainPassage passage = TerrainPassage(0.0, false, 0.0, vec2(0.0));
   do
   {
     do
     {
-      if (!ended && !byPatch)
+      if (!walk.ended && !walk.byPatch)
       {
-        TerrainDescent descent = TerrainDescent(false, false, side, at.step);
-        ++descent.next.level;
-        bool last = false;
-        if (at.slot >= 0)
-        {
-          ++crossings;
-          TerrainSpan span = terrainNodeSpan(path, at.step);
-          descent = terrainDescend(path, at.step, span, side, tolerance, at.slot);
-          last = (span.ends && !descent.down) || crossings >= most;
-        }
-        TerrainTileStep next = terrainTileStep(path, descent.next);
-        byPatch = descent.down && !descent.small && next.slot < 0;
-        if (!byPatch)
-        {
-          wall = descent.passes * side < 0.0;
-          small = descent.small;
-          ended = last || wall || small;
-          side = small ? side : descent.passes;
-          from = at;
-          at = next;
-          byPatch = terrainTileStepIsCell(at);
-        }
+        terrainWalkNode(path, tolerance, walk);
       }
-    } while (!ended && !byPatch);
-    if (small && !wall && terrainHoles == 1 && !terrainCellValid(terrainTileStepCodes(path, from)))
+    } while (!walk.ended && !walk.byPatch);
+    if (walk.small && !walk.wall && terrainHoles == 1 &&
+      !terrainCellValid(terrainTileStepCodes(path, walk.from)))
     {
-      // over a hole a ray goes on exactly
-      small = false;
-      ended = crossings >= most;
-      byPatch = at.slot < 0 || at.step.level == 0;
-      side = at.slot < 0 ? side : 0.0;
-      if (at.slot < 0)
-      {
-        at = from;
-      }
+      terrainWalkOverHole(walk);
     }
     do
     {
-      if (!ended && byPatch)
+      if (!walk.ended && walk.byPatch)
       {
-        if (at.step.level == 0) // nodes were visited above
-        {
-          ++crossings;
-          TERRAIN_VISIT(at.step.cell ^ path.mirror, 0)
-        }
-        TerrainSpan span = terrainNodeSpan(path, at.step);
-        passage =
-          terrainPassPatch(path, at.step, span, side, terrainTileStepCodes(path, at));
-        side = passage.side;
-        ended = passage.meets || span.ends || crossings >= most;
-        from = at;
-        at = terrainTileStep(path, terrainNextStep(path, at.step, span, false, span.s));
-        byPatch = terrainTileStepIsCell(at);
+        terrainWalkPatch(path, walk, passage);
       }
-    } while (!ended && byPatch);
-  } while (!ended);
+    } while (!walk.ended && walk.byPatch);
+  } while (!walk.ended);
+  TerrainHit hit = terrainNoHit();
   if (passage.meets)
   {
-    hit = terrainHitInNode(path, from.step, passage);
+    hit = terrainHitInNode(path, walk.from.step, passage);
   }
-  if (wall || small)
+  if (walk.wall || walk.small)
   {
-    hit = terrainMeetBox(path, wall ? from.step : at.step);
+    hit = terrainMeetBox(path, walk.wall ? walk.from.step : walk.at.step);
   }
-  hit.crossings = crossings;
+  hit.crossings = walk.crossings;
   return hit;
 }

@@ -81,8 +81,8 @@ public:
   ///@}
 
   ///@{
-  /// Values of the first and last colour, in the unit of the data. Default: those of the file, or of
-  /// the data. The default holds unless lowest < highest.
+  /// Values of the first and last colour, in the unit of the data. Default: those of the file, or
+  /// of the data. The default holds unless lowest < highest.
   vtkSetVector2Macro(Range, double);
   vtkGetVector2Macro(Range, double);
   ///@}

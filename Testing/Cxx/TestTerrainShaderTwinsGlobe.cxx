@@ -115,8 +115,8 @@ bool isOfARayNearby(
   return agrees && (!found || (t >= nearest - room && t <= farthest + room));
 }
 
-/// Rays of a kind about one anchor, on the GPU and by the twin: they end at the same place, or where
-/// one nearby ends.
+/// Rays of a kind about one anchor, on the GPU and by the twin: they end at the same place, or
+/// where one nearby ends.
 void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int kind)
 {
   const terrain::World<Texel> world(globe.Grid, globe.Field());

@@ -58,8 +58,8 @@ bool isBelow(const terrain::SurfaceSummit& summit)
   return summit.Height < 0.0 && summit.Height > -terrain::kInfinity;
 }
 
-/// True if a way runs along lines between cells or columns, or through their corners: the judge sees
-/// the surface on all sides of them.
+/// True if a way runs along lines between cells or columns, or through their corners: the judge
+/// sees the surface on all sides of them.
 bool isAlongLines(const Outlook& outlook)
 {
   const glm::vec2 size = glm::abs(outlook.direction);
