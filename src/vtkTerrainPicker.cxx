@@ -136,7 +136,7 @@ void ReadActor(vtkActor* actor, KnownSurfaces& known, int& scans, ShownTerrain& 
   }
 }
 
-glm::dvec3 Transform(vtkMatrix4x4* matrix, const glm::dvec3& point)
+glm::dvec3 Transformed(vtkMatrix4x4* matrix, const glm::dvec3& point)
 {
   const double in[4] = { point.x, point.y, point.z, 1.0 };
   std::array<double, 4> out{};
@@ -210,7 +210,7 @@ private:
   {
     const glm::dvec3 along = this->From + t * (this->To - this->From);
     const double height = piece.HeightAt(t);
-    const glm::dvec3 point = Transform(this->Shown.ModelToWorld,
+    const glm::dvec3 point = Transformed(this->Shown.ModelToWorld,
       { along.x, along.y, this->Geometry.ToModel({ 0.0, 0.0 }, height).z });
     this->EndHeight = height;
     this->Line.push_back(this->Points->InsertNextPoint(point.x, point.y, point.z));
@@ -446,8 +446,8 @@ bool vtkTerrainPicker::HasLineOfSight(
   ShownTerrain shown;
   ReadActor(terrain, this->Internals->Surfaces, this->NumberOfScans, shown);
   terrain::QueryRay ray;
-  ray.Origin = Transform(shown.WorldToModel, { from[0], from[1], from[2] });
-  ray.Direction = Transform(shown.WorldToModel, { to[0], to[1], to[2] }) - ray.Origin;
+  ray.Origin = Transformed(shown.WorldToModel, { from[0], from[1], from[2] });
+  ray.Direction = Transformed(shown.WorldToModel, { to[0], to[1], to[2] }) - ray.Origin;
   if (!shown.Heights || !IsFinite(ray.Origin) || !IsFinite(ray.Direction))
   {
     return false;
@@ -464,7 +464,7 @@ bool vtkTerrainPicker::HasLineOfSight(
   if (hit.Found)
   {
     const glm::dvec3 point =
-      Transform(shown.ModelToWorld, ray.Origin + hit.Distance * ray.Direction);
+      Transformed(shown.ModelToWorld, ray.Origin + hit.Distance * ray.Direction);
     std::copy(&point.x, &point.x + 3, obstacle);
   }
   return !hit.Found;
@@ -477,8 +477,8 @@ bool vtkTerrainPicker::SeesOnGlobe(const terrain::GlobeSurface& globe, vtkActor*
 {
   vtkNew<vtkMatrix4x4> toModel;
   vtkMatrix4x4::Invert(terrain->GetMatrix(), toModel);
-  const glm::dvec3 origin = Transform(toModel, { from[0], from[1], from[2] });
-  const glm::dvec3 direction = Transform(toModel, { to[0], to[1], to[2] }) - origin;
+  const glm::dvec3 origin = Transformed(toModel, { from[0], from[1], from[2] });
+  const glm::dvec3 direction = Transformed(toModel, { to[0], to[1], to[2] }) - origin;
   const double length = glm::length(direction);
   const double margin =
     SightMargin * globe.GetGrid().Step * globe.GetGrid().Body.Equatorial / length;
@@ -490,7 +490,7 @@ bool vtkTerrainPicker::SeesOnGlobe(const terrain::GlobeSurface& globe, vtkActor*
     static_cast<vtkOpenGLTerrainMapper*>(terrain->GetMapper())->GetVerticalExaggeration());
   if (hit.Found)
   {
-    const glm::dvec3 point = Transform(terrain->GetMatrix(), origin + hit.T * direction);
+    const glm::dvec3 point = Transformed(terrain->GetMatrix(), origin + hit.T * direction);
     std::copy(&point.x, &point.x + 3, obstacle);
   }
   return !hit.Found;
@@ -509,8 +509,8 @@ bool vtkTerrainPicker::GetProfile(
   }
   ShownTerrain shown;
   ReadActor(terrain, this->Internals->Surfaces, this->NumberOfScans, shown);
-  const glm::dvec3 start = Transform(shown.WorldToModel, { from[0], from[1], from[2] });
-  const glm::dvec3 end = Transform(shown.WorldToModel, { to[0], to[1], to[2] });
+  const glm::dvec3 start = Transformed(shown.WorldToModel, { from[0], from[1], from[2] });
+  const glm::dvec3 end = Transformed(shown.WorldToModel, { to[0], to[1], to[2] });
   if (!shown.Heights || !IsFinite(start) || !IsFinite(end))
   {
     return false;
