@@ -194,8 +194,8 @@ void terrainWalkPatch(TerrainPath path, inout TerrainTileWalk walk, inout Terrai
 }
 
 // The first point of the surface on a ray; tolerance: see terrainTracePyramidWithin(). Two loops in
-// turn, as there. The loop over nodes reads no heights, which would cost a quarter of its time where
-// no ray does (llvmpipe 22.3).
+// turn, as there. The loop over nodes reads no heights, which would cost a quarter of its time
+// where no ray does (llvmpipe 22.3).
 TerrainHit terrainTraceTiles(TerrainRay ray, vec4 tolerance)
 {
   TerrainPath path = terrainClipPath(terrainMirrorRay(ray));

@@ -404,8 +404,8 @@ TEST(OpenGLTerrainMapperShadows, OfLamps)
   EXPECT_GT(count.Dark, 20);
 }
 
-// Shares of a wide sun against its horizon, bisected by rays in double; also of one whose lower part
-// is below all of the terrain.
+// Shares of a wide sun against its horizon, bisected by rays in double; also of one whose lower
+// part is below all of the terrain.
 TEST(OpenGLTerrainMapperShadows, HaveTheEdgeOfADisc)
 {
   const double azimuth = 135.0;
