@@ -32,7 +32,7 @@ terrain::Surface surfaceOf(const std::vector<float>& codes, const glm::ivec2& si
   view.Width = size.x;
   view.Height = size.y;
   view.HasNoData = true;
-  view.NoData = terrain::NoDataCode;
+  view.NoData = terrain::kNoDataCode;
   terrain::Surface surface;
   surface.Heights = std::make_shared<terrain::SampledHeights<float>>(view, terrain::SerialFor);
   surface.Kind = columns ? terrain::SurfaceKind::Columns : terrain::SurfaceKind::Bilinear;
