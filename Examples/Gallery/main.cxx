@@ -282,7 +282,7 @@ void Block(Picture& picture)
 
 void OpenedBlock(Picture& picture)
 {
-  block(picture);
+  Block(picture);
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(0.6 * kSide, 0.35 * kSide, 0.0);
   plane->SetNormal(0.5, 1.0, 0.0);
