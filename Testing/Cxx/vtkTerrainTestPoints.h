@@ -92,12 +92,18 @@ inline terrain::SurfaceColors MakeColors()
   return colors;
 }
 
-/// Rays of a view of 200 x 100 pixels onto a grid that lies at an offset in cells.
-inline terrain::PixelRays RaysOf(bool parallel, double offset = 0.0)
+/// From a grid that lies at an offset in cells to the view.
+inline glm::dmat4 ViewOf(double offset = 0.0)
 {
   const glm::dvec3 at(offset, offset, 0.0);
-  const glm::dmat4 view = glm::lookAt(glm::dvec3(30.0, -50.0, 80.0) + at,
-    glm::dvec3(20.0, 15.0, 5.0) + at, glm::dvec3(0.0, 0.0, 1.0));
+  return glm::lookAt(glm::dvec3(30.0, -50.0, 80.0) + at, glm::dvec3(20.0, 15.0, 5.0) + at,
+    glm::dvec3(0.0, 0.0, 1.0));
+}
+
+/// Rays of a view of 200 x 100 pixels onto such a grid.
+inline terrain::PixelRays RaysOf(bool parallel, double offset = 0.0)
+{
+  const glm::dmat4 view = ViewOf(offset);
   const glm::dmat4 projection = parallel ? glm::ortho(-40.0, 40.0, -20.0, 20.0, 1.0, 300.0)
                                          : glm::perspective(0.6, 2.0, 1.0, 300.0);
   return terrain::MakePixelRays(view, projection, glm::dvec4(0.0, 0.0, 200.0, 100.0));

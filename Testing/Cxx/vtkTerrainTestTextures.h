@@ -200,6 +200,19 @@ public:
     this->DetailPyramid->Deactivate();
   }
 
+  /// Filters the detail between its samples and levels, as where it is drawn.
+  void FilterDetail()
+  {
+    this->Detail->SetWrapS(vtkTextureObject::Repeat);
+    this->Detail->SetWrapT(vtkTextureObject::Repeat);
+    this->Detail->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
+    this->Detail->SetMagnificationFilter(vtkTextureObject::Linear);
+    this->Detail->SetMaxLevel(1000);
+    this->Detail->Activate();
+    this->Detail->SendParameters();
+    glGenerateMipmap(GL_TEXTURE_2D);
+  }
+
   terrain::Features GetFeatures() const
   {
     terrain::Features features = this->Base.GetFeatures();
