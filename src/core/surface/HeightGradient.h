@@ -160,8 +160,8 @@ inline glm::vec2 TexelGradient(const FinestHeights& heights, glm::ivec2 cell, gl
 }
 
 /// Gradient of repeated detail, of which the period is a square with a power of two of samples a
-/// side, over squares of 2^level of its cells a side, level >= 0: differences of means over squares, between texels
-/// and levels as OpenGL samples a repeated texture.
+/// side, over squares of 2^level of its cells a side, level >= 0: differences of means over
+/// squares, between texels and levels as OpenGL samples a repeated texture.
 template <typename Texel>
 glm::dvec2 DetailGradient(
   const DetailedHeights<Texel>& heights, glm::ivec2 cell, const glm::dvec2& fraction, double level)
