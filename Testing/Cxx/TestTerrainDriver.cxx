@@ -1,23 +1,124 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A word of VTKTERRAIN_DRIVER that is none, is told once.
+// The words of VTKTERRAIN_DRIVER: each chooses a way to draw, and none another picture. A word that
+// is none is told once.
 #include "vtkTerrainTesting.h"
 
 #include "vtkTerrainActor.h"
 #include "vtkTerrainSource.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
 #include "vtkStringOutputWindow.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
+namespace
+{
+/// Sets the variable for a while.
+class Words
+{
+public:
+  explicit Words(const std::string& words)
+  {
+    const char* given = std::getenv("VTKTERRAIN_DRIVER");
+    this->Before = given ? given : "";
+    setenv("VTKTERRAIN_DRIVER", words.c_str(), 1);
+  }
+  Words(const Words&) = delete;
+  Words& operator=(const Words&) = delete;
+  ~Words()
+  {
+    setenv("VTKTERRAIN_DRIVER", this->Before.c_str(), 1);
+  }
+
+private:
+  std::string Before;
+};
+
+/// What is drawn in the ways of some words, and the fragment shader that draws it.
+struct Drawn
+{
+  vtkSmartPointer<vtkImageData> Picture;
+  std::string Shader;
+
+  explicit Drawn(const std::string& chosen)
+  {
+    const Words words(chosen);
+    const vtkNew<vtkTerrainSource> source;
+    source->SetDimensions(65, 65);
+    const vtkNew<vtkTerrainActor> terrain;
+    terrain->SetInputConnection(source->GetOutputPort());
+    vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(60, 40);
+    scene.Renderer->AddActor(terrain);
+    scene.Renderer->ResetCamera();
+    scene.Renderer->GetActiveCamera()->Elevation(-50.0);
+    scene.Renderer->ResetCamera();
+    const vtkNew<vtkCallbackCommand> read;
+    read->SetClientData(&this->Shader);
+    read->SetCallback(
+      [](vtkObject*, unsigned long, void* text, void* program)
+      {
+        *static_cast<std::string*>(text) =
+          static_cast<vtkShaderProgram*>(program)->GetFragmentShader()->GetSource();
+      });
+    terrain->GetTerrainMapper()->AddObserver(vtkCommand::UpdateShaderEvent, read);
+    this->Picture = vtkTerrainTesting::Render(scene.Window);
+  }
+
+  bool Has(const std::string& text) const
+  {
+    return this->Shader.find(text) != std::string::npos;
+  }
+};
+
+/// Two words, and what is in the shader with the first alone.
+struct Choice
+{
+  const char* With;
+  const char* Without;
+  const char* Text;
+};
+
+void PrintTo(const Choice& choice, std::ostream* out)
+{
+  *out << choice.With;
+}
+
+class TerrainDriverWords : public testing::TestWithParam<Choice>
+{
+};
+}
+
+TEST_P(TerrainDriverWords, ChooseTheWayAndNotThePicture)
+{
+  const Choice& choice = GetParam();
+  const Drawn with(choice.With);
+  const Drawn without(choice.Without);
+  EXPECT_GT(vtkTerrainTesting::DrawnShare(with.Picture), 0.1);
+  EXPECT_TRUE(with.Has(choice.Text));
+  EXPECT_FALSE(without.Has(choice.Text));
+  // a compute shader hands on distances and places that float rounds
+  EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(with.Picture, without.Picture, 2), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, TerrainDriverWords,
+  testing::Values(Choice{ "gather", "fetch", "\n#define TERRAIN_GATHER\n" },
+    Choice{ "buffer", "levels", "#define TERRAIN_PYRAMID_BUFFER\n" },
+    Choice{ "passed", "plain", "VSOutput;\n#define terrain" },
+    Choice{ "compute", "fragment", "#define TERRAIN_READ_SIGHTINGS\n" }),
+  [](const auto& choice) { return std::string(choice.param.With); });
+
 TEST(TerrainDriver, UnknownWordsAreOneWarning)
 {
-  setenv("VTKTERRAIN_DRIVER", "nonsense", 1);
+  const Words words("nonsense");
   const vtkNew<vtkStringOutputWindow> told;
   vtkOutputWindow::SetInstance(told);
   const vtkNew<vtkTerrainSource> source;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The point of a surface that a pixel shows, with its normal, and the light that it gets: of the sky
- * and of lights that cast shadows. Twins of functions of shaders/vtkTerrainSurface.glsl,
- * vtkTerrainLight.glsl, vtkTerrainLightCS.glsl and vtkTerrainSky.glsl, which have the prefix terrain
- * and document them; uniforms are arguments here. For tests: nothing is drawn by it.
+ * The point of a surface that a pixel shows, with its normal, and the light that it gets: of the
+ * sky and of lights that cast shadows. Twins of functions of shaders/vtkTerrainSurface.glsl,
+ * vtkTerrainLight.glsl, vtkTerrainLightCS.glsl and vtkTerrainSky.glsl, which have the prefix
+ * terrain and document them; uniforms are arguments here. For tests: nothing is drawn by it.
  */
 #ifndef terrain_ShadedSurface_h
 #define terrain_ShadedSurface_h
@@ -51,8 +51,8 @@ ShadedSurface SurfaceAt(const PixelRays& rays, const Heights& heights, const Hei
   return surface;
 }
 
-/// The cell of the heights' own arrays, of which one has 2^level cells each way, and the position in
-/// it.
+/// The cell of the heights' own arrays, of which one has 2^level cells each way, and the position
+/// in it.
 inline glm::ivec2 ArrayCell(const ShadedPoint& point, int level, glm::vec2& fraction)
 {
   const glm::ivec2 cell = point.Cell >> level;
