@@ -59,6 +59,21 @@ for file in $glsl; do
     *) offence "$file: shader files are called vtkTerrain<Concept>.glsl" ;;
   esac
 done
+# A function of shaders has a twin of its name in core, or a reason why it has none.
+core_names=$(grep -rhoE '\b[A-Z][A-Za-z0-9]*\(' src/core | sort -u)
+# shellcheck disable=SC2086
+for function in $(sed -nE 's/^[a-z0-9A-Z]+ (terrain[A-Z][A-Za-z0-9]*)\(.*/\1/p' $glsl | sort -u); do
+  name=${function#terrain}
+  printf '%s\n' "$core_names" | grep -qxF -e "$name(" -e "${name#Globe}(" ||
+    grep -qx "$function" Testing/shaders-without-twin.txt ||
+    offence "$function: no function $name in src/core, nor in Testing/shaders-without-twin.txt"
+done
+for function in $(grep '^terrain' Testing/shaders-without-twin.txt); do
+  # shellcheck disable=SC2086
+  grep -q "\b$function(" $glsl || offence "shaders-without-twin.txt: no function $function"
+  ! printf '%s\n' "$core_names" | grep -qxF "${function#terrain}(" ||
+    offence "shaders-without-twin.txt: $function has a twin"
+done
 # src/ itself has the public classes, a pair of files each; all else is in rooms.
 for file in $(git ls-files 'src/*.h' 'src/*.cxx' | grep -v '^src/.*/'); do
   case $file in

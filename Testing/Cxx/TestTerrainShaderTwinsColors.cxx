@@ -39,11 +39,9 @@ TEST_P(TerrainShaderTwinsColors, FootprintsAndContours)
     1e-3f,
     [&](std::size_t k)
     {
-      const glm::dvec2 cells(kSize - 1);
       const ShadedPoint& point = points.Items[k];
-      const glm::dmat2 footprint = terrain::Footprint(rays, points.Pixels[k], point);
-      return glm::vec4(footprint[0].x / cells.x, footprint[1].y / cells.y,
-        (glm::dvec2(point.Cell) + glm::dvec2(point.Fraction)) / cells);
+      const glm::dmat2 footprint = terrain::TextureFootprint(rays, points.Pixels[k], point, kSize);
+      return glm::vec4(footprint[0].x, footprint[1].y, terrain::TexturePosition(point, kSize));
     });
   this->Compare(points, rays,
     "result.xy = vec2(terrainContourCoverage(pixel, point), terrainHillshade(point));", 1e-3f,
@@ -143,6 +141,20 @@ TEST_P(TerrainShaderTwinsColors, ColorsOfAllKinds)
         const terrain::SurfacePaint paint =
           this->Colors.PaintSurface(rays, points.Pixels[k], points.Items[k]);
         return glm::vec4(paint.Add.r, paint.Add.g, paint.Keep, paint.Alpha);
+      });
+    this->Compare(points, rays,
+      "vec3 ambient = vec3(0.3, 0.5, 0.7); vec3 diffuse = vec3(0.9, 0.6, 0.2); float opacity = 0.8;"
+      "terrainPaintMaterial(pixel, point, 0.4, 0.7, ambient, diffuse, opacity);"
+      "result = vec4(ambient.r, diffuse.gb, opacity);",
+      2e-3f,
+      [&](std::size_t k)
+      {
+        glm::vec3 ambient(0.3f, 0.5f, 0.7f);
+        glm::vec3 diffuse(0.9f, 0.6f, 0.2f);
+        float opacity = 0.8f;
+        this->Colors.PaintMaterial(
+          rays, points.Pixels[k], points.Items[k], { 0.4f, 0.7f }, ambient, diffuse, opacity);
+        return glm::vec4(ambient.r, diffuse.g, diffuse.b, opacity);
       });
   }
   for (const int count : special)

@@ -23,6 +23,18 @@
 
 namespace terrain
 {
+/// Texture coordinates of a grid of size samples, and how they change from a pixel to the next.
+inline glm::vec2 TexturePosition(const ShadedPoint& point, const glm::ivec2& size)
+{
+  return glm::vec2((glm::dvec2(point.Cell) + glm::dvec2(point.Fraction)) / glm::dvec2(size - 1));
+}
+inline glm::dmat2 TextureFootprint(
+  const PixelRays& rays, const glm::dvec2& pixel, const ShadedPoint& point, const glm::ivec2& size)
+{
+  const glm::dmat2 footprint = Footprint(rays, pixel, point);
+  return { footprint[0] / glm::dvec2(size - 1), footprint[1] / glm::dvec2(size - 1) };
+}
+
 struct SurfacePaint
 {
   glm::vec3 Add{ 0.0F, 0.0F, 0.0F };
@@ -222,6 +234,15 @@ struct SurfaceColors
     paint = { shade * paint.Add, shade * paint.Keep, paint.Alpha };
     return Over(paint, glm::vec3(this->ContourColor),
       this->ContourColor.a * static_cast<float>(this->ContourCoverage(rays, pixel, point)));
+  }
+  /// Intensities and colours: ambient, diffuse.
+  void PaintMaterial(const PixelRays& rays, const glm::dvec2& pixel, const ShadedPoint& point,
+    const glm::vec2& intensities, glm::vec3& ambient, glm::vec3& diffuse, float& opacity) const
+  {
+    const SurfacePaint paint = this->PaintSurface(rays, pixel, point);
+    ambient = intensities.x * paint.Add + paint.Keep * ambient;
+    diffuse = intensities.y * paint.Add + paint.Keep * diffuse;
+    opacity *= paint.Alpha;
   }
   ///@}
 };

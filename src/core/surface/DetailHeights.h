@@ -192,13 +192,13 @@ struct DetailedPyramid
   /// Bounds of node (x, y) of a level; 1 <= level <= LevelCount().
   CodeBounds At(glm::ivec2 node, int level) const
   {
-    const CodeBounds low = this->BaseBounds(node, level);
-    const CodeBounds add = this->DetailBounds(node, level);
+    const CodeBounds low = this->BaseExtremes(node, level);
+    const CodeBounds add = this->DetailExtremes(node, level);
     return { low.Maximum + add.Maximum, low.Minimum + add.Minimum };
   }
 
   /// Twin of terrainBaseExtremes().
-  CodeBounds BaseBounds(glm::ivec2 node, int level) const
+  CodeBounds BaseExtremes(glm::ivec2 node, int level) const
   {
     const int above = level - this->heights->level;
     if (above > 0)
@@ -215,7 +215,7 @@ struct DetailedPyramid
   }
 
   /// Twin of terrainDetailExtremes().
-  CodeBounds DetailBounds(glm::ivec2 node, int level) const
+  CodeBounds DetailExtremes(glm::ivec2 node, int level) const
   {
     const int top = WholeLevels(this->heights->period);
     const float scale = this->heights->scale;
