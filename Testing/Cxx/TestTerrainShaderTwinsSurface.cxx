@@ -242,6 +242,98 @@ void compareSurfaces(vtkRenderWindow* window, const std::string& text, const Hei
   }
 }
 
+/// A sun, a wide one, and a lamp.
+std::vector<terrain::ShadowLight> MakeLights(const glm::dmat4& view)
+{
+  const auto sun = [&](double azimuth, double low, double high)
+  {
+    const glm::dvec4 way(std::sin(azimuth), std::cos(azimuth), 0.5 * (low + high), 0.0);
+    terrain::ShadowLight light;
+    light.WayGC = { glm::vec2(way), low, high };
+    light.WayVC = glm::vec4(view * way);
+    const double middle = 0.5 * (std::atan(low) + std::atan(high));
+    light.Disc = { middle, std::atan(high) - middle, 1.0, 0.9 };
+    return light;
+  };
+  terrain::ShadowLight lamp;
+  lamp.WayVC = glm::vec4(view * glm::dvec4(60.0, 40.0, 14.0, 1.0));
+  lamp.Disc = { 0.0f, 0.0f, 1.0f, 1.0f };
+  return { sun(0.8, 0.06, 0.12), sun(2.5, -0.02, 0.4), lamp };
+}
+
+void SetLights(vtkShaderProgram* program, const std::vector<terrain::ShadowLight>& lights)
+{
+  std::vector<glm::vec4> ways;
+  std::vector<glm::vec4> views;
+  std::vector<glm::vec4> discs;
+  for (const terrain::ShadowLight& light : lights)
+  {
+    ways.push_back(light.WayGC);
+    views.push_back(light.WayVC);
+    discs.push_back(light.Disc);
+  }
+  const int count = static_cast<int>(lights.size());
+  program->SetUniform4fv("terrainLightsGC", count, &ways[0][0]);
+  program->SetUniform4fv("terrainLightsVC", count, &views[0][0]);
+  program->SetUniform4fv("terrainLightDiscs", count, &discs[0][0]);
+}
+
+/// The least and the greatest share of a light at a point and a little beside it: what a lamp gives
+/// may turn with what float rounds of the point's place.
+template <typename Shares>
+glm::vec2 SharesAround(const Shares& shares, const std::vector<terrain::ShadowLight>& lights,
+  std::size_t light, const ShadedSurface& surface, float distance)
+{
+  glm::vec2 range(2.0f, -1.0f);
+  for (int side = 0; side < 7; ++side)
+  {
+    ShadedSurface moved = surface;
+    const float step = 2e-5f * distance;
+    moved.PositionVC[side % 3] += side == 6 ? 0.0f : (side < 3 ? step : -step);
+    const float share = shares.FindShares(lights, moved)[light];
+    range = { std::min(range.x, share), std::max(range.y, share) };
+  }
+  return range;
+}
+
+struct ShareCounts
+{
+  int Different = 0;
+  int Between = 0;
+  int Lit[3] = { 0, 0, 0 };
+  int Dark[3] = { 0, 0, 0 };
+};
+
+/// How the shares that a shader has drawn, and packed, are those of the twin, and of which kind.
+template <typename Heights, typename Shares>
+ShareCounts CountShares(const Shown& shown, const terrain::PixelRays& rays, const Heights& heights,
+  const Shares& shares, const std::vector<terrain::ShadowLight>& lights,
+  const std::vector<float>& drawn)
+{
+  ShareCounts counts;
+  for (std::size_t k = 0; k < shown.Points.size(); ++k)
+  {
+    const ShadedSurface& point = shown.Points[k];
+    ShadedSurface surface = terrain::SurfaceAt(rays, heights, {}, point.Cell, point.Fraction,
+      heights.CellCodes(point.Cell), terrain::PositionVC(rays, shown.Pixels[k], shown.Distances[k]),
+      point.Front, true);
+    surface.Cut = point.Cut;
+    std::vector<float> found(&drawn[4 * k], &drawn[4 * k] + 3);
+    counts.Different +=
+      drawn[4 * k + 3] == terrain::PackShares(found, terrain::kShareSteps).x ? 0 : 1;
+    for (std::size_t light = 0; light < lights.size(); ++light)
+    {
+      const glm::vec2 range = SharesAround(shares, lights, light, surface, shown.Distances[k]);
+      counts.Different +=
+        found[light] >= range.x - 1e-3f && found[light] <= range.y + 1e-3f ? 0 : 1;
+      counts.Between += found[light] > 0.15f && found[light] < 0.95f ? 1 : 0;
+      counts.Lit[light] += found[light] == 1.0f ? 1 : 0;
+      counts.Dark[light] += found[light] < 0.11f ? 1 : 0;
+    }
+  }
+  return counts;
+}
+
 class TerrainShaderTwinsSurface : public testing::Test
 {
 protected:
@@ -352,7 +444,7 @@ TEST_F(TerrainShaderTwinsSurface, HaveTheSameLightOfTheSky)
   texture->Deactivate();
 }
 
-// A sun, a wide one, and a lamp, before planes that cut the land.
+// Lights before planes that cut the land.
 TEST_F(TerrainShaderTwinsSurface, SeeTheSameSharesOfLights)
 {
   const terrain::CodedField<float> field(wideField());
@@ -360,20 +452,7 @@ TEST_F(TerrainShaderTwinsSurface, SeeTheSameSharesOfLights)
   vtkTerrainTesting::FieldTextures<float> textures(this->Scene.Window, field, true);
   const terrain::PixelRays rays = RaysOf(false);
   const glm::dmat4 view = vtkTerrainTesting::ViewOf();
-  const auto sun = [&](double azimuth, double low, double high)
-  {
-    const glm::dvec4 way(std::sin(azimuth), std::cos(azimuth), 0.5 * (low + high), 0.0);
-    terrain::ShadowLight light;
-    light.WayGC = { glm::vec2(way), low, high };
-    light.WayVC = glm::vec4(view * way);
-    const double middle = 0.5 * (std::atan(low) + std::atan(high));
-    light.Disc = { middle, std::atan(high) - middle, 1.0, 0.9 };
-    return light;
-  };
-  terrain::ShadowLight lamp;
-  lamp.WayVC = glm::vec4(view * glm::dvec4(60.0, 40.0, 14.0, 1.0));
-  lamp.Disc = { 0.0f, 0.0f, 1.0f, 1.0f };
-  std::vector<terrain::ShadowLight> lights{ sun(0.8, 0.06, 0.12), sun(2.5, -0.02, 0.4), lamp };
+  const std::vector<terrain::ShadowLight> lights = MakeLights(view);
   const terrain::OutlookSearch<terrain::CodedPyramid<float>> search{ field.Coded };
   terrain::LightShares<terrain::CodedPyramid<float>> shares{ search,
     glm::mat3(glm::inverse(glm::dmat3(view))),
@@ -399,58 +478,15 @@ TEST_F(TerrainShaderTwinsSurface, SeeTheSameSharesOfLights)
         program->SetUniformMatrix4x4("terrainViewToGrid", &toGrid[0][0]);
         program->SetUniformi("terrainClipPlaneCount", 2);
         program->SetUniform4fv("terrainClipPlanesVC", 2, &shares.PlanesVC[0][0]);
-        std::vector<glm::vec4> ways;
-        std::vector<glm::vec4> views;
-        std::vector<glm::vec4> discs;
-        for (const terrain::ShadowLight& light : lights)
-        {
-          ways.push_back(light.WayGC);
-          views.push_back(light.WayVC);
-          discs.push_back(light.Disc);
-        }
-        program->SetUniform4fv("terrainLightsGC", 3, &ways[0][0]);
-        program->SetUniform4fv("terrainLightsVC", 3, &views[0][0]);
-        program->SetUniform4fv("terrainLightDiscs", 3, &discs[0][0]);
+        SetLights(program, lights);
       });
   ASSERT_EQ(drawn.size(), 4 * shown.Points.size());
-  int different = 0;
-  int between = 0;
-  int lit[3] = { 0, 0, 0 };
-  int dark[3] = { 0, 0, 0 };
-  for (std::size_t k = 0; k < shown.Points.size(); ++k)
-  {
-    const ShadedSurface& point = shown.Points[k];
-    ShadedSurface surface = terrain::SurfaceAt(rays, heights, {}, point.Cell, point.Fraction,
-      heights.CellCodes(point.Cell), terrain::PositionVC(rays, shown.Pixels[k], shown.Distances[k]),
-      point.Front, true);
-    surface.Cut = point.Cut;
-    std::vector<float> found(&drawn[4 * k], &drawn[4 * k] + 3);
-    different += drawn[4 * k + 3] == terrain::PackShares(found, terrain::kShareSteps).x ? 0 : 1;
-    // What the lamp gives may turn with what float rounds of the point's place.
-    for (std::size_t light = 0; light < lights.size(); ++light)
-    {
-      float least = 2.0f;
-      float most = -1.0f;
-      for (int side = 0; side < 7; ++side)
-      {
-        ShadedSurface moved = surface;
-        const float step = 2e-5f * shown.Distances[k];
-        moved.PositionVC[side % 3] += side == 6 ? 0.0f : (side < 3 ? step : -step);
-        const float share = shares.FindShares(lights, moved)[light];
-        least = std::min(least, share);
-        most = std::max(most, share);
-      }
-      different += found[light] >= least - 1e-3f && found[light] <= most + 1e-3f ? 0 : 1;
-      between += found[light] > 0.15f && found[light] < 0.95f ? 1 : 0;
-      lit[light] += found[light] == 1.0f ? 1 : 0;
-      dark[light] += found[light] < 0.11f ? 1 : 0;
-    }
-  }
-  EXPECT_EQ(different, 0);
-  EXPECT_GT(between, 50);
+  const ShareCounts counts = CountShares(shown, rays, heights, shares, lights, drawn);
+  EXPECT_EQ(counts.Different, 0);
+  EXPECT_GT(counts.Between, 50);
   for (std::size_t light = 0; light < lights.size(); ++light)
   {
-    EXPECT_GT(lit[light], 200) << light;
-    EXPECT_GT(dark[light], 50) << light;
+    EXPECT_GT(counts.Lit[light], 200) << light;
+    EXPECT_GT(counts.Dark[light], 50) << light;
   }
 }
