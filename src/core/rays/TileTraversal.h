@@ -97,14 +97,12 @@ struct TiledPyramid : CodedPyramid<TiledTexel>
     glm::vec2 fraction{ 0.0f, 0.0f };
   };
 
-  /// The step in the finest node that is there. The line it stands on is a line of that node too:
-  /// were it not, the tile of the node's finer ones would be there, for the ray comes from one.
-  Step Ascend(const Path& path, Step at) const;
   /// Position on a path in a node, as fractions of the node; see CellFraction().
   glm::vec2 NodeFraction(
     const Path& path, glm::ivec2 cell, int level, float s, int line, float side) const;
-  /// Passes a node, or a cell at level 0, by its patch.
-  Passage PassPatch(const Path& path, const Step& at, const Span& span, float side) const;
+  /// Passes a node, or a cell at level 0, by its patch; codes: of the patch.
+  Passage PassPatch(
+    const Path& path, const Step& at, const Span& span, float side, glm::vec4 codes) const;
   /// The hit of a passage, in cells of level 0.
   TerrainHit HitInNode(const Path& path, const Step& at, const Passage& passage) const;
   /// The side on which a ray passes a node by its bounds, or the part of it before `s`, where it
@@ -115,14 +113,59 @@ struct TiledPyramid : CodedPyramid<TiledTexel>
   /// What becomes of a ray at a node above level 0.
   struct Descent
   {
-    bool down = false;    ///< it comes within the bounds
-    bool small = false;   ///< and ends there, within the tolerance
-    bool missing = false; ///< or would go on in a finer node whose tile is not there
-    float passes = 0.0f;  ///< as PassBounds() tells
+    bool down = false;   ///< it comes within the bounds
+    bool small = false;  ///< and they are within the tolerance
+    float passes = 0.0f; ///< as PassBounds() tells
     Step next;
   };
   Descent Descend(const Path& path, const Step& at, const Span& span, float side,
     const glm::vec4& tolerance) const;
+
+  /// A step and the slot of its node, negative if its tile is not there.
+  struct SlottedStep
+  {
+    Step step;
+    int slot = -1;
+  };
+  SlottedStep TileStep(const Path& path, const Step& step) const
+  {
+    return { step,
+      this->heights.tiles->TileSlot((step.cell >> step.level) ^ path.mirror, step.level) };
+  }
+  /// True for a cell whose tile is there.
+  static bool TileStepIsCell(const SlottedStep& at)
+  {
+    return at.step.level == 0 && at.slot >= 0;
+  }
+  /// Codes of the corners of the node of a step.
+  glm::vec4 TileStepCodes(const Path& path, const SlottedStep& at) const
+  {
+    return this->heights.tiles->SlotCodes((at.step.cell >> at.step.level) ^ path.mirror, at.slot);
+  }
+
+  /// How far a ray has come.
+  struct Walk
+  {
+    SlottedStep at;
+    SlottedStep from;     ///< the step before
+    float side = 0.0f;    ///< as in Passage
+    bool byPatch = false; ///< at is passed by its patch
+    bool wall = false;    ///< met from the step before
+    bool small = false;   ///< within the tolerance at the node of the step before
+    bool ended = false;
+    int crossings = 0;
+    int most = 0;
+  };
+  /// On over a node by its bounds, or up where its tile is not there. The line that a ray stands on
+  /// is a line of the coarser node too: were it not, the tile would be there, for the ray comes
+  /// from a finer one.
+  template <typename Visit>
+  void WalkNode(const Path& path, const glm::vec4& tolerance, Walk& walk, Visit&& visit) const;
+  /// On over a hole, where no tolerance ends a ray.
+  static void WalkOverHole(Walk& walk);
+  /// On over a cell, or a node whose finer ones are not there, by its patch.
+  template <typename Visit>
+  void WalkPatch(const Path& path, Walk& walk, Passage& passage, Visit&& visit) const;
 
   /// The first point of the surface on a ray; tolerance: see TracePyramidWithin().
   /// visit(node, level, missing) is called for each node; missing: its finer nodes were wanted and
@@ -130,15 +173,6 @@ struct TiledPyramid : CodedPyramid<TiledTexel>
   template <typename Visit>
   TerrainHit TraceTiles(const TerrainRay& ray, const glm::vec4& tolerance, Visit&& visit) const;
 };
-
-inline TiledPyramid::Step TiledPyramid::Ascend(const Path& path, Step at) const
-{
-  while (this->heights.tiles->TileSlot((at.cell >> at.level) ^ path.mirror, at.level) < 0)
-  {
-    ++at.level;
-  }
-  return at;
-}
 
 inline glm::vec2 TiledPyramid::NodeFraction(
   const Path& path, glm::ivec2 cell, int level, float s, int line, float side) const
@@ -154,11 +188,9 @@ inline glm::vec2 TiledPyramid::NodeFraction(
 }
 
 inline TiledPyramid::Passage TiledPyramid::PassPatch(
-  const Path& path, const Step& at, const Span& span, float side) const
+  const Path& path, const Step& at, const Span& span, float side, glm::vec4 codes) const
 {
   Passage passage;
-  const glm::ivec2 node = (at.cell >> at.level) ^ path.mirror;
-  glm::vec4 codes = this->heights.LevelCodes(node, at.level);
   const bool valid = glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0f)));
   codes -= path.anchorCode;
   const glm::vec2 begin = this->NodeFraction(path, at.cell, at.level, at.s, at.line, 0.0f);
@@ -196,20 +228,81 @@ inline TiledPyramid::Descent TiledPyramid::Descend(
   const Path& path, const Step& at, const Span& span, float side, const glm::vec4& tolerance) const
 {
   Descent descent;
-  const glm::ivec2 node = (at.cell >> at.level) ^ path.mirror;
   const glm::vec2 bounds = this->NodeBounds(path, at);
   descent.down = std::min(at.z, span.z) <= bounds.x && std::max(at.z, span.z) >= bounds.y;
   const float bound = path.direction.z < 0.0f ? bounds.x : bounds.y;
   const float s = std::min(std::max(at.s + (bound - at.z) * path.inverse.z, at.s), span.s);
   descent.next = this->NextStep(path, at, span, descent.down, descent.down ? s : span.s);
-  const glm::ivec2 finer = (descent.next.cell >> std::max(at.level - 1, 0)) ^ path.mirror;
   descent.small = descent.down && at.level <= this->heights.tiles->Top() &&
-    IsWithin(tolerance, at.s, at.level, bounds) &&
-    glm::all(glm::greaterThanEqual(this->heights.LevelCodes(node, at.level), glm::vec4(0.0f)));
-  descent.missing =
-    descent.down && !descent.small && this->heights.tiles->TileSlot(finer, at.level - 1) < 0;
+    IsWithin(tolerance, at.s, at.level, bounds);
   descent.passes = PassBounds(path, at, span, bounds, descent.down, s, side);
   return descent;
+}
+
+template <typename Visit>
+void TiledPyramid::WalkNode(
+  const Path& path, const glm::vec4& tolerance, Walk& walk, Visit&& visit) const
+{
+  Descent descent;
+  descent.passes = walk.side;
+  descent.next = walk.at.step;
+  ++descent.next.level;
+  const Step& step = walk.at.step;
+  const bool isThere = walk.at.slot >= 0;
+  bool last = false;
+  if (isThere)
+  {
+    ++walk.crossings;
+    const Span span = this->NodeSpan(path, step);
+    descent = this->Descend(path, step, span, walk.side, tolerance);
+    last = (span.ends && !descent.down) || walk.crossings >= walk.most;
+  }
+  const SlottedStep next = this->TileStep(path, descent.next);
+  walk.byPatch = descent.down && !descent.small && next.slot < 0;
+  if (isThere)
+  {
+    visit((step.cell >> step.level) ^ path.mirror, step.level, walk.byPatch);
+  }
+  if (!walk.byPatch)
+  {
+    walk.wall = descent.passes * walk.side < 0.0f;
+    walk.small = descent.small;
+    walk.ended = last || walk.wall || walk.small;
+    walk.side = walk.small ? walk.side : descent.passes;
+    walk.from = walk.at;
+    walk.at = next;
+    walk.byPatch = TileStepIsCell(next);
+  }
+}
+
+inline void TiledPyramid::WalkOverHole(Walk& walk)
+{
+  walk.small = false;
+  walk.ended = walk.crossings >= walk.most;
+  walk.byPatch = walk.at.slot < 0 || walk.at.step.level == 0;
+  walk.side = walk.at.slot < 0 ? walk.side : 0.0f;
+  if (walk.at.slot < 0)
+  {
+    walk.at = walk.from;
+  }
+}
+
+template <typename Visit>
+void TiledPyramid::WalkPatch(const Path& path, Walk& walk, Passage& passage, Visit&& visit) const
+{
+  const Step step = walk.at.step;
+  if (step.level == 0) // nodes were visited as such
+  {
+    ++walk.crossings;
+    visit(step.cell ^ path.mirror, 0, false);
+  }
+  const Span span = this->NodeSpan(path, step);
+  passage = this->PassPatch(path, step, span, walk.side, this->TileStepCodes(path, walk.at));
+  walk.side = passage.side;
+  walk.ended = passage.meets || span.ends || walk.crossings >= walk.most;
+  walk.from = walk.at;
+  walk.at = this->TileStep(path, this->NextStep(path, step, span, false, span.s));
+  walk.byPatch = TileStepIsCell(walk.at);
 }
 
 template <typename Visit>
@@ -217,59 +310,41 @@ TerrainHit TiledPyramid::TraceTiles(
   const TerrainRay& ray, const glm::vec4& tolerance, Visit&& visit) const
 {
   const Path path = this->ClipPath(this->MirrorRay(ray));
+  Walk walk;
+  walk.at = this->TileStep(path, this->FirstStep(path));
+  walk.from = walk.at;
+  walk.byPatch = TileStepIsCell(walk.at);
+  walk.ended = !(path.sBegin <= path.sEnd);
+  walk.most = 2 * (this->heights.size.x + this->heights.size.y) + this->pyramid->LevelCount();
+  Passage passage;
+  while (!walk.ended)
+  {
+    while (!walk.ended && !walk.byPatch)
+    {
+      this->WalkNode(path, tolerance, walk, visit);
+    }
+    if (walk.small && !walk.wall && this->holes &&
+      !glm::all(glm::greaterThanEqual(this->TileStepCodes(path, walk.from), glm::vec4(0.0f))))
+    {
+      WalkOverHole(walk);
+    }
+    while (!walk.ended && walk.byPatch)
+    {
+      this->WalkPatch(path, walk, passage, visit);
+    }
+  }
   TerrainHit hit;
-  if (!(path.sBegin <= path.sEnd))
+  if (passage.meets)
   {
-    return hit;
+    hit = this->HitInNode(path, walk.from.step, passage);
   }
-  Step at = this->FirstStep(path);
-  const int most = 2 * (this->heights.size.x + this->heights.size.y) + this->pyramid->LevelCount();
-  float side = 0.0f;
-  bool ended = false;
-  int crossings = 0;
-  while (!ended && crossings < most)
+  if (walk.wall || walk.small)
   {
-    ++crossings;
-    const glm::ivec2 node = (at.cell >> at.level) ^ path.mirror;
-    const Span span = this->NodeSpan(path, at);
-    bool down = false;
-    bool byPatch = at.level == 0;
-    bool missing = false;
-    Step next = at;
-    if (at.level > 0)
-    {
-      const Descent descent = this->Descend(path, at, span, side, tolerance);
-      down = descent.down;
-      next = descent.next;
-      missing = descent.missing;
-      byPatch = missing;
-      const bool wall = !byPatch && descent.passes * side < 0.0f;
-      side = byPatch ? side : descent.passes;
-      if (wall || descent.small)
-      {
-        const Step& where = wall ? at : next;
-        hit = { true, where.s, where.cell ^ path.mirror,
-          this->CellFraction(path, where.cell, where.s, where.line, 0.0f), 0 };
-        ended = true;
-      }
-    }
-    visit(node, at.level, missing);
-    if (byPatch)
-    {
-      const Passage passage = this->PassPatch(path, at, span, side);
-      side = passage.side;
-      if (passage.meets)
-      {
-        hit = this->HitInNode(path, at, passage);
-      }
-      next = this->NextStep(path, at, span, false, span.s);
-      down = false;
-      ended = passage.meets;
-    }
-    ended = ended || (span.ends && !down);
-    at = ended ? next : this->Ascend(path, next);
+    const Step& where = walk.wall ? walk.from.step : walk.at.step;
+    hit = { true, where.s, where.cell ^ path.mirror,
+      this->CellFraction(path, where.cell, where.s, where.line, 0.0f), 0 };
   }
-  hit.crossings = crossings;
+  hit.crossings = walk.crossings;
   return hit;
 }
 }
