@@ -114,7 +114,8 @@ for file in $(git ls-files 'src/*/*.h' 'src/*/*.cxx'); do
     part=
   done
 done
-# Names (docs/architecture.md): functions begin with a capital, constants of a file with k.
+# Names (docs/architecture.md): functions begin with a capital, constants of a file with k, those of
+# a class as its members.
 # shellcheck disable=SC2046
 names=$(awk '
   FNR == 1 { head = "" }
@@ -130,6 +131,12 @@ names=$(awk '
     sub(/ ?[={[].*/, "", name)
     sub(/.*[ *&]/, "", name)
     if (name !~ /^k[A-Z]/) print FILENAME ": " name " begins with k, as constants do"
+  }
+  /^  (inline )?static constexpr .* k[A-Z][A-Za-z]* *[={]/ && FILENAME ~ /\.h$/ {
+    name = $0
+    sub(/ *[={].*/, "", name)
+    sub(/.*[ *&]/, "", name)
+    print FILENAME ": " name " is a constant of a class, which begins like a member"
   }' $(git ls-files 'src/*.h' 'src/*.cxx' 'Examples/*.h' 'Examples/*.cxx' 'Module/*.h' 'Module/*.cxx'))
 [ -z "$names" ] || offence "$names"
 # Files include one another in no circle. A header and its .cxx count as one, and so do a class and

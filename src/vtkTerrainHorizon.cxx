@@ -100,7 +100,7 @@ std::vector<RowBand> MakeBands(vtkImageData* heights)
     const auto isNear = [&](std::int64_t row)
     {
       const double width = latitudes.Width(static_cast<double>(row));
-      return std::abs(width - low) <= 2.0 * vtkTerrainHorizon::kSpacingError * width;
+      return std::abs(width - low) <= 2.0 * vtkTerrainHorizon::SpacingError * width;
     };
     while (end < count && isNear(end))
     {
@@ -170,9 +170,9 @@ std::string vtkTerrainHorizon::WhyNot(vtkImageData* heights) const
   {
     return whyNot;
   }
-  if (this->NumberOfDirections < 1 || this->NumberOfDirections > kMaximumDirections)
+  if (this->NumberOfDirections < 1 || this->NumberOfDirections > MaximumDirections)
   {
-    return "a horizon has 1 to " + std::to_string(kMaximumDirections) + " directions, not " +
+    return "a horizon has 1 to " + std::to_string(MaximumDirections) + " directions, not " +
       std::to_string(this->NumberOfDirections);
   }
   return {};

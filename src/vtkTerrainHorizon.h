@@ -30,7 +30,7 @@
  *
  * Heights are in metres, as the spacing. Heights in degrees (vtkTerrainRasterReader lays them out
  * in metres at their middle latitude) get the width of their cells from their own latitude, for
- * bands of rows in which it is right to kSpacingError; rays run straight in the plane of each.
+ * bands of rows in which it is right to SpacingError; rays run straight in the plane of each.
  *
  * The earth is flat unless Curvature is on: then the ground falls by (1 - Refraction) d^2 / (2
  * PlanetRadius) at a distance d.
@@ -66,12 +66,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Largest error of the width of cells in degrees, as a share of it.
-  static constexpr double kSpacingError = 5e-4;
+  static constexpr double SpacingError = 5e-4;
   /// Most directions.
-  static constexpr int kMaximumDirections = 3600;
+  static constexpr int MaximumDirections = 3600;
 
   ///@{
-  /// Directions of the horizon, 1 to kMaximumDirections; others are an error. Default 16.
+  /// Directions of the horizon, 1 to MaximumDirections; others are an error. Default 16.
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
   ///@}

@@ -346,7 +346,7 @@ void vtkTerrainReproject::FillBlock(const int extent[4], double* heights, double
         for (vtkIdType i = begin; i < end; ++i)
         {
           terrain::VerticalSearch& search = searches[static_cast<std::size_t>(i)];
-          if (search.Take(riseOfMetre * (heights[i] - places[3 * i + 2]), kVerticalTolerance))
+          if (search.Take(riseOfMetre * (heights[i] - places[3 * i + 2]), VerticalTolerance))
           {
             moved = true;
           }

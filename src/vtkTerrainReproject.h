@@ -19,7 +19,7 @@
  *     the extent, a warning says by how much (GetFlatError).
  *   - Local: the earth is round. z includes the earth's drop, x and y the tilt of the vertical, so
  *     that distant summits sink as they do in nature: each sample is where the vertical line of the
- *     scene meets the terrain, found to kVerticalTolerance. The Georeference's exaggeration is in
+ *     scene meets the terrain, found to VerticalTolerance. The Georeference's exaggeration is in
  *     these heights, which are drawn as they are. Where exaggerated terrain overhangs in the scene,
  *     the sample is one of its points. What is left of the heights for colours is the point array
  *     "PlaceHeight" (float): metres as in flat frames.
@@ -58,7 +58,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Largest vertical error of the search in Local frames, in metres.
-  static constexpr double kVerticalTolerance = 1e-3;
+  static constexpr double VerticalTolerance = 1e-3;
 
   ///@{
   /// The scene; never null, a Plane round the middle of the data by default. Null restores that.

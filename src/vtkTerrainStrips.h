@@ -22,7 +22,7 @@
  *
  * With detail (port 1) the surface is the heights plus DetailScale times the detail, repeated all
  * over them as vtkOpenGLTerrainMapper does. Refinement runs on below the samples of the heights,
- * where the errors of the detail say so, without a seam. Memory is taken for the heights and one
+ * where the errors of the detail say so, without a crack. Memory is taken for the heights and one
  * period, never for their product. Texture coordinates stay those of the heights. Normals are the
  * slopes of both, added. Where the period does not divide by four detail cells, all triangles of a
  * depth below the samples have one error. Larger powers of two are better, see

@@ -72,7 +72,7 @@ TEST(TerrainHorizon, CellsInDegreesHaveTheWidthOfTheirLatitude)
     worst = std::max(worst, std::abs(found / expected - 1.0));
   }
   // The horizon's own error, of an angle, does not show on a plane.
-  EXPECT_LE(worst, vtkTerrainHorizon::kSpacingError);
+  EXPECT_LE(worst, vtkTerrainHorizon::SpacingError);
   // Bands of rows are what the error is for; with none, rows would be right to rounding.
   EXPECT_GT(worst, 1e-5);
 }

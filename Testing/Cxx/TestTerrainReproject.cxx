@@ -251,7 +251,7 @@ TEST(TerrainReproject, RoundEarthSinks)
   EXPECT_NEAR(output->GetPointData()->GetScalars()->GetComponent(there, 0), -784.0, 1.0);
   vtkDataArray* heights = output->GetPointData()->GetArray("PlaceHeight");
   ASSERT_NE(heights, nullptr);
-  EXPECT_NEAR(heights->GetComponent(there, 0), 0.0, vtkTerrainReproject::kVerticalTolerance);
+  EXPECT_NEAR(heights->GetComponent(there, 0), 0.0, vtkTerrainReproject::VerticalTolerance);
   EXPECT_EQ(filter->GetWarningMessage(), "");
   filter->GetGeoreference()->SetFrame(Frame::Plane);
   vtkNew<vtkTest::ErrorObserver> observer;

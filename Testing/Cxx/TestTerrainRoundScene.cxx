@@ -178,8 +178,8 @@ TEST(TerrainRoundScene, TheSeaStaysWhereItIs)
     if (!std::isnan(a->GetComponent(i, 0)))
     {
       ++compared;
-      ASSERT_NEAR(a->GetComponent(i, 0), b->GetComponent(i, 0),
-        2.0 * vtkTerrainReproject::kVerticalTolerance);
+      ASSERT_NEAR(
+        a->GetComponent(i, 0), b->GetComponent(i, 0), 2.0 * vtkTerrainReproject::VerticalTolerance);
     }
   }
   EXPECT_GT(compared, 2300);

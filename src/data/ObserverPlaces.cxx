@@ -108,7 +108,7 @@ private:
   bool HasRoomFor(double count)
   {
     const auto size = static_cast<double>(this->Found.Fixed.size() + this->Found.Optional.size());
-    this->Found.TooMany = this->Found.TooMany || size + count > ObserverPlaces::kMost;
+    this->Found.TooMany = this->Found.TooMany || size + count > ObserverPlaces::Most;
     return !this->Found.TooMany;
   }
 

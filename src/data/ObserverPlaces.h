@@ -21,13 +21,13 @@ namespace terrain
 struct ObserverPlaces
 {
   /// Most places: more are a mistake rather than a question.
-  static constexpr double kMost = 1e7;
+  static constexpr double Most = 1e7;
 
   /// Observers must be able to stand here.
   std::vector<glm::dvec2> Fixed;
   /// In areas: those where there is no height are left out.
   std::vector<glm::dvec2> Optional;
-  /// True if there are more than kMost.
+  /// True if there are more than Most.
   bool TooMany = false;
 };
 

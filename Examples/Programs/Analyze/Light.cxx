@@ -12,10 +12,10 @@ namespace
 {
 void Configure(const LightOptions& light, vtkTerrainHorizon* horizon)
 {
-  if (light.Directions < 1 || light.Directions > vtkTerrainHorizon::kMaximumDirections)
+  if (light.Directions < 1 || light.Directions > vtkTerrainHorizon::MaximumDirections)
   {
     throw Failure("--directions must be 1 to " +
-      std::to_string(vtkTerrainHorizon::kMaximumDirections) + ", not " +
+      std::to_string(vtkTerrainHorizon::MaximumDirections) + ", not " +
       std::to_string(light.Directions));
   }
   horizon->SetNumberOfDirections(light.Directions);

@@ -40,8 +40,8 @@ ErrorQueue::ErrorQueue(double tolerance)
 
 int ErrorQueue::BucketOf(double error) const
 {
-  const double octaves = this->Tolerance > 0.0 ? std::log2(error / this->Tolerance) : kBuckets;
-  return std::clamp(static_cast<int>(kBucketsPerOctave * octaves), 0, kBuckets - 1);
+  const double octaves = this->Tolerance > 0.0 ? std::log2(error / this->Tolerance) : BucketCount;
+  return std::clamp(static_cast<int>(BucketsPerOctave * octaves), 0, BucketCount - 1);
 }
 
 void ErrorQueue::Push(int triangle, double error)

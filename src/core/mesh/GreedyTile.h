@@ -43,11 +43,11 @@ public:
   }
 
 private:
-  static constexpr int kBucketsPerOctave = 16;
-  static constexpr int kBuckets = 64 * kBucketsPerOctave;
+  static constexpr int BucketsPerOctave = 16;
+  static constexpr int BucketCount = 64 * BucketsPerOctave;
   int BucketOf(double error) const;
 
-  std::array<std::vector<int>, kBuckets> Buckets;
+  std::array<std::vector<int>, BucketCount> Buckets;
   double Tolerance;
   int Highest = -1;
 };

@@ -49,7 +49,7 @@ public:
   /// there is more to ask for.
   bool Take(double rise, double tolerance)
   {
-    if (this->Found || this->Steps == kMostSteps)
+    if (this->Found || this->Steps == MostSteps)
     {
       return false;
     }
@@ -62,17 +62,17 @@ public:
     this->Seen = true;
     this->LastSeen = this->Z;
     (rise > 0.0 ? this->Below : this->Above) = this->Z;
-    const bool isBracketed = this->Above - this->Below < kInfinity;
+    const bool isBracketed = this->Above - this->Below < Infinity;
     const double next = this->Z + rise;
     const bool halves =
-      isBracketed && (this->Steps > kPlainSteps || !(next >= this->Below && next <= this->Above));
+      isBracketed && (this->Steps > PlainSteps || !(next >= this->Below && next <= this->Above));
     this->Found = !this->MoveTo(halves ? 0.5 * (this->Below + this->Above) : next, tolerance);
     return !this->Found;
   }
 
   /// Steps after which a search ends, found or not. They suffice: a bracket as high as the earth's
   /// radius becomes shorter than a tenth of a millimetre.
-  static constexpr int kMostSteps = 48;
+  static constexpr int MostSteps = 48;
 
 private:
   bool MoveTo(double z, double tolerance)
@@ -93,14 +93,14 @@ private:
     return true;
   }
 
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  static constexpr int kPlainSteps = 8;
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+  static constexpr int PlainSteps = 8;
 
   double Z = 0.0;
   double Start = 0.0;
   double Range = 0.0;
-  double Below = -kInfinity;
-  double Above = kInfinity;
+  double Below = -Infinity;
+  double Above = Infinity;
   double LastSeen = 0.0;
   int Trials = 0;
   int Tried = 0;
