@@ -122,13 +122,19 @@ void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int k
   const terrain::World<Texel> world(globe.Grid, globe.Field());
   FieldTextures<Texel> field(window, world.Field, kind % 2 == 0);
   GlobeRays rays(globe, 17u + static_cast<unsigned>(kind));
-  const terrain::WorldTracer<float, Texel> tracer(world, rays.Make(kind).Origin);
+  const terrain::GlobeReferenceRay first = rays.Make(kind);
+  const terrain::WorldTracer<float, Texel> tracer(world, first.Origin);
   const GlobeTexture lines(window, tracer);
   std::vector<std::vector<float>> inputs(2);
   std::vector<terrain::GlobeRay<float>> cast;
   for (int k = 0; k < NumberOfRays; ++k)
   {
-    const terrain::GlobeReferenceRay ray = rays.Make(kind);
+    terrain::GlobeReferenceRay ray = rays.Make(kind);
+    if (k % 2 == 0) // as those of a camera, which the anchor is
+    {
+      ray.Origin = first.Origin + 1e-6 * (ray.Origin - first.Origin);
+      ray.Direction = glm::normalize(first.Direction + 0.1 * ray.Direction);
+    }
     terrain::GlobeRay<float> about;
     about.Origin = tracer.Anchor.ToAxes(ray.Origin - tracer.Anchor.Position);
     about.Direction = tracer.Anchor.ToAxes(ray.Direction);
@@ -169,7 +175,7 @@ void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int k
   }
   EXPECT_EQ(wrong, 0);
   EXPECT_EQ(turned, 0);
-  EXPECT_GE(hits, NumberOfRays / 10);
+  EXPECT_GE(hits, NumberOfRays / 20); // a cone of rays may pass by a small raster
 }
 }
 
