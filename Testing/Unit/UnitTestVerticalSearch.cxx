@@ -44,13 +44,13 @@ TEST(VerticalSearch, ConvergesWherePlainStepsDoNot)
   EXPECT_NEAR(
     Search(
       terrain::VerticalSearch(0.0), [](double z) { return 2000.0 - 3.0 * (z - 500.0) - z; },
-      terrain::VerticalSearch::kMostSteps),
+      terrain::VerticalSearch::MostSteps),
     875.0, 2.0 * kTolerance);
   // a step, where only a bracket helps; 400 km high, as exaggerated as any picture needs
   EXPECT_NEAR(
     Search(
       terrain::VerticalSearch(0.0), [](double z) { return (z < 123456.0 ? 4e5 : 0.0) - z; },
-      terrain::VerticalSearch::kMostSteps),
+      terrain::VerticalSearch::MostSteps),
     123456.0, 2.0 * kTolerance);
 }
 
@@ -67,7 +67,7 @@ TEST(VerticalSearch, LooksHigherUpWhereThereIsNothing)
   // the line leaves the terrain while it is below it
   const auto gone = [](double z) { return z > 500.0 ? std::nan("") : 900.0 - z; };
   Search(
-    terrain::VerticalSearch(0.0, 1600.0, 8), gone, terrain::VerticalSearch::kMostSteps + 1, false);
+    terrain::VerticalSearch(0.0, 1600.0, 8), gone, terrain::VerticalSearch::MostSteps + 1, false);
   Search(terrain::VerticalSearch(0.0), gone, 2, false);
   // a step beyond the terrain goes half way back
   const auto narrow = [](double z) { return z > 1000.0 ? std::nan("") : 1.8 * (900.0 - z); };
