@@ -52,6 +52,7 @@ set(private_sources
   place/GroundPlaces
   place/ReprojectPlan
   raster/CoordinateSystem
+  raster/FolderFiles
   raster/GDALTable
   raster/GridCoordinates
   raster/GridResample
@@ -59,11 +60,12 @@ set(private_sources
   raster/InputFiles
   raster/PreparedFile
   raster/RasterArray
+  raster/RasterBeside
   raster/RasterFile
   raster/RasterHeights
   raster/RasterHoles
   raster/RasterIntake
-  raster/RasterList
+  raster/RasterMask
   raster/RasterMessages
   raster/RasterOpen
   raster/RasterPiece

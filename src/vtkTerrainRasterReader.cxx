@@ -247,8 +247,6 @@ void vtkTerrainRasterReader::WarnOf(const vtkTerrainRasterPlan& plan)
     this->Warn(warning);
   }
   const terrain::RasterSites& sites = plan.File->GetRecord().GetSites();
-  this->NumberOfSites = sites.Count;
-  this->Site = sites.Taken;
   if (this->WarnOfSites && !sites.Warning.empty())
   {
     this->Warn(sites.Warning);
@@ -337,9 +335,10 @@ bool vtkTerrainRasterReader::GetSamplesAreHeights()
   {
     const std::shared_ptr<vtkTerrainRasterPlan> plan = this->Plan(this->Band);
     const terrain::RasterHoles& holes = plan->File->GetHoles();
-    return !plan->File->IsReplaced() && !plan->File->IsTurned() && !this->Flip &&
-      plan->Request.Scale == 1.0 && plan->Request.Offset == 0.0 && !holes.UndeclaredOccurs &&
-      holes.Declared.empty() && !plan->Layout.IsGeographic && plan->Layout.Scale[0] == 1.0;
+    return !plan->File->IsReplaced() && !plan->File->IsTurned() && !plan->File->HasMask() &&
+      !this->Flip && plan->Request.Scale == 1.0 && plan->Request.Offset == 0.0 &&
+      !holes.UndeclaredOccurs && holes.Declared.empty() && !plan->Layout.IsGeographic &&
+      plan->Layout.Scale[0] == 1.0;
   }
   catch (const std::exception&)
   {
@@ -384,6 +383,9 @@ int vtkTerrainRasterReader::RequestInformation(vtkInformation* vtkNotUsed(reques
       this->Plan(this->BandsAsTimeSteps ? 1 : this->Band);
     const vtkTerrainRasterPlan& plan = *planned;
     this->Level = plan.Level;
+    const terrain::RasterSites& sites = plan.File->GetRecord().GetSites();
+    this->NumberOfSites = sites.Count;
+    this->Site = sites.Taken;
     vtkInformation* info = outputs->GetInformationObject(0);
     this->DeclareTimeSteps(plan.File->GetNumberOfBands(), info);
     const int extent[6] = { 0, static_cast<int>(plan.Request.Width) - 1, 0,

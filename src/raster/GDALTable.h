@@ -58,6 +58,7 @@
   ENTRY(GDALApproxTransform)                                                                       \
   ENTRY(GDALAttributeGetName)                                                                      \
   ENTRY(GDALAttributeReadAsDouble)                                                                 \
+  ENTRY(GDALAttributeReadAsDoubleArray)                                                            \
   ENTRY(GDALAttributeReadAsString)                                                                 \
   ENTRY(GDALAttributeRelease)                                                                      \
   ENTRY(GDALChunkAndWarpImage)                                                                     \
@@ -79,6 +80,7 @@
   ENTRY(GDALExtendedDataTypeCreate)                                                                \
   ENTRY(GDALExtendedDataTypeRelease)                                                               \
   ENTRY(GDALFlushRasterCache)                                                                      \
+  ENTRY(GDALGCPsToGeoTransform)                                                                    \
   ENTRY(GDALGetBlockSize)                                                                          \
   ENTRY(GDALGetDataTypeName)                                                                       \
   ENTRY(GDALGetDataTypeSizeBytes)                                                                  \
@@ -89,6 +91,8 @@
   ENTRY(GDALGetDriverShortName)                                                                    \
   ENTRY(GDALGetFileList)                                                                           \
   ENTRY(GDALGetGCPCount)                                                                           \
+  ENTRY(GDALGetGCPSpatialRef)                                                                      \
+  ENTRY(GDALGetGCPs)                                                                               \
   ENTRY(GDALGetGeoTransform)                                                                       \
   ENTRY(GDALGetMaskBand)                                                                           \
   ENTRY(GDALGetMaskFlags)                                                                          \
@@ -114,17 +118,22 @@
   ENTRY(GDALGetRasterYSize)                                                                        \
   ENTRY(GDALGetSpatialRef)                                                                         \
   ENTRY(GDALGroupGetAttribute)                                                                     \
+  ENTRY(GDALGroupGetGroupNames)                                                                    \
+  ENTRY(GDALGroupGetMDArrayNames)                                                                  \
+  ENTRY(GDALGroupOpenGroup)                                                                        \
   ENTRY(GDALGroupOpenGroupFromFullname)                                                            \
   ENTRY(GDALGroupOpenMDArray)                                                                      \
   ENTRY(GDALGroupOpenMDArrayFromFullname)                                                          \
   ENTRY(GDALGroupRelease)                                                                          \
   ENTRY(GDALGroupResolveMDArray)                                                                   \
   ENTRY(GDALInvGeoTransform)                                                                       \
+  ENTRY(GDALIdentifyDriverEx)                                                                      \
   ENTRY(GDALMDArrayAsClassicDataset)                                                               \
   ENTRY(GDALMDArrayGetAttribute)                                                                   \
   ENTRY(GDALMDArrayGetAttributes)                                                                  \
   ENTRY(GDALMDArrayGetDimensionCount)                                                              \
   ENTRY(GDALMDArrayGetDimensions)                                                                  \
+  ENTRY(GDALMDArrayGetFullName)                                                                    \
   ENTRY(GDALMDArrayGetOffset)                                                                      \
   ENTRY(GDALMDArrayGetScale)                                                                       \
   ENTRY(GDALMDArrayGetTotalElementsCount)                                                          \

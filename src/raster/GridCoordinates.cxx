@@ -277,6 +277,7 @@ GridPlace PlaceOfAxes(
   GridPlace place;
   place.IsGeographic = x == Kind::Longitude && y == Kind::Latitude;
   place.CoordinateSystem = place.IsGeographic ? "EPSG:4326" : "";
+  place.MetresPerUnit = x == Kind::East ? MetresOfUnit(columns.Get("units")) : 0.0;
   CheckDegrees(place, rows);
   std::vector<double> alongX = InBaseUnit(columns, x, record);
   std::vector<double> alongY = InBaseUnit(rows, y, record);

@@ -64,6 +64,9 @@ struct GridPlace
   std::string CoordinateSystem;
   /// True if x and y are longitude and latitude.
   bool IsGeographic = false;
+  /// Metres in the unit that the coordinates are told in, from which they have been brought to
+  /// metres; 0 if they tell none.
+  double MetresPerUnit = 0.0;
 };
 
 /// 1 for an axis of x or longitude, 2 for one of y or latitude, 0 for others.

@@ -38,6 +38,63 @@ struct Dimensions
   GDALDimensionH* List;
 };
 
+/// The numbers of an attribute, with commas between them.
+std::string ListOfNumbers(GDALAttributeH attribute)
+{
+  std::size_t count = 0;
+  double* numbers = GDALAttributeReadAsDoubleArray(attribute, &count);
+  std::string text;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    text += (k > 0 ? "," : "") + std::string(CPLSPrintf("%.17g", numbers[k]));
+  }
+  CPLFree(numbers);
+  return text;
+}
+
+std::vector<std::string> NamesOfArrays(GDALGroupH group)
+{
+  std::vector<std::string> names;
+  char** list = GDALGroupGetMDArrayNames(group, nullptr);
+  for (char** name = list; name && *name; ++name)
+  {
+    names.emplace_back(*name);
+  }
+  CSLDestroy(list);
+  return names;
+}
+
+/// Full names of arrays of two dimensions and more, in a group and those below it.
+std::vector<std::string> FindRasterArrays(GDALGroupH group, int depth = 0)
+{
+  constexpr int kDeepest = 8;
+  std::vector<std::string> found;
+  for (const std::string& name : NamesOfArrays(group))
+  {
+    GDALMDArrayH array = GDALGroupOpenMDArray(group, name.c_str(), nullptr);
+    if (array && GDALMDArrayGetDimensionCount(array) >= 2)
+    {
+      found.emplace_back(GDALMDArrayGetFullName(array));
+    }
+    if (array)
+    {
+      GDALMDArrayRelease(array);
+    }
+  }
+  char** list = depth < kDeepest ? GDALGroupGetGroupNames(group, nullptr) : nullptr;
+  for (char** name = list; name && *name; ++name)
+  {
+    if (GDALGroupH below = GDALGroupOpenGroup(group, *name, nullptr))
+    {
+      const std::vector<std::string> more = FindRasterArrays(below, depth + 1);
+      found.insert(found.end(), more.begin(), more.end());
+      GDALGroupRelease(below);
+    }
+  }
+  CSLDestroy(list);
+  return found;
+}
+
 std::map<std::string, std::string> ReadAttributes(GDALMDArrayH array)
 {
   std::map<std::string, std::string> attributes;
@@ -45,8 +102,9 @@ std::map<std::string, std::string> ReadAttributes(GDALMDArrayH array)
   GDALAttributeH* list = GDALMDArrayGetAttributes(array, &count, nullptr);
   for (std::size_t k = 0; k < count; ++k)
   {
+    const std::string name = GDALAttributeGetName(list[k]);
     const char* text = GDALAttributeReadAsString(list[k]);
-    attributes[GDALAttributeGetName(list[k])] = text ? text : "";
+    attributes[name] = name == "valid_range" ? ListOfNumbers(list[k]) : text ? text : "";
   }
   GDALReleaseAttributes(list, count);
   const char* unit = GDALMDArrayGetUnit(array);
@@ -158,7 +216,13 @@ std::unique_ptr<RasterArray> RasterArray::Open(const std::string& file, const st
   opened->File =
     GDALOpenEx(file.c_str(), GDAL_OF_MULTIDIM_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
   opened->Root = opened->File ? GDALDatasetGetRootGroup(opened->File) : nullptr;
-  opened->Array = opened->Root ? FindArray(opened->Root, variable) : nullptr;
+  std::string name = variable;
+  if (opened->Root && name.empty())
+  {
+    const std::vector<std::string> all = FindRasterArrays(opened->Root);
+    name = all.size() == 1 ? all.front() : name;
+  }
+  opened->Array = opened->Root && !name.empty() ? FindArray(opened->Root, name) : nullptr;
   if (!opened->Array || Dimensions(opened->Array).Count < 2)
   {
     return nullptr;
@@ -228,6 +292,7 @@ GridCoordinates RasterArray::GetCoordinates() const
   grid.ColumnCount = dimensions.Size(this->ColumnDimension);
   grid.Rows = ReadAxis(dimensions.List[this->RowDimension]);
   grid.Columns = ReadAxis(dimensions.List[this->ColumnDimension]);
+  this->FindAxesByName(grid);
   std::vector<std::string> names = Words(this->CoordinatesHint);
   // what models call them, where no attribute names them
   names.insert(names.end(),
@@ -263,6 +328,63 @@ GridCoordinates RasterArray::GetCoordinates() const
     GDALMDArrayRelease(variable);
   }
   return grid;
+}
+
+//------------------------------------------------------------------------------
+// Arrays of one dimension beside the array, as long as its rows or columns and called as their
+// coordinates are, where the file does not tell which are its axes.
+void RasterArray::FindAxesByName(GridCoordinates& grid) const
+{
+  if (!grid.Rows.Values.empty() || !grid.Columns.Values.empty())
+  {
+    return;
+  }
+  const std::string path = GDALMDArrayGetFullName(this->Array);
+  const std::string folder = path.substr(0, path.rfind('/'));
+  GDALGroupH group = folder.empty()
+    ? this->Root
+    : GDALGroupOpenGroupFromFullname(this->Root, folder.c_str(), nullptr);
+  for (const std::string& name : group ? NamesOfArrays(group) : std::vector<std::string>())
+  {
+    GDALMDArrayH array = GDALGroupOpenMDArray(group, name.c_str(), nullptr);
+    const bool isLine = array && GDALMDArrayGetDimensionCount(array) == 1;
+    const auto count =
+      isLine ? static_cast<std::size_t>(GDALMDArrayGetTotalElementsCount(array)) : 0;
+    GridAxis axis;
+    axis.Name = name;
+    axis.Attributes = isLine ? ReadAttributes(array) : axis.Attributes;
+    const int side = isLine ? GridSideOf(axis) : 0;
+    GridAxis* target = side == 1 && count == grid.ColumnCount ? &grid.Columns
+      : side == 2 && count == grid.RowCount                   ? &grid.Rows
+                                                              : nullptr;
+    if (target && target->Values.empty())
+    {
+      axis.Values = ReadValues(array);
+      *target = std::move(axis);
+    }
+    if (array)
+    {
+      GDALMDArrayRelease(array);
+    }
+  }
+  if (group && group != this->Root)
+  {
+    GDALGroupRelease(group);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string RasterArray::GetUnitOfColumns() const
+{
+  const Dimensions dimensions(this->Array);
+  GDALMDArrayH variable = GDALDimensionGetIndexingVariable(dimensions.List[this->ColumnDimension]);
+  const char* unit = variable ? GDALMDArrayGetUnit(variable) : nullptr;
+  std::string text = unit ? unit : "";
+  if (variable)
+  {
+    GDALMDArrayRelease(variable);
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------

@@ -21,8 +21,8 @@ namespace terrain
 class RasterArray
 {
 public:
-  /// Opens an array by its name in a file; null if the file has none of this name, or the array
-  /// has fewer than two dimensions.
+  /// Opens an array by its name in a file, or the only one of two dimensions and more for no name;
+  /// null if the file has none of this name, or the array has fewer than two dimensions.
   static std::unique_ptr<RasterArray> Open(const std::string& file, const std::string& variable);
   ~RasterArray();
   RasterArray(const RasterArray&) = delete;
@@ -32,6 +32,8 @@ public:
   void SetHints(const std::string& coordinates, const std::string& gridMapping);
   /// Coordinates of the two dimensions that are x and y by their variables, else of the last two.
   GridCoordinates GetCoordinates() const;
+  /// Unit of the coordinates of its columns; empty if they tell none.
+  std::string GetUnitOfColumns() const;
   /// Attributes of the array.
   std::map<std::string, std::string> GetAttributes() const;
   /// The array as a raster, its other dimensions as bands, rows and columns as GetCoordinates has
@@ -41,6 +43,7 @@ public:
 private:
   RasterArray() = default;
   void ChooseDimensions();
+  void FindAxesByName(GridCoordinates& grid) const;
 
   std::string CoordinatesHint;
   std::string GridMappingHint;

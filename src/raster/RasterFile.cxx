@@ -133,6 +133,13 @@ void RasterFile::SelectBand(int band)
         (description.empty() ? "" : ", " + description),
       band > 0 ? "given" : "the first that is no colour");
   }
+  if (band == 0 && this->BandNumber > 1 && this->FindNamedBand() == this->BandNumber)
+  {
+    this->Record.Warn("of its " + std::to_string(count) + " bands number " +
+      std::to_string(this->BandNumber) + " is taken, which is called '" +
+      this->GetBandDescription() + "' (--band 1 takes '" +
+      GDALGetDescription(GDALGetRasterBand(this->Dataset, 1)) + "')");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -173,10 +180,31 @@ int RasterFile::FindColors(int band) const
     throw RasterError("it looks like a colour image of " + std::to_string(count) +
       (count == 1 ? " band" : " bands") +
       ", not like heights; choose a band to use it as heights (--band 1), unless heights are "
-      "packed into "
-      "the colours (terrarium, terrain-RGB): unpack those first (gdal_calc.py)");
+      "packed into the colours: unpack those first, terrarium by gdal_calc.py -A IN --A_band=1 -B "
+      "IN --B_band=2 -C IN --C_band=3 --type=Float32 --outfile=OUT.tif "
+      "--calc='A*256.+B+C/256.-32768', terrain-RGB by the same with "
+      "--calc='(A*65536.+B*256.+C)*.1-10000'");
   }
-  return 1;
+  return this->FindNamedBand();
+}
+
+//------------------------------------------------------------------------------
+// The first band, or the only one that is called as heights are where the first is called
+// otherwise.
+int RasterFile::FindNamedBand() const
+{
+  const auto isHeights = [this](int band)
+  { return HasWordOfHeights(GDALGetDescription(GDALGetRasterBand(this->Dataset, band))); };
+  int found = 1;
+  int count = 0;
+  const char* first = GDALGetDescription(GDALGetRasterBand(this->Dataset, 1));
+  const bool isOther = first && *first != '\0' && !isHeights(1);
+  for (int band = 2; isOther && band <= this->NumberOfBands; ++band)
+  {
+    found = isHeights(band) ? band : found;
+    count += isHeights(band) ? 1 : 0;
+  }
+  return count == 1 ? found : 1;
 }
 
 //------------------------------------------------------------------------------
@@ -255,14 +283,6 @@ void RasterFile::GetScaleAndOffset(double& scale, double& offset) const
 }
 
 //------------------------------------------------------------------------------
-bool RasterFile::HasMask() const
-{
-  // Neither all valid nor by one value: per dataset, an alpha band, or the special values of ISIS
-  // and PDS4, which have no flag.
-  return (GDALGetMaskFlags(this->Band) & (GMF_ALL_VALID | GMF_NODATA)) == 0;
-}
-
-//------------------------------------------------------------------------------
 GDALRasterBandH RasterFile::FindBand(int overview) const
 {
   GDALRasterBandH band = overview < 0 ? this->Band : GDALGetOverview(this->Band, overview);
@@ -273,11 +293,10 @@ GDALRasterBandH RasterFile::FindBand(int overview) const
   return band;
 }
 
-namespace
-{
-/// Reads a window of a band or throws; any failure that GDAL reports counts, whatever it returns.
-void ReadWindow(GDALRasterBandH band, const RasterWindow& window, void* buffer, GDALDataType type,
-  std::int64_t pixelBytes, std::int64_t lineBytes)
+//------------------------------------------------------------------------------
+// Throws for any failure that GDAL reports, whatever it returns.
+void RasterFile::ReadWindow(GDALRasterBandH band, const RasterWindow& window, void* buffer,
+  GDALDataType type, std::int64_t pixelBytes, std::int64_t lineBytes)
 {
   const GDALMessages messages;
   const auto width = static_cast<int>(window.Width);
@@ -296,6 +315,8 @@ void ReadWindow(GDALRasterBandH band, const RasterWindow& window, void* buffer, 
   }
 }
 
+namespace
+{
 /// Signed bytes that GDAL has converted as if they had no sign.
 template <typename T>
 void RestoreSigns(
@@ -326,14 +347,6 @@ void RasterFile::Read(int overview, const RasterWindow& window, void* buffer, GD
   {
     RestoreSigns<double>(window, buffer, pixelBytes, lineBytes);
   }
-}
-
-//------------------------------------------------------------------------------
-void RasterFile::ReadMask(int overview, const RasterWindow& window, unsigned char* buffer,
-  std::int64_t pixelBytes, std::int64_t lineBytes) const
-{
-  ReadWindow(
-    GDALGetMaskBand(this->FindBand(overview)), window, buffer, GDT_Byte, pixelBytes, lineBytes);
 }
 
 //------------------------------------------------------------------------------

@@ -28,6 +28,7 @@
 #include <ogr_srs_api.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -106,6 +107,9 @@ struct RasterHoles
   /// Fill that nobody declares, and whether some of it was seen.
   std::vector<double> Undeclared;
   bool UndeclaredOccurs = false;
+  /// Samples beyond these are no heights, before scale and offset.
+  double ValidLow = -HUGE_VAL;
+  double ValidHigh = HUGE_VAL;
   /// Lowest and highest of the samples that were looked at, before scale and offset; low > high if
   /// all were fill.
   double Low = 1.0;
@@ -138,6 +142,11 @@ public:
   const std::string& GetName() const
   {
     return this->Name;
+  }
+  /// The band that SelectBand took, from 1 on.
+  int GetBand() const
+  {
+    return this->BandNumber;
   }
   /// Bands of samples: without an alpha band at the end.
   int GetNumberOfBands() const
@@ -187,7 +196,7 @@ public:
     return this->Record;
   }
 
-  /// True if a mask or an alpha band says which pixels have data.
+  /// True if a mask, an alpha band or a range of valid values says which pixels have data.
   bool HasMask() const;
 
   /// Reads pixels of the band, in the type of GetType or GDT_Float64; overview -1 is the full
@@ -213,6 +222,15 @@ public:
 private:
   GDALRasterBandH FindBand(int overview) const;
   int FindColors(int band) const;
+  int FindNamedBand() const;
+  static void ReadWindow(GDALRasterBandH band, const RasterWindow& window, void* buffer,
+    GDALDataType type, std::int64_t pixelBytes, std::int64_t lineBytes);
+
+  // RasterMask.cxx
+  bool HasFileMask() const;
+  bool HasValidRange() const;
+  GDALRasterBandH FindAlpha() const;
+  void FindValidRange();
 
   // RasterPlace.cxx
   void FindPlace(const RasterOptions& options);
@@ -229,6 +247,12 @@ private:
   void WarnOfPlace();
   void MakeLayout();
 
+  // RasterBeside.cxx
+  void CheckUnitOfAxes();
+  double FactorOfAxes(double metres);
+  void PlaceByPoints();
+  void TakeSystemBeside();
+
   // RasterIntake.cxx
   void FindHoles(const RasterOptions& options);
   std::vector<double> SampleBand() const;
@@ -242,6 +266,7 @@ private:
   void Replace(GDALDatasetH dataset);
   void CheckSanity();
   void CheckBytes();
+  void CheckSigns();
 
   std::string Name;
   HeldFiles Held;

@@ -77,6 +77,22 @@ std::vector<double> ListImpossible(const std::vector<double>& samples)
   return values;
 }
 
+/// Adds what becomes of values in samples of 16 bits with a mantissa of 11, rounded or cut off.
+void AddHalves(std::vector<double>& values)
+{
+  constexpr int kMantissa = 10;
+  const std::vector<double> whole = values;
+  for (const double value : whole)
+  {
+    if (std::isfinite(value) && value != 0.0)
+    {
+      const double step = std::ldexp(1.0, std::ilogb(value) - kMantissa);
+      values.push_back(step * std::round(value / step));
+      values.push_back(step * std::trunc(value / step));
+    }
+  }
+}
+
 /// Longitudes of neighbours differ by less than half a turn.
 void UnwrapField(std::vector<double>& x, std::size_t width)
 {
@@ -163,6 +179,11 @@ std::vector<double> RasterFile::GetDeclaredNoData() const
     values.push_back(value);
   }
   values.insert(values.end(), this->MoreNoData.begin(), this->MoreNoData.end());
+  const char* bits = GDALGetMetadataItem(this->Band, "NBITS", "IMAGE_STRUCTURE");
+  if (bits && std::atoi(bits) == 16 && this->GetType() == GDT_Float32)
+  {
+    AddHalves(values);
+  }
   for (double& each : values)
   {
     if (type == GDT_Byte && this->IsSignedByte() && each > 127.0)
@@ -243,6 +264,7 @@ void RasterFile::FindHoles(const RasterOptions& options)
     this->Holes.Declared.push_back(options.NoData);
     this->Record.Take("no data, too", NumberText(options.NoData), "given");
   }
+  this->FindValidRange();
   const std::vector<double> samples = this->SampleBand();
   this->Holes.Seen = FindFill(samples);
   this->Holes.Low = this->Holes.Seen.Low;
@@ -492,6 +514,21 @@ void RasterFile::CheckBytes()
 }
 
 //------------------------------------------------------------------------------
+// Warns of numbers without a sign that are those of negative heights.
+void RasterFile::CheckSigns()
+{
+  constexpr double kLowestAsUnsigned = 65536.0 - 12000.0;
+  if (this->GetType() == GDT_UInt16 && this->Holes.High > kLowestAsUnsigned &&
+    std::abs(this->Heights.Factor) == 1.0)
+  {
+    this->Record.Warn("its samples are numbers of 16 bits without a sign, up to " +
+      NumberText(this->Holes.High) +
+      ", as negative heights become where the sign is lost: add the line 'PIXELTYPE SIGNEDINT' to "
+      "its .hdr, or gdal_calc.py -A IN --calc='A.astype(int16)' --type=Int16 --outfile=OUT.tif");
+  }
+}
+
+//------------------------------------------------------------------------------
 // Warns of what no terrain looks like.
 void RasterFile::CheckSanity()
 {
@@ -508,6 +545,7 @@ void RasterFile::CheckSanity()
     return;
   }
   this->CheckBytes();
+  this->CheckSigns();
   double scale = 1.0;
   double offset = 0.0;
   this->GetScaleAndOffset(scale, offset);

@@ -3,8 +3,8 @@
 #include "raster/RasterOpen.h"
 
 #include "core/files/OutputFile.h"
+#include "raster/FolderFiles.h"
 #include "raster/GDALTable.h"
-#include "raster/RasterList.h"
 #include "raster/RasterMessages.h"
 #include "raster/RasterRepairs.h"
 #include "raster/Words.h"
@@ -46,10 +46,31 @@ bool IsDirectory(const std::string& name)
   return VSIStatL(name.c_str(), &status) == 0 && VSI_ISDIR(status.st_mode);
 }
 
+bool IsTextOfIntegers(GDALDatasetH dataset)
+{
+  GDALDriverH driver = GDALGetDatasetDriver(dataset);
+  return driver && EQUAL(GDALGetDriverShortName(driver), "AAIGrid") &&
+    GDALGetRasterDataType(GDALGetRasterBand(dataset, 1)) == GDT_Int32;
+}
+
+/// A grid of text whose numbers GDAL takes for whole ones, among which a "nan" becomes 0: opened
+/// once more, as numbers with a fraction.
+GDALDatasetH WithNaN(GDALDatasetH dataset, const std::string& name)
+{
+  if (!IsTextOfIntegers(dataset) || !NamesNaN(name))
+  {
+    return dataset;
+  }
+  GDALClose(dataset);
+  const char* const options[] = { "DATATYPE=Float64", nullptr };
+  return GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, options, nullptr);
+}
+
 GDALDatasetH OpenPlain(const std::string& name)
 {
-  return GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-    nullptr, nullptr, nullptr);
+  GDALDatasetH dataset = GDALOpenEx(name.c_str(),
+    GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr);
+  return dataset ? WithNaN(dataset, name) : nullptr;
 }
 
 /// What to do about a file of another kind, by its extension; empty if nothing is known.
@@ -108,7 +129,12 @@ std::string WhyNotOpened(const std::string& name, const std::string& failure)
   {
     return "it is empty";
   }
-  const std::string remedy = RemedyOf(name);
+  std::string remedy = RemedyOf(name);
+  if (remedy.empty() && HasComments(name))
+  {
+    remedy = "it is a text with lines before its first point or header that GDAL does not skip: "
+             "take them out (sed '/^[#%/!]/d' IN > OUT.xyz)";
+  }
   // GDAL's driver XYZ takes the first three columns where it does not know their names.
   if (remedy.empty() && failure.find("Ungridded") != std::string::npos)
   {
@@ -168,20 +194,25 @@ GDALDatasetH OpenArchive(std::string& name, std::string& part, RasterRecord& rec
   {
     return nullptr;
   }
-  const std::vector<std::string> rasters = FindRasters(folder);
-  if (rasters.empty())
-  {
-    throw RasterError("it is an archive without a raster in it");
-  }
-  if (rasters.size() > 1)
+  const FolderFiles files = FindFolderFiles(folder);
+  if (files.Rasters.size() > 1)
   {
     GDALDatasetH dataset = OpenSeveral(folder, part, record, held, openFolder);
     name = folder;
     return dataset;
   }
-  name = rasters.front();
+  const std::vector<std::string>& others =
+    files.OtherRasters.empty() ? files.Archives : files.OtherRasters;
+  if (files.Rasters.empty() && others.size() != 1)
+  {
+    const std::string inside = DescribeOthers(files);
+    throw RasterError(
+      "it is an archive without a raster in it" + (inside.empty() ? "" : ", but with " + inside));
+  }
+  name = files.Rasters.empty() ? others.front() : files.Rasters.front();
   record.Take("file", name, "the one raster in the archive");
-  return OpenPlain(name);
+  GDALDatasetH dataset = OpenPlain(name);
+  return dataset ? dataset : OpenArchive(name, part, record, held, openFolder);
 }
 
 /// Files that lie beside the data that they are for: the extensions of those, first come first
@@ -338,6 +369,14 @@ const Part& ChoosePart(
   return *found;
 }
 
+/// True for a format that may be an S-102 product.
+bool IsHDF5(GDALDatasetH dataset)
+{
+  GDALDriverH driver = GDALGetDatasetDriver(dataset);
+  const std::string name = driver ? GDALGetDriverShortName(driver) : "";
+  return IsOneOf(name, { "HDF5", "HDF5Image", "netCDF" });
+}
+
 /// Any dataset under this name, with or without bands. `part` becomes empty where it was used.
 GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record, HeldFiles& held,
   FolderOpener openFolder)
@@ -350,11 +389,11 @@ GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record,
   }
   if (!dataset && IsDirectory(name)) // of no format that is a directory
   {
-    const std::vector<std::string> rasters = FindRasters(name);
-    if (rasters.size() == 1)
+    const FolderFiles files = FindFolderFiles(name);
+    if (files.Rasters.size() == 1)
     {
-      TellOfOthers(name, record);
-      name = rasters.front();
+      TellOfOthers(files, record);
+      name = files.Rasters.front();
       record.Take("file", name, "the one raster in the folder");
       return OpenAny(name, part, record, held, openFolder);
     }
@@ -385,6 +424,22 @@ GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record,
 }
 
 //------------------------------------------------------------------------------
+bool HasWordOfHeights(const std::string& name)
+{
+  std::string word;
+  for (const char c : name + " ")
+  {
+    const bool isLetter = std::isalpha(static_cast<unsigned char>(c)) != 0;
+    if (!isLetter && !word.empty() && IsCalledHeights(word))
+    {
+      return true;
+    }
+    word = isLetter ? word + c : std::string();
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 void RegisterDrivers()
 {
   if (!WhyNoGDAL().empty())
@@ -407,6 +462,11 @@ GDALDatasetH OpenRaster(std::string& name, const std::string& wanted, RasterReco
     throw RasterError(whyNot);
   }
   GDALDatasetH dataset = OpenAny(name, part, record, held, openFolder);
+  if (GDALDatasetH depths = IsHDF5(dataset) ? OpenS102(name, record) : nullptr)
+  {
+    GDALClose(dataset);
+    return depths;
+  }
   const std::vector<Part> parts = ListParts(dataset);
   if (GDALGetRasterCount(dataset) > 0 && (part.empty() || parts.empty()))
   {
@@ -420,12 +480,7 @@ GDALDatasetH OpenRaster(std::string& name, const std::string& wanted, RasterReco
   GDALClose(dataset);
   if (parts.empty())
   {
-    dataset = OpenS102(name, record);
-    if (!dataset)
-    {
-      throw RasterError("it has no band and no part that is a raster");
-    }
-    return dataset;
+    throw RasterError("it has no band and no part that is a raster");
   }
   const Part& chosen = ChoosePart(parts, part, record);
   const GDALMessages messages;

@@ -17,6 +17,9 @@
 
 namespace terrain
 {
+/// True if a word of a name is one that heights are called by: "z", "elevation", "dem", ...
+bool HasWordOfHeights(const std::string& name);
+
 /// Makes GDAL's drivers known, once.
 void RegisterDrivers();
 

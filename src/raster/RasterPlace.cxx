@@ -213,6 +213,20 @@ void RasterFile::TakePlace(const GridPlace& place, const std::string& system)
   {
     this->SetReference(derived, "longitude and latitude without a datum: taken for WGS 84");
   }
+  if (place.MetresPerUnit > 0.0)
+  {
+    const double factor = this->FactorOfAxes(place.MetresPerUnit) / place.MetresPerUnit;
+    const bool isProjected = this->Reference && OSRIsProjected(this->Reference);
+    for (std::vector<double>* axis : { &this->Uneven.X, &this->Uneven.Y })
+    {
+      std::for_each(
+        axis->begin(), axis->end(), [&](double& number) { number *= isProjected ? factor : 1.0; });
+    }
+    for (double& number : this->Transform)
+    {
+      number *= isProjected ? factor : 1.0;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -242,6 +256,7 @@ void RasterFile::PlaceByArray(const std::string& given)
   this->Array->SetHints(hint("coordinates"), hint("grid_mapping"));
   if (!this->NeedsCoordinates())
   {
+    this->CheckUnitOfAxes();
     return;
   }
   GridCoordinates grid = this->Array->GetCoordinates();
@@ -458,13 +473,7 @@ void RasterFile::WarnOfPlace()
       "it has no CRS and its coordinates look like degrees; they are taken for metres "
       "(--crs EPSG:4326 for longitude and latitude)");
   }
-  if (!this->HasTransform && GDALGetGCPCount(this->Dataset) > 0)
-  {
-    this->Record.Warn(
-      "it is placed by ground control points, which are not used: warp it first (gdalwarp "
-      "-dstnodata -9999 IN OUT.tif)");
-  }
-  else if (!this->HasTransform && this->Reference)
+  if (!this->HasTransform && this->Reference)
   {
     this->Record.Warn(
       "it names a CRS, but not where in it the samples lie; they are laid 1 m apart "
@@ -511,6 +520,8 @@ void RasterFile::FindPlace(const RasterOptions& options)
     this->PlaceByArray(options.CoordinateSystem);
     this->PlaceByText();
     this->PlaceByGeolocation();
+    this->PlaceByPoints();
+    this->TakeSystemBeside();
   }
   if (!options.CoordinateSystem.empty())
   {

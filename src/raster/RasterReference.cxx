@@ -130,6 +130,11 @@ HeightFacts FactsOfBand(GDALDatasetH dataset, GDALRasterBandH band, OGRSpatialRe
   {
     facts.BandUnit = ItemOf(dataset, band, facts.Variable, "units");
   }
+  if (facts.BandUnit.empty()) // "[m^2/s^2]"
+  {
+    const std::string named = ItemOf(dataset, band, facts.Variable, "GRIB_UNIT");
+    facts.BandUnit = named.size() > 2 ? named.substr(1, named.size() - 2) : "";
+  }
   if (reference)
   {
     AddVerticalFacts(reference, facts);

@@ -337,6 +337,7 @@ GDALDatasetH OpenGMTGrid(const std::string& file, RasterRecord& record)
 //------------------------------------------------------------------------------
 GDALDatasetH OpenS102(const std::string& file, RasterRecord& record)
 {
+  const GDALMessages messages; // of groups that are not there
   const ArrayFile arrays(file);
   const std::string path = "/BathymetryCoverage/BathymetryCoverage.01";
   std::array<double, 6> transform{};
@@ -387,6 +388,36 @@ bool ReadGridHeader(const std::string& file, std::array<double, 6>& transform)
   const double y = centreY ? header["yllcenter"] - 0.5 * dy : header["yllcorner"];
   transform = { x, dx, 0.0, y + header["nrows"] * dy, 0.0, -dy };
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool NamesNaN(const std::string& file)
+{
+  const std::vector<std::string> words = Split(LowerCase(ReadHead(file)), " \t\r\n");
+  return std::find(words.begin(), words.end(), "nan") != words.end();
+}
+
+//------------------------------------------------------------------------------
+bool HasComments(const std::string& file)
+{
+  const std::string head = ReadHead(file);
+  return std::string("#%/!").find(head.c_str()[0]) != std::string::npos &&
+    head.c_str()[0] != '\0' && head.find('\0') == std::string::npos;
+}
+
+//------------------------------------------------------------------------------
+std::string SystemBeside(const std::string& file)
+{
+  const std::string text = ReadHead(CPLResetExtension(file.c_str(), "prj"));
+  for (const char* word :
+    { "PROJCS[", "GEOGCS[", "COMPD_CS[", "PROJCRS[", "GEOGCRS[", "COMPOUNDCRS[" })
+  {
+    if (STARTS_WITH_CI(text.c_str(), word))
+    {
+      return "ESRI::" + text;
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------

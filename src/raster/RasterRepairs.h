@@ -42,6 +42,15 @@ GDALDatasetH OpenS102(const std::string& file, RasterRecord& record);
 /// thing.
 bool ReadGridHeader(const std::string& file, std::array<double, 6>& transform);
 
+/// True if the first 4 kB of a text hold the word "nan".
+bool NamesNaN(const std::string& file);
+
+/// True if the first line of a file is a comment: begins with #, %, / or !.
+bool HasComments(const std::string& file);
+
+/// The CRS in the .prj beside a file, as OSRSetFromUserInput takes it; empty if there is none.
+std::string SystemBeside(const std::string& file);
+
 /// Names of the columns of a text of points, lower case, without quotes; empty if its first line is
 /// of numbers.
 std::vector<std::string> ReadColumnNames(const std::string& file);

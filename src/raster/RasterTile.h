@@ -43,6 +43,9 @@ struct RasterTile
   double NoData = 0.0;
   bool HasMask = false;
   bool IsColour = false;
+  /// True if GDAL may not show it as it is read alone: points for a place, an alpha band that is no
+  /// mask, another band for its heights, a CRS beside it, distances from a centre, halves.
+  bool NeedsLook = false;
   /// Of its unit and sense.
   std::vector<std::string> Warnings;
 

@@ -5,7 +5,9 @@
 #include "raster/GDALTable.h"
 #include "raster/RasterFile.h"
 #include "raster/RasterMessages.h"
+#include "raster/RasterOpen.h"
 #include "raster/RasterReference.h"
+#include "raster/RasterRepairs.h"
 #include "raster/RasterTileAlone.h"
 #include "raster/RasterUnits.h"
 #include "raster/Words.h"
@@ -24,6 +26,29 @@ bool IsColour(GDALDatasetH dataset)
   return color == GCI_RedBand || color == GCI_PaletteIndex ||
     (GDALGetRasterCount(dataset) > 2 &&
       GDALGetRasterDataType(GDALGetRasterBand(dataset, 1)) == GDT_Byte);
+}
+
+/// True if GDAL may show something else than RasterFile does.
+bool NeedsLook(GDALDatasetH dataset, GDALRasterBandH band, const RasterTile& tile)
+{
+  constexpr double kEarth = 6.37e6;
+  constexpr double kLikeEarth = 0.01;
+  constexpr double kSmallestRadius = 1e4;
+  const bool hasPoints =
+    tile.GeoTransform == std::array<double, 6>{} && GDALGetGCPCount(dataset) > 0;
+  const bool hasAlpha = tile.Bands > 1 && !tile.HasMask &&
+    GDALGetRasterColorInterpretation(GDALGetRasterBand(dataset, tile.Bands)) == GCI_AlphaBand;
+  const std::string name = GDALGetDescription(band);
+  const bool isOtherBand = tile.Bands > 1 && !name.empty() && !HasWordOfHeights(name);
+  const bool isBeside = tile.System.empty() && !SystemBeside(tile.Path).empty();
+  OGRErr error = OGRERR_NONE;
+  OGRSpatialReferenceH reference = GDALGetSpatialRef(dataset);
+  const double radius = reference ? OSRGetSemiMajor(reference, &error) : kEarth;
+  const bool isOtherWorld = error == OGRERR_NONE && std::abs(radius / kEarth - 1.0) > kLikeEarth;
+  const char* bits = GDALGetMetadataItem(band, "NBITS", "IMAGE_STRUCTURE");
+  const bool isHalf = tile.HasNoData && tile.Type == GDT_Float32 && bits && std::atoi(bits) == 16;
+  return hasPoints || hasAlpha || isOtherBand || isBeside || isOtherWorld || isHalf ||
+    tile.BandOffset > kSmallestRadius;
 }
 
 bool IsSamePlace(const RasterTile& tile, const std::array<double, 6>& transform)
@@ -69,6 +94,7 @@ void DescribeTile(GDALDatasetH dataset, GDALRasterBandH band, RasterTile& tile)
   tile.Offset = meaning.Factor * tile.BandOffset;
   tile.IsGeographic = reference && OSRIsGeographic(reference);
   tile.System = HorizontalSystem(reference);
+  tile.NeedsLook = NeedsLook(dataset, band, tile);
 }
 
 /// What GDAL does not say of the place of a tile, as it is found where the tile is read alone.
@@ -81,7 +107,10 @@ void PlaceAsAlone(RasterTile& tile, bool isArray, HeldFiles& held)
   // GDAL turns rows that run from the south, the array behind them does not.
   const bool isAsShown = !isArray ||
     (IsFromNorth(tile) && layout.HasGeoTransform && IsSamePlace(tile, layout.GeoTransform));
-  if (file.IsReplaced() || file.IsTurned() || !isAsShown || layout.GeoTransform[5] > 0.0)
+  const bool isOther = file.GetBand() != 1 || file.HasMask() != tile.HasMask ||
+    file.GetHoles().Declared.size() > 1 ||
+    (file.GetType() == GDT_Float64 && tile.Type == GDT_Int32);
+  if (file.IsReplaced() || file.IsTurned() || !isAsShown || isOther || layout.GeoTransform[5] > 0.0)
   {
     HoldAsAlone(tile, held);
     return;
@@ -97,6 +126,7 @@ void PlaceAsAlone(RasterTile& tile, bool isArray, HeldFiles& held)
   {
     tile.GeoTransform = layout.GeoTransform;
   }
+  tile.Offset += file.GetHeights().Offset; // radii
 }
 
 /// True if an image has one band that is no colour.
@@ -149,8 +179,16 @@ RasterTile ReadRasterTile(const std::string& path, HeldFiles& held)
     {
       return ReadRasterTile(data, held);
     }
-    throw RasterError("its tile " + tile.FileName() + " is not a raster that GDAL can open" +
-      (messages.GetFailure().empty() ? "" : " (" + messages.GetFailure() + ")"));
+    try // a grid of GMT 3, for one
+    {
+      HoldAsAlone(tile, held);
+      return tile;
+    }
+    catch (const RasterError&)
+    {
+      throw RasterError("its tile " + tile.FileName() + " is not a raster that GDAL can open" +
+        (messages.GetFailure().empty() ? "" : " (" + messages.GetFailure() + ")"));
+    }
   }
   DescribeTile(dataset, band, tile);
   const std::string format = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
@@ -160,12 +198,12 @@ RasterTile ReadRasterTile(const std::string& path, HeldFiles& held)
     tile.Type = GDT_Float32;
   }
   const bool isText = format == "XYZ" || format == "AAIGrid";
-  const bool isArray = tile.System.empty() && IsOneOf(format, { "netCDF", "Zarr", "HDF5Image" });
+  const bool isArray = IsOneOf(format, { "netCDF", "Zarr", "HDF5Image" });
   if (IsNamedAsProduct(path)) // which is left out, or the folder refused for it
   {
     return tile;
   }
-  if (isText || isArray)
+  if (isText || isArray || tile.NeedsLook)
   {
     PlaceAsAlone(tile, isArray, held);
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "raster/RasterTiles.h"
 
+#include "raster/FolderFiles.h"
 #include "raster/GDALTable.h"
-#include "raster/RasterList.h"
 #include "raster/RasterMessages.h"
 #include "raster/RasterReference.h"
 #include "raster/RasterTile.h"
@@ -213,17 +213,18 @@ GDALDatasetH OpenRasterTiles(
   const std::string& directory, const std::string& site, RasterRecord& record, HeldFiles& held)
 {
   std::vector<RasterTile> tiles;
-  for (const std::string& path : FindRasters(directory))
+  const FolderFiles files = FindFolderFiles(directory);
+  for (const std::string& path : files.Rasters)
   {
     tiles.push_back(ReadRasterTile(path, held));
   }
   if (tiles.empty())
   {
-    const std::string others = ListOthers(directory);
-    throw RasterError("it is a directory without elevation tiles" +
-      (others.empty() ? "" : "; unpack, or open alone, what it holds: " + others));
+    const std::string others = DescribeOthers(files);
+    throw RasterError(
+      "it is a directory without elevation tiles" + (others.empty() ? "" : "; it holds " + others));
   }
-  TellOfOthers(directory, record);
+  TellOfOthers(files, record);
   const std::size_t found = tiles.size();
   LeaveOutProducts(tiles, record);
   BringIntoOneSystem(tiles, held, record);

@@ -138,6 +138,12 @@ namespace terrain
 //------------------------------------------------------------------------------
 double MetresOfUnit(const std::string& name)
 {
+  char* rest = nullptr;
+  const double factor = std::strtod(name.c_str(), &rest);
+  if (rest != name.c_str() && factor > 0.0 && *rest == ' ') // "0.3048006096 metre" of CF
+  {
+    return factor * MetresOfUnit(rest + 1);
+  }
   const std::string plain = PlainName(name);
   for (std::string word :
     { plain, plain.substr(0, plain.size() - (plain.empty() || plain.back() != 's' ? 0 : 1)) })

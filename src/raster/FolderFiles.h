@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the files of a directory or archive are, through GDAL's C API. Private to the module.
+ */
+#ifndef vtkTerrain_raster_FolderFiles_h
+#define vtkTerrain_raster_FolderFiles_h
+
+#include "raster/RasterRecord.h"
+
+#include <string>
+#include <vector>
+
+namespace terrain
+{
+/// Paths below a directory, sorted. What belongs to another file (.prj, .hdr, .aux.xml, overviews)
+/// is in none of the lists.
+struct FolderFiles
+{
+  /// Elevation tiles: files called as those are, and texts that GDAL opens as rasters.
+  std::vector<std::string> Rasters;
+  /// .zip, .tar and others.
+  std::vector<std::string> Archives;
+  /// Other files that GDAL knows as rasters: pictures, virtual rasters, files of several parts,
+  /// stores of Zarr.
+  std::vector<std::string> OtherRasters;
+  /// Points, lines and meshes.
+  std::vector<std::string> Shapes;
+  /// All others, such as a read-me.
+  std::vector<std::string> Documents;
+};
+
+/// Looks at the files of a directory or archive and of six levels below it. Throws RasterError if
+/// it cannot be listed.
+FolderFiles FindFolderFiles(const std::string& directory);
+
+/// What beside the elevation tiles there is and what to do with it; empty for nothing.
+std::string DescribeOthers(const FolderFiles& files);
+
+/// Warns of what DescribeOthers() tells, and notes the documents in the record.
+void TellOfOthers(const FolderFiles& files, RasterRecord& record);
+}
+#endif

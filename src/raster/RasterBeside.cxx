@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of RasterFile that finds a place told by other means than a transform and a CRS in the
+// file: units of coordinates, ground control points, rational polynomials, a .prj beside it.
+#include "raster/RasterFile.h"
+
+#include "core/grid/HeightUnits.h"
+#include "raster/GDALTable.h"
+#include "raster/RasterArray.h"
+#include "raster/RasterReference.h"
+#include "raster/RasterRepairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace terrain
+{
+namespace
+{
+// Cells by which ground control points may be off an affine transform.
+constexpr double kPointTolerance = 0.01;
+
+/// True if a transform maps the pixels of all points to their places.
+bool FitsAll(const std::array<double, 6>& t, const GDAL_GCP* points, int count)
+{
+  const double cell = std::hypot(t[1], t[4]);
+  return std::all_of(points, points + count,
+    [&](const GDAL_GCP& point)
+    {
+      const double x = t[0] + point.dfGCPPixel * t[1] + point.dfGCPLine * t[2];
+      const double y = t[3] + point.dfGCPPixel * t[4] + point.dfGCPLine * t[5];
+      return std::hypot(x - point.dfGCPX, y - point.dfGCPY) <= kPointTolerance * cell;
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+// GDAL takes the numbers of x and y as they stand, in whatever unit the CRS has.
+void RasterFile::CheckUnitOfAxes()
+{
+  const double factor = this->FactorOfAxes(MetresOfUnit(this->Array->GetUnitOfColumns()));
+  for (double& number : this->Transform)
+  {
+    number *= factor;
+  }
+}
+
+//------------------------------------------------------------------------------
+// What brings coordinates of so many metres per unit (0 for unknown) into the unit of the CRS. A
+// foot for a metre, which programs often write, is the CRS's; thousands are the coordinates'.
+double RasterFile::FactorOfAxes(double metres)
+{
+  constexpr double kSame = 1e-3;
+  constexpr double kSlip = 10.0;
+  const double unit = this->Reference && OSRIsProjected(this->Reference)
+    ? OSRGetLinearUnits(this->Reference, nullptr)
+    : 0.0;
+  const double ratio = metres > 0.0 && unit > 0.0 ? metres / unit : 1.0;
+  if (std::abs(ratio - 1.0) < kSame)
+  {
+    return 1.0;
+  }
+  const bool isSlip = ratio < kSlip && ratio > 1.0 / kSlip;
+  this->Record.Warn("its coordinates are said to be in units of " + NumberText(metres) +
+    " m, its CRS is in units of " + NumberText(unit) + " m: taken as the " +
+    (isSlip ? "CRS says" : "coordinates say") + " (--crs names another CRS)");
+  return isSlip ? 1.0 : ratio;
+}
+
+//------------------------------------------------------------------------------
+// Points that one affine transform fits are a transform; others are not used.
+void RasterFile::PlaceByPoints()
+{
+  if (this->HasTransform || !this->Uneven.X.empty())
+  {
+    return;
+  }
+  const int count = GDALGetGCPCount(this->Dataset);
+  std::array<double, 6> transform{};
+  if (count >= 3 &&
+    GDALGCPsToGeoTransform(count, GDALGetGCPs(this->Dataset), transform.data(), TRUE) &&
+    FitsAll(transform, GDALGetGCPs(this->Dataset), count))
+  {
+    this->Transform = transform;
+    this->HasTransform = true;
+    this->Record.Take("place", "an affine transform that fits all of them",
+      std::to_string(count) + " ground control points");
+    const std::string system = WktOf(GDALGetGCPSpatialRef(this->Dataset));
+    if (!system.empty() && !this->Reference)
+    {
+      this->SetReference(system, "ground control points");
+    }
+  }
+  else if (count > 0)
+  {
+    this->Record.Warn("it is placed by ground control points that no affine transform fits, which "
+                      "are not used: warp it first (gdalwarp -dstnodata -9999 IN OUT.tif)");
+  }
+  else if (GDALGetMetadata(this->Dataset, "RPC"))
+  {
+    this->Record.Warn(
+      "it is placed by rational polynomials (RPC), which are not used: warp it first "
+      "(gdalwarp -rpc -t_srs EPSG:4326 -dstnodata -9999 IN OUT.tif)");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of most formats GDAL does not read it.
+void RasterFile::TakeSystemBeside()
+{
+  const std::string system =
+    this->Reference || this->Coordinates ? std::string() : SystemBeside(this->Name);
+  OGRSpatialReferenceH reference = MakeReference(system);
+  if (reference)
+  {
+    OSRRelease(reference);
+    this->SetReference(system, ".prj beside it");
+  }
+}
+}
