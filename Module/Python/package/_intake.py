@@ -22,6 +22,8 @@ def _texts(name, pairs):
     for key, value in pairs.items():
         is_list = isinstance(value, (list, tuple, np.ndarray))
         first = next(iter(np.ravel(value)), "") if is_list else value
+        if key == "valid_range":
+            first = ",".join(str(number) for number in np.ravel(value))
         array.InsertNextValue(f"{key}={first}")
     return array
 
