@@ -383,9 +383,8 @@ int vtkTerrainRasterReader::RequestInformation(vtkInformation* vtkNotUsed(reques
       this->Plan(this->BandsAsTimeSteps ? 1 : this->Band);
     const vtkTerrainRasterPlan& plan = *planned;
     this->Level = plan.Level;
-    const terrain::RasterSites& sites = plan.File->GetRecord().GetSites();
-    this->NumberOfSites = sites.Count;
-    this->Site = sites.Taken;
+    this->NumberOfSites = plan.File->GetRecord().GetSites().Count;
+    this->Site = plan.File->GetRecord().GetSites().Taken;
     vtkInformation* info = outputs->GetInformationObject(0);
     this->DeclareTimeSteps(plan.File->GetNumberOfBands(), info);
     const int extent[6] = { 0, static_cast<int>(plan.Request.Width) - 1, 0,

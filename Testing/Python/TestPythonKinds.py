@@ -6,6 +6,8 @@ bands by name. By name, in a folder beside a second tile, and as a DataArray. Sk
 import importlib.util
 import os
 import re
+import shlex
+import subprocess
 import unittest
 import zipfile
 
@@ -294,10 +296,36 @@ class TestKinds(RasterCase):
             names = dict(zip("ABC", bands))
             np.testing.assert_allclose(eval(formula, names), ground(), atol=0.05)
 
+    def test_a_geocentric_crs_is_told(self):
+        self.write("a.tif", ground(), (4e6, 10.0, 0.0, 5e5, 0.0, -10.0), "EPSG:4978")
+        self.assertIn("geocentric", self.read(self.path("a.tif"))[2])
+        self.write("b.tif", ground(), DEGREES, "EPSG:4979")
+        self.assertNotIn("geocentric", self.read(self.path("b.tif"))[2])
+
+    def test_a_remedy_for_what_is_incomplete_or_packed(self):
+        with open(self.path("N45E007.hgt"), "wb") as file:
+            file.write(bytes(2 * 1201 * 1000))
+        self.assertIn("incomplete", self.refusal(self.path("N45E007.hgt")))
+        with open(self.path("a.tif.bz2"), "wb") as file:
+            file.write(b"BZh91AY")
+        self.assertIn("unpack", self.refusal(self.path("a.tif.bz2")))
+
     def test_comments_before_points_are_told(self):
         with open(self.path("a.xyz"), "w") as file:
             file.write("# made by hand\n# x y z\n" + "".join(f"{c} {r} 5\n" for r in range(4) for c in range(4)))
         self.assertIn("sed ", self.refusal(self.path("a.xyz")))
+
+    def test_the_remedy_for_a_byte_order_mark_takes_it_out(self):
+        rows = "\n".join(" ".join(f"{value:.6f}" for value in row) for row in ground())
+        header = f"ncols {COLUMNS}\nnrows {ROWS}\nxllcorner {UTM[0]}\nyllcorner {UTM[3] - 10 * ROWS}\ncellsize 10\n"
+        with open(self.path("a.asc"), "w", encoding="utf-8-sig") as file:
+            file.write(header + rows + "\n")
+        told = self.refusal(self.path("a.asc"))
+        self.assertIn("byte order mark", told)
+        command = re.search(r"\((sed .*) IN > OUT.asc\)", told)[1]
+        with open(self.path("b.asc"), "wb") as file:
+            subprocess.run([*shlex.split(command), self.path("a.asc")], stdout=file, check=True)
+        self.check(self.path("b.asc"), ground())
 
 
 class TestFolderFiles(RasterCase):

@@ -538,6 +538,12 @@ void RasterFile::CheckSanity()
   constexpr double kFewest = 0.01;
   constexpr double kSmallestRaster = 64.0;
   const FillFindings& seen = this->Holes.Seen;
+  if (this->Layout.CRS.rfind("GEODCRS", 0) == 0 &&
+    this->Layout.CRS.find("CS[Cartesian,3]") != std::string::npos)
+  {
+    this->Record.Warn("its CRS is geocentric, X, Y and Z from the centre of the earth, in which no "
+                      "raster lies: it is drawn at its x and y (--crs names their CRS)");
+  }
   const double samples =
     static_cast<double>(this->GetWidth()) * static_cast<double>(this->GetHeight());
   if (!(seen.High > seen.Low) || samples < kSmallestRaster)

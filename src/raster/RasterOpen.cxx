@@ -90,7 +90,12 @@ std::string RemedyOf(const std::string& name)
     return "it holds a mesh or an image of VTK, which GDAL does not open: read it with VTK's "
            "readers";
   }
-  if (IsOneOf(extension, { "7z", "rar" }))
+  if (extension == "hgt")
+  {
+    return "it is no square of 1201, 1801, 3601 or 7201 samples of 2 bytes, as .hgt files are: it "
+           "may be incomplete, get it again";
+  }
+  if (IsOneOf(extension, { "7z", "rar", "bz2", "xz" }))
   {
     return "it is an archive of a kind that GDAL does not open: unpack it first";
   }
@@ -134,6 +139,11 @@ std::string WhyNotOpened(const std::string& name, const std::string& failure)
   {
     remedy = "it is a text with lines before its first point or header that GDAL does not skip: "
              "take them out (sed '/^[#%/!]/d' IN > OUT.xyz)";
+  }
+  if (remedy.empty() && HasByteOrderMark(name))
+  {
+    remedy = "it is a text that begins with a byte order mark, which GDAL does not skip: take it "
+             "out (sed '1s/^\\xEF\\xBB\\xBF//' IN > OUT.asc)";
   }
   // GDAL's driver XYZ takes the first three columns where it does not know their names.
   if (remedy.empty() && failure.find("Ungridded") != std::string::npos)

@@ -406,6 +406,12 @@ bool HasComments(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
+bool HasByteOrderMark(const std::string& file)
+{
+  return ReadHead(file).compare(0, 3, "\xEF\xBB\xBF") == 0;
+}
+
+//------------------------------------------------------------------------------
 std::string SystemBeside(const std::string& file)
 {
   const std::string text = ReadHead(CPLResetExtension(file.c_str(), "prj"));

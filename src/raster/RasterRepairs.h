@@ -48,6 +48,9 @@ bool NamesNaN(const std::string& file);
 /// True if the first line of a file is a comment: begins with #, %, / or !.
 bool HasComments(const std::string& file);
 
+/// True if a file begins with the byte order mark of UTF-8, as some editors on Windows write it.
+bool HasByteOrderMark(const std::string& file);
+
 /// The CRS in the .prj beside a file, as OSRSetFromUserInput takes it; empty if there is none.
 std::string SystemBeside(const std::string& file);
 
