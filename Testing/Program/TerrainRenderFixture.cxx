@@ -165,6 +165,23 @@ std::string TerrainRenderFixture::WriteHill(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
+std::string TerrainRenderFixture::WriteSites() const
+{
+  std::filesystem::create_directory(this->Path("isles"));
+  RasterDescription tile;
+  tile.Width = tile.Height = 48;
+  tile.CoordinateSystem = "EPSG:32631";
+  tile.GeoTransform = { 500000.0, 0.5, 0.0, 5000000.0, 0.0, -0.5 };
+  tile.Sample = [](int i, int j) { return 0.1 * (i + j); };
+  this->WriteRaster("isles/a.tif", tile);
+  tile.GeoTransform[0] += kAwayOfSites;
+  tile.GeoTransform[3] += kAwayOfSites;
+  tile.Sample = [](int i, int j) { return 100.0 + 0.1 * (i + j); };
+  this->WriteRaster("isles/b.tif", tile);
+  return this->Path("isles");
+}
+
+//------------------------------------------------------------------------------
 std::string TerrainRenderFixture::Program()
 {
   return TERRAIN_RENDER_PROGRAM;

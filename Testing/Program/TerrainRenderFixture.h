@@ -76,6 +76,9 @@ struct Depths
 };
 
 /// Gives every test an empty folder of its own.
+/// Metres between the sites of WriteSites(): more than 4 million samples round both.
+constexpr double kAwayOfSites = 1500.0;
+
 class TerrainRenderFixture : public ::testing::Test
 {
 protected:
@@ -92,6 +95,9 @@ protected:
   std::string WriteRaster(const std::string& name, const RasterDescription& description) const;
   /// A small hill with slopes to all sides, 65 x 49 samples of 1 m, 0 to 20 m high.
   std::string WriteHill(const std::string& name = "hill.tif") const;
+  /// A folder of two tiles of 24 m, kAwayOfSites east and north of each other: heights from 0 to
+  /// 9.4 m, and 100 m higher.
+  std::string WriteSites() const;
 
   /// Runs the program in the folder of the test. No file grows beyond `fileLimit` bytes; 0: no
   /// limit.

@@ -327,6 +327,14 @@ TEST_F(TerrainAnalyze, ViewshedBehindARidge)
   EXPECT_EQ(this->ListFiles(), before);
 }
 
+TEST_F(TerrainAnalyze, TakesOneOfSeveralSitesThatIsNamed)
+{
+  const std::string sites = this->WriteSites();
+  ExpectRefused(
+    this->Analyze({ "slope", sites, "--output", "none.tif" }), 1, "--part 1 to --part 2");
+  EXPECT_EQ(this->Analyze({ "slope", sites, "--part", "2", "--output", "slope.tif" }).Status, 0);
+}
+
 TEST_F(TerrainAnalyze, ViewshedOfARoadAnAreaAndAFile)
 {
   RasterDescription plain;

@@ -78,6 +78,14 @@ TEST_F(TerrainPrepare, RefusesWhatAreNoHeights)
   this->ExpectPrepareRefused(this->WriteZeros(40000), "32769");
 }
 
+TEST_F(TerrainPrepare, TakesOneOfSeveralSitesThatIsNamed)
+{
+  const std::string sites = this->WriteSites();
+  this->ExpectPrepareRefused(sites, "--part 1 to --part 2");
+  ExpectRefused(this->Prepare({ "--mesh", "out.ply", sites }), 1, "--part 1 to --part 2");
+  EXPECT_EQ(this->Prepare({ sites, "out.hierarchy", "--part", "2" }).Status, 0);
+}
+
 TEST_F(TerrainPrepare, RefusesPlacesItCannotWriteTo)
 {
   const std::string hill = this->WriteHill();

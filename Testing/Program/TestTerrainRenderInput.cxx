@@ -203,20 +203,11 @@ TEST_F(TerrainRenderInput, CameraThatLooksAway)
 
 TEST_F(TerrainRenderInput, SitesOfAFolderAreTerrainsOfOnePicture)
 {
-  constexpr double kAway = 1500.0; // of tiles of 480 m: more than 4 million samples round both
-  std::filesystem::create_directory(this->Path("isles"));
-  RasterDescription tile;
-  tile.Width = tile.Height = 48;
-  tile.CoordinateSystem = "EPSG:32631";
-  tile.GeoTransform = { 500000.0, 0.5, 0.0, 5000000.0, 0.0, -0.5 };
-  tile.Sample = [](int i, int j) { return 0.1 * (i + j); };
-  this->WriteRaster("isles/a.tif", tile);
-  tile.GeoTransform[0] += kAway;
-  tile.GeoTransform[3] += kAway;
-  tile.Sample = [](int i, int j) { return 100.0 + 0.1 * (i + j); };
-  this->WriteRaster("isles/b.tif", tile);
-  const std::vector<std::string> whole{ this->Path("isles"), "--output", "picture.png", "--depth",
+  constexpr double kAway = kAwayOfSites;
+  const std::vector<std::string> plain{ this->WriteSites(), "--output", "picture.png", "--depth",
     "depth.tif", "--size", "800x800", "--stats", "stats.json" };
+  std::vector<std::string> whole = plain;
+  whole.insert(whole.end(), { "--camera", "500762,5000738,4000,500762,5000738,0,0,1,0" });
   const auto read = [this]
   {
     Json::Value stats;
@@ -245,7 +236,14 @@ TEST_F(TerrainRenderInput, SitesOfAFolderAreTerrainsOfOnePicture)
   }
   EXPECT_GT(left, 10);
   EXPECT_GT(right, 10);
-  std::vector<std::string> second = whole;
+  // from where both are seen they are specks: without a camera the first fills the picture
+  const RunResult one = this->Run(plain);
+  EXPECT_EQ(one.Status, 0) << one.Errors;
+  EXPECT_NE(one.Errors.find("too far for one view, which shows number 1"), std::string::npos)
+    << one.Errors;
+  EXPECT_GT(this->ReadDepths().CountHits(), 800 * 800 / 5);
+  EXPECT_EQ(read()["sites"].asInt(), 2);
+  std::vector<std::string> second = plain;
   second.insert(second.end(), { "--part", "2" });
   EXPECT_EQ(this->Run(second).Status, 0);
   stats = read();

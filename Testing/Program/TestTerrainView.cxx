@@ -179,6 +179,28 @@ TEST_F(TerrainView, KeysChangeThePicture)
   this->Quit();
 }
 
+TEST_F(TerrainView, ShowsTheSitesOfAFolder)
+{
+  OPEN_OR_SKIP();
+  this->Quit();
+  ASSERT_TRUE(this->Screen.Start(
+    { TERRAIN_VIEW_PROGRAM, this->WriteSites(), "--width", std::to_string(kWidth), "--height",
+      std::to_string(kHeight), "--exaggeration", "2" },
+    this->Folder, this->Path("stdout.txt"), "terrain-view"));
+  const Screenshot withoutPosition = this->Screen.CaptureStill();
+  this->Screen.Move(kMiddleX, kMiddleY);
+  const Screenshot first = this->Screen.CaptureChange(withoutPosition);
+  first.Write(this->Path("first.png"));
+  const Screenshot second = this->After('n', first);
+  second.Write(this->Path("second.png"));
+  EXPECT_GT(second.CountDifferent(first), kMany); // of higher heights: other colours
+  const Screenshot all = this->After('n', second);
+  all.Write(this->Path("all.png"));
+  EXPECT_GT(all.CountDifferent(second), kMany); // two specks
+  EXPECT_EQ(this->After('n', all).CountDifferent(first), 0);
+  this->Quit();
+}
+
 TEST_F(TerrainView, TheMouseMovesTheView)
 {
   OPEN_OR_SKIP();

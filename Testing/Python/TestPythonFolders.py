@@ -241,6 +241,27 @@ class TestSites(RasterCase):
             np.testing.assert_allclose(*colors)
         plotter.close()
 
+    def test_a_view_that_would_show_specks_shows_the_largest_site(self):
+        import pyvista
+
+        from vtkterrain.plotting import add_terrain
+
+        self.write("far/a.tif", ground())
+        self.write("far/b.tif", ground()[:20], (6e5, 10.0, 0.0, 5.9e6, 0.0, -10.0))
+        plotter = pyvista.Plotter(off_screen=True)
+        with self.assertWarnsRegex(UserWarning, "shows the one that covers most"):
+            first = add_terrain(plotter, self.path("far"))
+        focus = np.array(plotter.camera.focal_point)
+        self.assertLess(np.linalg.norm(focus - np.array(first.center)), 10.0)
+        self.assertLess(plotter.camera.distance, 5e3)
+        plotter.close()
+        plotter = pyvista.Plotter(off_screen=True)
+        plotter.camera_position = "xy"
+        camera = plotter.camera.position
+        add_terrain(plotter, self.path("far"), reset_camera=False)
+        self.assertEqual(plotter.camera.position, camera)
+        plotter.close()
+
     def test_one_site_alone(self):
         import pyvista
 

@@ -125,6 +125,11 @@ vtkSmartPointer<vtkImageData> ReadHeights(const RasterOptions& options, double b
   reader->SetFileName(options.Heights);
   options.Input.Apply(reader);
   reader->UpdateInformation();
+  const std::string whyNot = HeightOptions::WhyNotOneSite(reader);
+  if (!whyNot.empty())
+  {
+    throw Failure(whyNot);
+  }
   int extent[6] = { 0, -1, 0, -1, 0, 0 };
   reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   const double samples = (extent[1] + 1.0) * (extent[3] + 1.0);

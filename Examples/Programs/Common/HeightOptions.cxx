@@ -96,3 +96,13 @@ void HeightOptions::Apply(vtkTerrainRasterReader* reader) const
     reader->SetNoDataValue(std::stod(this->NoData));
   }
 }
+
+//------------------------------------------------------------------------------
+std::string HeightOptions::WhyNotOneSite(vtkTerrainRasterReader* reader)
+{
+  const int count = reader->GetNumberOfSites();
+  return count < 2
+    ? std::string()
+    : "'" + std::string(reader->GetFileName()) + "': its tiles lie at " + std::to_string(count) +
+      " sites far from each other: choose one (--part 1 to --part " + std::to_string(count) + ")";
+}

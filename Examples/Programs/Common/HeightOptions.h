@@ -37,6 +37,10 @@ struct HeightOptions
   /// Adds the options to a command line, which fills this object and refuses what is no value.
   void Declare(CLI::App& app);
   void Apply(vtkTerrainRasterReader* reader) const;
+
+  /// For programs that make one thing of one raster: empty, or why a folder of several sites that
+  /// the reader has looked at is none.
+  static std::string WhyNotOneSite(vtkTerrainRasterReader* reader);
 };
 
 #endif

@@ -155,6 +155,9 @@ void PrepareMesh(
   vtkNew<vtkTerrainRasterReader> reader;
   reader->SetFileName(heights);
   input.Apply(reader);
+  reader->UpdateInformation();
+  ThrowUnlessEmpty(reader->GetErrorMessage());
+  ThrowUnlessEmpty(HeightOptions::WhyNotOneSite(reader));
   reader->Update();
   ThrowUnlessEmpty(reader->GetErrorMessage());
   vtkNew<vtkTerrainMesh> filter;

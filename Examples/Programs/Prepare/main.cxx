@@ -91,6 +91,10 @@ public:
   {
     this->Reader->UpdateInformation();
     std::string error = this->Reader->GetErrorMessage();
+    if (error.empty())
+    {
+      error = HeightOptions::WhyNotOneSite(this->Reader);
+    }
     if (!error.empty())
     {
       return error;

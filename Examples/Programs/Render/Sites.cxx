@@ -56,6 +56,22 @@ void ShareColors(const std::vector<Terrain>& sites, const Terrain& terrain, cons
   }
 }
 
+/// Frames the site that covers most where the others would make a speck of it; says so.
+std::string FrameOne(const ReadHeightsResult& read, const Options& options, Terrain& terrain)
+{
+  constexpr double kSpeck = 0.1; // of the diagonal of all
+  const bool isSpeck =
+    terrain.Framed.GetDiagonalLength() < kSpeck * terrain.Bounds.GetDiagonalLength();
+  const bool isChosen = options.View || !options.Place.LookFrom.empty();
+  if (!isSpeck || isChosen)
+  {
+    terrain.Framed = terrain.Bounds;
+    return {};
+  }
+  return "; too far for one view, which shows number " + std::to_string(read.Site) +
+    " (--camera shows all)";
+}
+
 void WarnOf(const std::string& text, const Options& options, Statistics& statistics)
 {
   Warn(HeightsName(options) + ": " + text);
@@ -95,7 +111,7 @@ std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, const PlacedHei
     statistics.SetCount("sites", static_cast<std::int64_t>(sites.size()) + 1);
     WarnOf("its tiles lie at " + std::to_string(read.Sites) +
         " sites far from each other, a terrain each (--part N, from 1 to " +
-        std::to_string(read.Sites) + ", draws one alone)",
+        std::to_string(read.Sites) + ", draws one alone)" + FrameOne(read, options, terrain),
       options, statistics);
     ShareColors(sites, terrain, options);
   }

@@ -362,6 +362,7 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const
   actor->GetHeightRange(range.data());
   options.Surface.Apply(actor, range[0]);
   terrain.Bounds.SetBounds(actor->GetBounds());
+  terrain.Framed = terrain.Bounds;
   ThrowOnError(name);
   UseColors(terrain, heights, options);
   options.Light.Apply(actor);

@@ -34,6 +34,8 @@ struct Terrain
   vtkSmartPointer<vtkActor> Walls;
   /// Of all of the terrain, in world coordinates, whatever part of it the view needs.
   vtkBoundingBox Bounds;
+  /// Of what the default view frames.
+  vtkBoundingBox Framed;
   /// Lowest and highest height of further sites; none if the first is above the second.
   std::array<double, 2> OtherHeights{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
 };

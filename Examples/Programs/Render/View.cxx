@@ -295,7 +295,7 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
   }
   else
   {
-    LookFromSouth(camera, box, static_cast<double>(options.Size[0]) / options.Size[1]);
+    LookFromSouth(camera, terrain.Framed, static_cast<double>(options.Size[0]) / options.Size[1]);
   }
   SetClippingRange(camera, box);
   SetBackground(renderer, options);

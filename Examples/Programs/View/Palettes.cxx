@@ -4,7 +4,6 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
-#include "vtkOpenGLTerrainMapper.h"
 #include "vtkProperty.h"
 #include "vtkTerrainActor.h"
 
@@ -19,10 +18,9 @@ constexpr std::array<Color, 5> kSpectrum = { { { 0.16, 0.18, 0.55 }, { 0.10, 0.5
   { 0.36, 0.72, 0.36 }, { 0.93, 0.77, 0.25 }, { 0.76, 0.18, 0.14 } } };
 
 template <std::size_t N>
-void ApplyColors(const std::array<Color, N>& colors, vtkTerrainActor* terrain)
+void ApplyColors(
+  const std::array<Color, N>& colors, const std::array<double, 2>& range, vtkTerrainActor* terrain)
 {
-  std::array<double, 2> range{};
-  terrain->GetTerrainMapper()->GetHeightRange(range.data());
   const vtkNew<vtkColorTransferFunction> function;
   for (std::size_t k = 0; k < N; ++k)
   {
@@ -49,17 +47,17 @@ const char* NameOf(Palette palette)
 }
 
 //------------------------------------------------------------------------------
-void ApplyPalette(Palette palette, vtkTerrainActor* terrain)
+void ApplyPalette(Palette palette, const std::array<double, 2>& range, vtkTerrainActor* terrain)
 {
   terrain->SetColorByHeight(palette != Palette::Plain);
   terrain->GetProperty()->SetColor(0.78, 0.74, 0.66);
-  terrain->SetLookupTable(nullptr);
+  terrain->SetLookupTable(vtkTerrainActor::MakeReliefColors(range[0], range[1]));
   if (palette == Palette::Grey)
   {
-    ApplyColors(kGrey, terrain);
+    ApplyColors(kGrey, range, terrain);
   }
   else if (palette == Palette::Spectrum)
   {
-    ApplyColors(kSpectrum, terrain);
+    ApplyColors(kSpectrum, range, terrain);
   }
 }

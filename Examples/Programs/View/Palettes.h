@@ -7,6 +7,8 @@
 #ifndef terrain_view_Palettes_h
 #define terrain_view_Palettes_h
 
+#include <array>
+
 class vtkTerrainActor;
 
 enum class Palette
@@ -23,7 +25,7 @@ Palette NextPalette(Palette palette);
 /// What people call it.
 const char* NameOf(Palette palette);
 
-/// Colours a terrain by height over the range of its heights, or in one colour: Plain.
-void ApplyPalette(Palette palette, vtkTerrainActor* terrain);
+/// Colours a terrain by height over a range of heights, or in one colour: Plain.
+void ApplyPalette(Palette palette, const std::array<double, 2>& range, vtkTerrainActor* terrain);
 
 #endif

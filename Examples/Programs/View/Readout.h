@@ -26,6 +26,15 @@ public:
   /// latitude, UTM and MGRS where these are known. Empty without a pick on a terrain.
   std::string Describe(vtkTerrainPicker* picker) const;
 
+  const std::array<double, 2>& GetLayoutOrigin() const
+  {
+    return this->LayoutOrigin;
+  }
+  const std::array<double, 2>& GetLayoutScale() const
+  {
+    return this->LayoutScale;
+  }
+
 private:
   /// Coordinate of the file's CRS; axis 0 or 1.
   double ToFile(std::size_t axis, double coordinate) const

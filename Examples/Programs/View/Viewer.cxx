@@ -7,6 +7,7 @@
 #include "Messages.h"
 
 #include "vtkAxesActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCaptionActor2D.h"
 #include "vtkCommand.h"
@@ -16,6 +17,7 @@
 #include "vtkPNGWriter.h"
 #include "vtkProperty.h"
 #include "vtkTerrainGeoreference.h"
+#include "vtkTerrainLook.h"
 #include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
@@ -25,6 +27,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <utility>
 
 namespace
 {
@@ -84,6 +87,7 @@ const char* Viewer::GetHelp()
          "x      number of nodes or samples a ray takes\n"
          "o      perspective or parallel projection\n"
          "r      all in view\n"
+         "n      next site of a folder of several, then all\n"
          "p      print the position under the pointer\n"
          "s      save the picture as terrain-view.png\n"
          "h      this help\n"
@@ -277,7 +281,7 @@ void Viewer::MapKeys()
   this->Keys['c'] = [this]
   {
     this->Colors = NextPalette(this->Colors);
-    ApplyPalette(this->Colors, this->Terrain);
+    this->UsePalette();
   };
   this->Keys['i'] = [mapper]
   {
@@ -294,6 +298,7 @@ void Viewer::MapKeys()
   this->Keys['x'] = [mapper] { mapper->SetShowCrossings(!mapper->GetShowCrossings()); };
   this->Keys['o'] = [this] { this->SwitchProjection(); };
   this->Keys['r'] = [this] { this->ShowAll(); };
+  this->Keys['n'] = [this] { this->ShowNext(); };
   this->Keys['p'] = [this] { this->PrintPosition(); };
   this->Keys['s'] = [this] { this->SavePicture(); };
   this->Keys['h'] = [this] { this->Help->SetVisibility(!this->Help->GetVisibility()); };
@@ -343,8 +348,99 @@ void Viewer::ShowAll()
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetPosition(0.0, -1.0, 0.78);
   camera->SetViewUp(0.0, 0.0, 1.0);
-  this->Renderer->ResetCamera(this->Terrain->GetBounds());
+  vtkBoundingBox box;
+  for (std::size_t k = 0; k <= this->Sites.size(); ++k)
+  {
+    vtkTerrainActor* terrain = k == 0 ? this->Terrain.Get() : this->Sites[k - 1].Terrain.Get();
+    if (this->Shown == 0 || this->Shown == k + 1)
+    {
+      box.AddBounds(terrain->GetBounds());
+    }
+  }
+  std::array<double, 6> bounds{};
+  box.GetBounds(bounds.data());
+  this->Renderer->ResetCamera(bounds.data());
   camera->Dolly(1.3); // the terrain is flatter than the sphere around it
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AddSite(vtkImageData* heights, const std::shared_ptr<terrain::TileSource>& tiles)
+{
+  constexpr double kSpeck = 0.1; // of the diagonal of all
+  Site site;
+  site.Terrain = vtkSmartPointer<vtkTerrainActor>::New();
+  site.Terrain->SetInputData(heights);
+  site.Terrain->GetTerrainMapper()->SetTileSource(tiles);
+  site.Places = std::make_unique<Readout>(heights);
+  // Degrees are laid out in metres round the middle of each site.
+  std::array<double, 2> shift{};
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    shift[axis] = (site.Places->GetLayoutOrigin()[axis] - this->Places.GetLayoutOrigin()[axis]) *
+      this->Places.GetLayoutScale()[axis];
+  }
+  site.Terrain->SetPosition(shift[0], shift[1], 0.0);
+  this->Renderer->AddActor(site.Terrain);
+  this->Sites.push_back(std::move(site));
+  vtkBoundingBox box(this->Terrain->GetBounds());
+  const double own = box.GetDiagonalLength();
+  for (const Site& each : this->Sites)
+  {
+    box.AddBounds(each.Terrain->GetBounds());
+  }
+  this->Shown = own < kSpeck * box.GetDiagonalLength() ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> Viewer::GetHeightRange() const
+{
+  std::array<double, 2> range{};
+  this->Terrain->GetTerrainMapper()->GetHeightRange(range.data());
+  for (const Site& site : this->Sites)
+  {
+    std::array<double, 2> own{};
+    site.Terrain->GetTerrainMapper()->GetHeightRange(own.data());
+    range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
+  }
+  return range;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::UsePalette()
+{
+  ApplyPalette(this->Colors, this->GetHeightRange(), this->Terrain);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ShowNext()
+{
+  this->Shown = (this->Shown + 1) % (this->Sites.size() + 2);
+  this->ShowAll();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::MatchSites()
+{
+  for (const Site& site : this->Sites)
+  {
+    site.Terrain->SetTechnique(this->Terrain->GetTechnique());
+    site.Terrain->SetVerticalExaggeration(this->Terrain->GetVerticalExaggeration());
+    site.Terrain->SetColorByHeight(this->Terrain->GetColorByHeight());
+    site.Terrain->SetLookupTable(this->Terrain->GetLookupTable());
+    site.Terrain->GetProperty()->DeepCopy(this->Terrain->GetProperty());
+    site.Terrain->GetTerrainMapper()->GetLook()->DeepCopy(
+      this->Terrain->GetTerrainMapper()->GetLook());
+    site.Terrain->SetSunShadows(this->Terrain->GetSunShadows());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string Viewer::DescribeShown() const
+{
+  const std::string count = std::to_string(this->Sites.size() + 1);
+  return this->Sites.empty() ? std::string()
+    : this->Shown == 0       ? "  all " + count + " sites (n: next)"
+                       : "  site " + std::to_string(this->Shown) + " of " + count + " (n: next)";
 }
 
 //------------------------------------------------------------------------------
@@ -383,7 +479,8 @@ void Viewer::Refresh()
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(), "%s  exaggeration %.2f  colours %s   h: help",
     kTechniqueNames[technique], this->Terrain->GetVerticalExaggeration(), NameOf(this->Colors));
-  this->Status->SetInput(text.data());
+  this->Status->SetInput((text.data() + this->DescribeShown()).c_str());
+  this->MatchSites();
   this->ScalarBar->SetLookupTable(this->Terrain->GetLookupTable());
   this->ScalarBar->SetVisibility(
     this->Terrain->GetColorByHeight() && !this->Terrain->GetTerrainMapper()->GetShowCrossings());
@@ -416,7 +513,12 @@ void Viewer::TimePassed()
   this->PointerHasMoved = false;
   const int* pointer = this->Interactor->GetEventPosition();
   this->Picker->Pick(pointer[0] + 0.5, pointer[1] + 0.5, 0.0, this->Renderer);
-  const std::string text = this->Places.Describe(this->Picker);
+  const Readout* places = &this->Places;
+  for (const Site& site : this->Sites)
+  {
+    places = this->Picker->GetViewProp() == site.Terrain ? site.Places.get() : places;
+  }
+  const std::string text = places->Describe(this->Picker);
   if (text != this->Position->GetInput())
   {
     this->Position->SetInput(text.c_str());

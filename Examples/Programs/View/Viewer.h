@@ -29,9 +29,18 @@
 #include "vtkTerrainPicker.h"
 #include "vtkTextActor.h"
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
+#include <vector>
+
+namespace terrain
+{
+class TileSource;
+}
 
 class Viewer
 {
@@ -42,6 +51,15 @@ public:
   /// Adds the walls of the terrain's block along the edge of the data of its heights; warns in
   /// place of that if tiles are drawn, whose surface the walls would not meet.
   void AddWalls(vtkImageData* heights, bool areTilesDrawn);
+
+  /// Adds the heights of another site of the same CRS, which look as the first do.
+  void AddSite(vtkImageData* heights, const std::shared_ptr<terrain::TileSource>& tiles);
+
+  /// Lowest and highest height of all sites.
+  std::array<double, 2> GetHeightRange() const;
+
+  /// Colours by the palette that the keys choose.
+  void UsePalette();
 
   /// Names another file that is read, which no picture replaces.
   void KeepFile(const std::string& name)
@@ -77,6 +95,10 @@ private:
   void SetTechnique(int technique);
   void Exaggerate(double factor);
   void ShowAll();
+  void ShowNext();
+  /// Makes the other sites look as the first.
+  void MatchSites();
+  std::string DescribeShown() const;
   void PrintPosition();
   void SavePicture();
 
@@ -85,7 +107,17 @@ private:
   void PointerMoved();
   void TimePassed();
 
+  /// A terrain beside the first, and what its places are.
+  struct Site
+  {
+    vtkSmartPointer<vtkTerrainActor> Terrain;
+    std::unique_ptr<Readout> Places;
+  };
+
   Readout Places;
+  std::vector<Site> Sites;
+  /// What ShowAll frames: 0 all, 1 the first terrain, 2 and on the others.
+  std::size_t Shown = 0;
   Palette Colors = Palette::Relief;
   /// What each key does.
   std::map<char, std::function<void()>> Keys;

@@ -29,6 +29,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <iostream>
@@ -65,6 +66,7 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
   auto reader = vtkSmartPointer<vtkTerrainRasterReader>::New();
   reader->SetFileName(options.Heights);
   options.Input.Apply(reader);
+  reader->WarnOfSitesOff(); // all are drawn
   reader->UseLevelsOn();
   reader->SetMaximumSize(kLargestTexture);
   reader->UpdateInformation();
@@ -74,6 +76,40 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
     reader->WarnOfLevelsOff();
   }
   return reader;
+}
+
+/// The other sites of a folder; those that cannot be read are told of.
+void AddSites(Viewer& viewer, vtkTerrainRasterReader* first, const Options& options)
+{
+  const int count = first ? first->GetNumberOfSites() : 1;
+  if (count > 1)
+  {
+    Warn(options.Heights + ": its tiles lie at " + std::to_string(count) +
+      " sites far from each other, a terrain each (the key n goes to the next, --part N, from 1 "
+      "to " +
+      std::to_string(count) + ", shows one alone)");
+  }
+  for (int site = 1; site <= count; ++site)
+  {
+    if (site == first->GetSite())
+    {
+      continue;
+    }
+    Options own = options;
+    own.Input.Part = std::to_string(site);
+    const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(own);
+    source->Update();
+    try
+    {
+      ThrowOnError(options.Heights);
+      viewer.AddSite(
+        source->GetOutput(), vtkTerrainRasterReader::SafeDownCast(source)->GetTileSource());
+    }
+    catch (const Failure& failure)
+    {
+      Warn("site " + own.Input.Part + " is not shown: " + failure.what());
+    }
+  }
 }
 
 /// Throws where a window would end the program: VTK does not say that a display does not open.
@@ -120,17 +156,21 @@ void Show(const Options& options)
   {
     viewer.GetTerrain()->GetTerrainMapper()->SetTileSource(reader->GetTileSource());
   }
+  AddSites(viewer, vtkTerrainRasterReader::SafeDownCast(source), options);
   const double factor = options.Exaggeration.Choose(source->GetOutput(), false);
   options.Exaggeration.TellIfOdd(source->GetOutput(), factor);
   viewer.GetTerrain()->SetVerticalExaggeration(factor);
   viewer.SetLight(options.Light);
-  double range[2];
-  viewer.GetTerrain()->GetTerrainMapper()->GetHeightRange(range);
+  const std::array<double, 2> range = viewer.GetHeightRange();
   options.Surface.Apply(viewer.GetTerrain(), range[0]);
   viewer.GetTerrain()->GetProperty()->SetLighting(!options.Surface.Hillshade);
   if (options.Colors.IsGiven())
   {
     viewer.GetTerrain()->SetLookupTable(options.Colors.MakeTable(range[0], range[1]));
+  }
+  else
+  {
+    viewer.UsePalette();
   }
   if (options.Surface.Block > 0.0)
   {

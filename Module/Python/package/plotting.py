@@ -32,6 +32,7 @@ from .vtkTerrain import vtkTerrainActor, vtkTerrainGeoreference, vtkTerrainHiera
 
 # Samples a side that every graphics driver takes; larger rasters are drawn at a level.
 _LARGEST_TEXTURE = 16384
+_SPECK = 0.1  # of the diagonal of all sites: smaller ones are not seen in one view of all
 _OF_ARRAYS = ("spacing", "origin", "first_row", "coordinate_system", "x", "y")
 _OF_FILES = ("band", "part")
 _OF_PLACE = (*_OF_ARRAYS, *_OF_FILES, "crs", "nodata", "height_unit", "flip")
@@ -136,6 +137,19 @@ def _share_range(sites):
     for each in sites:
         each.range = ranges[:, 0].min(), ranges[:, 1].max()
     return sites[0].range
+
+
+def _frame_one(plotter, actor):
+    """Looks at one of several sites where a view of all would make specks of them."""
+    def diagonal(bounds):
+        return float(np.linalg.norm(np.diff(np.reshape(bounds, (3, 2)))))
+
+    if diagonal(actor.GetBounds()) < _SPECK * diagonal(plotter.bounds):
+        warnings.warn("they are too far from each other for one view, which shows the one that covers most "
+                      "(plotter.reset_camera() shows all)", stacklevel=3)
+        plotter.camera_position = plotter.get_default_cam_pos()
+        plotter.reset_camera(render=False, bounds=actor.GetBounds())
+        plotter.renderer.camera_set = True
 
 
 def terrain_scene(plotter):
@@ -345,6 +359,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
                  "clim": clim, "show_scalar_bar": False,
                  "label": None, "render": False}
         add_terrain(heights=site, **{key: word for key, word in words.items() if key not in ("heights", "options")})
+    if others and reset_camera is None and not plotter.renderer.camera_set:
+        _frame_one(plotter, actor)
     if label is not None:
         plotter.renderer._labels[actor.GetAddressAsString("")] = (
             pyvista.Rectangle(), label, pyvista.Color(color or "tan"))
