@@ -318,6 +318,21 @@ TEST_F(TerrainRenderPlaces, DegreesAreAGlobe)
   this->ExpectRefusal(mars, { "--frame", "plane" }, "another world");
 }
 
+// 18 x 9 degrees fill the default picture; of the whole planet they would be a pixel in a hundred.
+TEST_F(TerrainRenderPlaces, PartOfAGlobeFillsThePicture)
+{
+  RasterDescription part;
+  part.Width = 180;
+  part.Height = 90;
+  part.CoordinateSystem = "+proj=longlat +a=3396190 +b=3376200 +no_defs";
+  part.Sample = [](int i, int j) { return 100.0 * i + 10.0 * j; };
+  for (const double north : { 4.5, 54.5, -70.0 })
+  {
+    part.GeoTransform = { 100.0, 0.1, 0.0, north, 0.0, -0.1 };
+    this->ExpectDrawn(this->Draw(this->WriteRaster("part.tif", part)), 3000);
+  }
+}
+
 TEST_F(TerrainRenderPlaces, CoordinateSystemOfTheCommandLine)
 {
   // rows of 30 m in no system at all

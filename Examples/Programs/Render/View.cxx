@@ -101,6 +101,40 @@ void LookFromSouth(vtkCamera* camera, const vtkBoundingBox& box, double aspect)
   camera->SetViewUp(0.0, 0.0, 1.0);
 }
 
+/// A part of a globe, from above and the south of its middle; degrees are those of its borders:
+/// west, east, south, north. False for what reaches over more than 30 of them.
+bool LookAtPartOfGlobe(
+  vtkCamera* camera, const std::array<double, 6>& degrees, double radius, double half)
+{
+  constexpr double kLargest = 30.0;
+  constexpr double kRise = 0.78; // as LookFromSouth: so much up for one south
+  const double longitude = vtkMath::RadiansFromDegrees(0.5 * (degrees[0] + degrees[1]));
+  const double latitude = vtkMath::RadiansFromDegrees(0.5 * (degrees[2] + degrees[3]));
+  const double reach =
+    std::hypot((degrees[1] - degrees[0]) * std::cos(latitude), degrees[3] - degrees[2]);
+  if (reach > kLargest)
+  {
+    return false;
+  }
+  const Vector up = { std::cos(latitude) * std::cos(longitude),
+    std::cos(latitude) * std::sin(longitude), std::sin(latitude) };
+  const Vector south = { std::sin(latitude) * std::cos(longitude),
+    std::sin(latitude) * std::sin(longitude), -std::cos(latitude) };
+  const double distance =
+    0.5 * radius * vtkMath::RadiansFromDegrees(reach) / std::sin(half) / std::hypot(1.0, kRise);
+  Vector middle{};
+  Vector eye{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    middle[axis] = radius * up[axis];
+    eye[axis] = middle[axis] + distance * (kRise * up[axis] + south[axis]);
+  }
+  camera->SetFocalPoint(middle.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(up.data());
+  return true;
+}
+
 /// The whole planet, over the middle of the heights; a little from the north.
 void LookAtGlobe(vtkCamera* camera, const vtkBoundingBox& box, vtkImageData* heights, double aspect)
 {
@@ -113,6 +147,10 @@ void LookAtGlobe(vtkCamera* camera, const vtkBoundingBox& box, vtkImageData* hei
     vtkMath::RadiansFromDegrees(kTilt + (1.0 - kTilt / 90.0) * 0.5 * (degrees[2] + degrees[3]));
   const double half = std::atan(kSlope * std::min(aspect, 1.0) *
     std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2.0));
+  if (LookAtPartOfGlobe(camera, degrees, 0.5 * box.GetMaxLength(), half))
+  {
+    return;
+  }
   const double distance = 0.5 * box.GetMaxLength() / std::sin(half);
   camera->SetPosition(distance * std::cos(latitude) * std::cos(longitude),
     distance * std::cos(latitude) * std::sin(longitude), distance * std::sin(latitude));
