@@ -581,7 +581,7 @@ void RasterFile::CheckSanity()
     seen.GapShare < kFewest && 3.0 * seen.WidestGap > seen.High - seen.Low)
   {
     this->Record.Warn("few samples lie " + NumberText(std::abs(scale) * seen.WidestGap) +
-      " m beyond all others, as needles (" + range + "): --nodata " +
+      " m beyond all others, as needles or a block with sheer sides (" + range + "): --nodata " +
       NumberText(seen.IsGapLow ? seen.Low : seen.High) + " if they are no heights");
   }
 }
