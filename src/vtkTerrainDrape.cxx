@@ -18,6 +18,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -279,6 +280,23 @@ void vtkTerrainDrape::SetMode(ModeType mode)
 int vtkTerrainDrape::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  return 1;
+}
+
+int vtkTerrainDrape::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (!this->Superclass::RequestUpdateExtent(request, inputs, outputs))
+  {
+    return 0;
+  }
+  // lines may cross the heights of other pieces
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* heights = inputs[1]->GetInformationObject(0);
+  if (heights->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    heights->Set(Pipeline::UPDATE_EXTENT(), heights->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
   return 1;
 }
 

@@ -19,6 +19,8 @@
  * points go up and down their own vertical, and z counts from the surface along it; without one,
  * that of the scene, which shifts a place by its height times the angle between the two.
  *
+ * All heights are asked for, whatever piece of the lines is.
+ *
  * Error: Tolerance; 0 height at inserted points. Cost: proportional to the cells crossed.
  *
  * @sa vtkTerrainGeoTransform vtkTerrainGraticule
@@ -101,6 +103,8 @@ protected:
   ~vtkTerrainDrape() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
