@@ -15,6 +15,8 @@ function (vtkterrain_build_paraview_plugin)
     REQUIRES_MODULES modules)
   paraview_plugin_build(
     PLUGINS ${plugins}
+    AUTOLOAD ${plugins}
+    PLUGINS_FILE_NAME "terrain.plugins.xml"
     RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
     LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}")

@@ -101,6 +101,90 @@ class TestPlugin(unittest.TestCase):
         self.assertGreater((west[..., 0] - west[..., 2]).mean(), 30)
         self.assertGreater((east[..., 2] - east[..., 0]).mean(), 30)
 
+    def test_heights_stay_when_filters_add_arrays(self):
+        calculator = simple.Calculator(self.source, ResultArrayName="temperature", Function="15-0.0065*Elevation")
+        calculator.UpdatePipeline()
+        display = simple.Show(calculator, self.view)
+        display.SetRepresentationType("Terrain")
+        self.assertEqual(list(display.TerrainHeights), ["POINTS", "Elevation"])
+        source = simple.Show(self.source, self.view)
+        source.SetRepresentationType("Terrain")
+        terrainScene.look_from_the_south(self.view)
+        for shown in (display, source):
+            simple.ColorBy(shown, None)
+        simple.Hide(self.source, self.view)
+        lifted = picture(self.view, "calculator")
+        simple.Hide(calculator, self.view)
+        simple.Show(self.source, self.view)
+        self.assertEqual(share_of_difference(lifted, picture(self.view, "calculator-source")), 0.0)
+
+    def test_selected_cells_lie_on_the_surface(self):
+        display = terrainScene.show_terrain(self.source, self.view, TerrainVerticalExaggeration=4.0)
+        before = picture(self.view, "selection-none")
+        area = [100, 60, 140, 90]
+        simple.SelectSurfaceCells(Rectangle=area, View=self.view)
+        selected = picture(self.view, "selection-cells")
+        simple.ClearSelection(self.source)
+        changed = (np.abs(before - selected) > 8).any(axis=2)
+        self.assertGreater(changed.sum(), 200)
+        inside = changed[area[1] - 8:area[3] + 8, area[0] - 8:area[2] + 8]
+        self.assertEqual(changed.sum(), inside.sum())  # the plane of the data lies elsewhere in the picture
+        self.assertEqual(share_of_difference(before, picture(self.view, "selection-cleared")), 0.0)
+        display.SetRepresentationType("Slice")
+        flat = picture(self.view, "selection-flat-none")
+        simple.SelectSurfaceCells(Rectangle=area, View=self.view)
+        changed = (np.abs(flat - picture(self.view, "selection-flat")) > 8).any(axis=2)
+        inside = changed[area[1] - 8:area[3] + 8, area[0] - 8:area[2] + 8]
+        self.assertEqual(changed.sum(), inside.sum())
+        simple.ClearSelection(self.source)
+
+    def test_slopes_have_colours_of_their_own(self):
+        display = terrainScene.show_terrain(self.source, self.view, TerrainColorSource="Slope")
+        first = picture(self.view, "slope")
+        colors = simple.GetColorTransferFunction("Elevation")
+        colors.RGBPoints = [0.0, 1.0, 0.0, 0.0, 2500.0, 1.0, 0.0, 0.0]
+        self.assertEqual(share_of_difference(first, picture(self.view, "slope-other-table")), 0.0)
+        background = first[-1, -1]
+        display.TerrainColorSource = "Array"
+        bar = (first != picture(self.view, "slope-none")) & (picture(self.view, "slope-none") == background)
+        self.assertGreater(bar.any(axis=2).sum(), 50)  # beside the terrain
+
+    def test_parts(self):
+        display = terrainScene.show_terrain(self.source, self.view)
+        whole = picture(self.view, "part-whole")
+        background = whole[0, 0]
+        display.TerrainClipOrigin, display.TerrainClipNormal = [20480.0, 0.0, 0.0], [1.0, 0.0, 0.0]
+        display.TerrainClip = 1
+        east = (picture(self.view, "part-east") != background).any(axis=2)
+        display.TerrainClip = 0
+        display.TerrainExtract = [50, 100, 0, -1]
+        columns = (picture(self.view, "part-columns") != background).any(axis=2)
+        self.assertLess((east != columns).mean(), 0.01)
+        self.assertFalse(east[:, :115].any())
+        self.assertGreater(east[:, 125:].mean(), 0.2)
+        display.TerrainExtract = [500, 600, 0, -1]
+        self.assertTrue((picture(self.view, "part-none") == background).all())
+        display.TerrainExtract = [0, -1, 0, -1]
+        self.assertEqual(share_of_difference(whole, picture(self.view, "part-all")), 0.0)
+
+    def test_refused_numbers_go_back(self):
+        display = terrainScene.show_terrain(self.source, self.view, TerrainVerticalExaggeration=2.0)
+        before = picture(self.view, "refused-before")
+        for refused in (0.0, -1.0, float("nan")):
+            display.TerrainVerticalExaggeration = refused
+            self.assertEqual(display.TerrainVerticalExaggeration, 2.0)
+        self.assertEqual(share_of_difference(before, picture(self.view, "refused-after")), 0.0)
+
+    def test_put_on_terrain(self):
+        lines = simple.Contour(self.source, ContourBy=["POINTS", "Elevation"], Isosurfaces=[1000.0])
+        put = simple.PutOnTerrain(Input=lines, Heights=self.source, Exaggeration=2.0, Offset=5.0)
+        put.UpdatePipeline()
+        bounds = put.GetDataInformation().GetBounds()
+        # contours of linear triangles, on the bilinear surface
+        self.assertGreater(bounds[4], 1900.0)
+        self.assertLess(bounds[5], 2150.0)
+        self.assertGreater(put.GetDataInformation().GetNumberOfPoints(), 100)
+
     def test_heights_of_cells(self):
         cells = simple.PointDatatoCellData(self.source)
         display = simple.Show(cells, self.view)
@@ -198,12 +282,33 @@ class TestPlugin(unittest.TestCase):
     def test_files_open(self):
         path = write_hill("paraview-hill.asc")
         reader = simple.OpenDataFile(path)
-        self.assertEqual(reader.GetXMLName(), "TerrainRasterReader")
+        self.assertEqual(reader.GetXMLName(), "DEMRasterReader")
         reader.UpdatePipeline()
         self.assertEqual(reader.GetDataInformation().GetExtent(), (0, 63, 0, 47, 0, 0))
         reader.MaximumSize = 32
         reader.UpdatePipeline()
         self.assertEqual(reader.GetDataInformation().GetExtent()[1], 31)
+
+    def test_files_of_heights_open_with_the_reader(self):
+        for name in ("paraview-names.asc", "paraview-names.dem", "paraview-names.tif", "paraview-names.hgt"):
+            reader = simple.OpenDataFile(write_hill(name))  # GDAL looks into files, not at names
+            self.assertEqual(reader.GetXMLName(), "DEMRasterReader", name)
+
+    def test_places_without_a_height(self):
+        j, i = np.mgrid[0:20, 0:30]
+        heights = 100 + i + j
+        heights[5:9, 10:14] = -9999
+        path = vtkTerrainTesting.output_path("paraview-hole.asc")
+        rows = "\n".join(" ".join(map(str, row)) for row in heights)  # whole numbers, which are read as such
+        pathlib.Path(path).write_text("ncols 30\nnrows 20\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+                                      f"NODATA_value -9999\n{rows}\n", encoding="ascii")
+        for is_nan in (0, 1):
+            reader = simple.TerrainRasterReader(FileName=path, NoDataAsNaN=is_nan)
+            reader.UpdatePipeline()
+            self.assertEqual(reader.PointData["Elevation"].GetRange(), (100.0, 148.0))
+            image = simple.servermanager.Fetch(reader)
+            values = [image.GetPointData().GetArray("Elevation").GetValue(k) for k in range(600)]
+            self.assertEqual(np.isnan(values).sum(), 16 * is_nan)
 
     def test_files_are_time_steps(self):
         paths = [write_hill(f"paraview-series{k}.asc", 12.0 + k) for k in range(3)]
@@ -273,6 +378,19 @@ class TestPlugin(unittest.TestCase):
         surface = [(image != image[0, 0]).any(axis=2)
                    for image in (drawn, picture(self.view, "strips-terrain"))]
         self.assertLess((surface[0] != surface[1]).mean(), 0.005)
+
+    def test_strips_of_the_view(self):
+        strips = simple.TerrainStrips(self.source)  # no view shows anything
+        strips.UpdatePipeline()
+        self.assertGreater(strips.GetDataInformation().GetNumberOfPoints(), 50)
+        simple.Delete(strips)
+        simple.SetActiveView(self.view)
+        terrainScene.show_terrain(self.source, self.view)
+        strips = simple.TerrainStrips(self.source)
+        self.assertEqual(list(strips.CameraPosition), list(self.view.CameraPosition))
+        self.assertEqual(list(strips.ViewportSize), list(self.view.ViewSize))
+        strips.UpdatePipeline()
+        self.assertGreater(strips.GetDataInformation().GetNumberOfPoints(), 50)
 
     def test_camera_sees_all_of_the_terrain(self):
         terrainScene.show_terrain(self.source, self.view, TerrainVerticalExaggeration=2.0,

@@ -4,6 +4,10 @@
  * @class   vtkTerrainCameraStrips
  * @brief   vtkTerrainStrips with a camera of its own, whose numbers ParaView can set
  *
+ * While the camera is vtkCamera's default, at (0, 0, 1) and looking at the origin, the heights are
+ * refined for one that sees all of them from above. vtkSMTerrainStripsCamera gives new filters the
+ * camera of the active view.
+ *
  * In parallel each process refines its own piece, down to every sample of its border, where it
  * meets its neighbours without a gap.
  */
@@ -34,6 +38,12 @@ public:
 protected:
   vtkTerrainCameraStrips();
   ~vtkTerrainCameraStrips() override = default;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  bool IsDefaultCamera();
 };
 
 #endif

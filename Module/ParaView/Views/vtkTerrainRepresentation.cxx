@@ -20,6 +20,7 @@
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVView.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -30,12 +31,17 @@
 #include "vtkTerrainActor.h"
 #include "vtkTerrainLooks.h"
 #include "vtkTerrainPieces.h"
+#include "vtkTerrainSelectionLift.h"
+#include "vtkTerrainSourceColors.h"
 #include "vtkTerrainStrips.h"
 #include "vtkTexture.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
+#include <memory>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkTerrainRepresentation);
@@ -75,6 +81,8 @@ void SetNumberOfActors(std::vector<vtkSmartPointer<Actor>>& actors, std::size_t 
 //------------------------------------------------------------------------------
 vtkTerrainRepresentation::vtkTerrainRepresentation()
   : Pieces(vtkSmartPointer<vtkMultiBlockDataSet>::New())
+  , SourceColors(std::make_unique<vtkTerrainSourceColors>())
+  , Selection(std::make_unique<vtkTerrainSelectionLift>())
 {
   this->Actor->SetColorByHeight(false);
   this->Actor->SetVisibility(false);
@@ -202,6 +210,7 @@ int vtkTerrainRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     this->PassPieces(inInfo, outInfo);
+    this->LiftSelection();
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())
   {
@@ -268,7 +277,10 @@ void vtkTerrainRepresentation::TakePieces(vtkDataObject* delivered)
   pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
                  [](vtkImageData* heights) { return !vtkTerrainPieces::HasCells(heights); }),
     pieces.end());
-  this->Actor->SetVisibility(!pieces.empty() && this->GetVisibility());
+  if (pieces.empty())
+  {
+    this->Actor->SetVisibility(false);
+  }
   SetNumberOfActors(this->OtherActors, pieces.empty() ? 0 : pieces.size() - 1,
     vtkPVRenderView::SafeDownCast(this->GetView()), this);
   if (!this->ReliefColors && !pieces.empty())
@@ -283,17 +295,58 @@ void vtkTerrainRepresentation::TakePieces(vtkDataObject* delivered)
   {
     vtkTerrainActor* actor = k == 0 ? this->Actor.Get() : this->OtherActors[k - 1].Get();
     // each update brings other images, but other arrays only if something has changed
-    if (!actor->GetHeights() || !vtkTerrainPieces::AreSame(actor->GetHeights(), pieces[k]))
+    const bool isOneOfSeveral = pieces.size() > 1 || NumberOfProcesses() > 1;
+    std::array<int, 2> first{};
+    std::array<int, 2> last{};
+    const bool isSeen = vtkTerrainLooks::FindPart(pieces[k], this->Extract, first, last);
+    actor->SetVisibility(isSeen && this->GetVisibility());
+    if (!isSeen)
     {
-      vtkTerrainLooks::TakePiece(actor, pieces[k], pieces.size() > 1 || NumberOfProcesses() > 1);
+      continue;
     }
+    const bool isOther = this->HasOtherParts || !actor->GetHeights() ||
+      !vtkTerrainPieces::AreSame(actor->GetHeights(), pieces[k]);
+    const vtkSmartPointer<vtkImageData> drape = actor->GetTerrainMapper()->GetDrape();
     if (k > 0)
     {
       vtkTerrainLooks::ShareTerrain(this->Actor, actor);
-      actor->SetVisibility(this->GetVisibility());
+      actor->GetTerrainMapper()->SetDrape(drape);
     }
+    if (isOther)
+    {
+      vtkTerrainLooks::TakePiece(actor, pieces[k], first, last, isOneOfSeveral);
+      this->DrapePiece(actor, pieces[k], isOneOfSeveral);
+    }
+    vtkTerrainLooks::Clip(actor->GetTerrainMapper(), this->Clip ? this->ClipPlane.Get() : nullptr);
     this->UpdateColors(actor);
   }
+  this->HasOtherParts = false;
+}
+
+//------------------------------------------------------------------------------
+// A picture may lie beside one of several pieces.
+void vtkTerrainRepresentation::DrapePiece(
+  vtkTerrainActor* actor, vtkImageData* piece, bool isOneOfSeveral)
+{
+  std::string error;
+  actor->GetTerrainMapper()->SetDrape(
+    this->Drape.empty() ? nullptr : vtkTerrainLooks::BringPicture(this->Drape, piece, error));
+  if (!error.empty() && !isOneOfSeveral)
+  {
+    vtkErrorMacro("No drape: " << error);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainRepresentation::LiftSelection()
+{
+  vtkInformation* array = this->GetInputArrayInformation(HeightArray);
+  const bool isOfCells = array &&
+    array->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  const bool hasHeights = !vtkTerrainPieces::FindImages(this->Pieces).empty();
+  const char* name = array ? array->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  this->Selection->Lift(this->GetView(), this, hasHeights && !isOfCells ? name : nullptr,
+    this->Actor->GetVerticalExaggeration());
 }
 
 //------------------------------------------------------------------------------
@@ -312,6 +365,7 @@ void vtkTerrainRepresentation::TakeSurfaces(vtkDataObject* delivered)
     static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(surfaces[k]);
     this->PlaceSurface(actor);
     actor->SetVisibility(this->GetVisibility());
+    vtkTerrainLooks::Clip(actor->GetMapper(), this->Clip ? this->ClipPlane.Get() : nullptr);
     this->UpdateColors(actor->GetMapper());
   }
 }
@@ -339,12 +393,23 @@ const char* vtkTerrainRepresentation::GetColorArray(bool& isOfCells)
 //------------------------------------------------------------------------------
 void vtkTerrainRepresentation::UpdateColors(vtkTerrainActor* actor)
 {
+  // slopes, aspects and heights have no colours of another array
   bool isOfCells = false;
   const char* name = this->GetColorArray(isOfCells);
   vtkOpenGLTerrainMapper* mapper = actor->GetTerrainMapper();
   const bool usesArray = mapper->GetColorSource() == vtkOpenGLTerrainMapper::ColorSources::Array;
   actor->SetColorByHeight(name || !usesArray);
-  actor->SetLookupTable(this->LookupTable ? this->LookupTable : this->ReliefColors);
+  const int source = static_cast<int>(mapper->GetColorSource());
+  vtkScalarsToColors* table = this->SourceColors->GetTable(source);
+  const char* heights = actor->GetHeights()->GetPointData()->GetScalars()->GetName();
+  if (!table && this->LookupTable &&
+    (usesArray || (name && heights && std::strcmp(name, heights) == 0)))
+  {
+    table = this->LookupTable;
+  }
+  actor->SetLookupTable(table ? table : this->ReliefColors.Get());
+  this->SourceColors->ShowBar(
+    vtkPVRenderView::SafeDownCast(this->GetView()), name || !usesArray ? source : 0);
   if (name)
   {
     // heights of cells are points here, and so is all else of the cells
@@ -393,6 +458,7 @@ bool vtkTerrainRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
+  this->SourceColors->HideBar();
   SetNumberOfActors(this->OtherActors, 0, renderView, this);
   SetNumberOfActors(this->SurfaceActors, 0, renderView, this);
   renderView->GetRenderer()->RemoveActor(this->Actor);
@@ -413,150 +479,9 @@ void vtkTerrainRepresentation::SetVisibility(bool visible)
   {
     actor->SetVisibility(visible);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetTechnique(int technique)
-{
-  this->Actor->SetTechnique(static_cast<vtkTerrainActor::Techniques>(technique));
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetStripsTolerance(double pixels)
-{
-  this->Actor->GetStrips()->SetTolerance(pixels);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetSteps(int steps, int longSteps, int secantSteps)
-{
-  this->Actor->GetTerrainMapper()->SetSteps(steps);
-  this->Actor->GetTerrainMapper()->SetLongSteps(longSteps);
-  this->Actor->GetTerrainMapper()->SetSecantSteps(secantSteps);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetStepLength(double cells)
-{
-  this->Actor->GetTerrainMapper()->SetStepLength(cells);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetMaximumLayers(int layers)
-{
-  this->Actor->GetTerrainMapper()->SetMaximumLayers(layers);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetVerticalExaggeration(double exaggeration)
-{
-  this->Actor->SetVerticalExaggeration(exaggeration);
-  this->MarkModified(); // the bounds are passed with the data
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetColorSource(int source)
-{
-  this->Actor->GetTerrainMapper()->SetColorSource(
-    static_cast<vtkOpenGLTerrainMapper::ColorSources>(source));
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetLevelOfDetail(bool use)
-{
-  this->Actor->SetLevelOfDetail(use);
-}
-
-//------------------------------------------------------------------------------
-#define vtkTerrainMapperMacro(Name, Type)                                                          \
-  void vtkTerrainRepresentation::Set##Name(Type value)                                             \
-  {                                                                                                \
-    this->Actor->GetTerrainMapper()->Set##Name(value);                                             \
+  if (!visible)
+  {
+    this->SourceColors->HideBar();
+    this->Selection->Lay();
   }
-vtkTerrainMapperMacro(Contours, bool);
-vtkTerrainMapperMacro(ContourInterval, double);
-vtkTerrainMapperMacro(ContourWidth, double);
-vtkTerrainMapperMacro(Hillshade, bool);
-vtkTerrainMapperMacro(HillshadeAzimuth, double);
-vtkTerrainMapperMacro(HillshadeAltitude, double);
-vtkTerrainMapperMacro(SunShadows, bool);
-vtkTerrainMapperMacro(SunAngle, double);
-vtkTerrainMapperMacro(SkyLight, double);
-vtkTerrainMapperMacro(Block, bool);
-vtkTerrainMapperMacro(BlockBase, double);
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetLookupTable(vtkScalarsToColors* colors)
-{
-  this->LookupTable = colors;
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetOpacity(double opacity)
-{
-  this->Actor->GetProperty()->SetOpacity(opacity);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetAmbientColor(double red, double green, double blue)
-{
-  this->Actor->GetProperty()->SetAmbientColor(red, green, blue);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetDiffuseColor(double red, double green, double blue)
-{
-  this->Actor->GetProperty()->SetDiffuseColor(red, green, blue);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetSpecular(double specular)
-{
-  this->Actor->GetProperty()->SetSpecular(specular);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetSpecularPower(double power)
-{
-  this->Actor->GetProperty()->SetSpecularPower(power);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetTexture(vtkTexture* texture)
-{
-  this->Actor->SetTexture(texture);
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetPosition(double x, double y, double z)
-{
-  this->Actor->SetPosition(x, y, z);
-  this->MarkModified();
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetScale(double x, double y, double z)
-{
-  this->Actor->SetScale(x, y, z);
-  this->MarkModified();
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetOrientation(double x, double y, double z)
-{
-  this->Actor->SetOrientation(x, y, z);
-  this->MarkModified();
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetOrigin(double x, double y, double z)
-{
-  this->Actor->SetOrigin(x, y, z);
-  this->MarkModified();
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainRepresentation::SetPickable(int pickable)
-{
-  this->Actor->SetPickable(pickable);
 }

@@ -28,6 +28,8 @@
 
 #include <array>   // For members
 #include <cstddef> // For std::size_t
+#include <memory>  // For members
+#include <string>  // For members
 #include <vector>  // For members
 
 class vtkActor;
@@ -35,9 +37,12 @@ class vtkDataObject;
 class vtkImageData;
 class vtkMapper;
 class vtkMultiBlockDataSet;
+class vtkPlane;
 class vtkPolyData;
 class vtkScalarsToColors;
 class vtkTerrainActor;
+class vtkTerrainSelectionLift;
+class vtkTerrainSourceColors;
 class vtkTexture;
 
 class VTKTERRAINPARAVIEWVIEWS_EXPORT vtkTerrainRepresentation : public vtkPVDataRepresentation
@@ -100,6 +105,20 @@ public:
   ///@}
 
   ///@{
+  /// What of the terrain is drawn: the samples of these columns and rows of the whole image (all
+  /// where a last one is below 0, the default), and what lies on the side of a plane in world
+  /// coordinates that its normal points to (default off, the origin, east).
+  void SetExtract(int firstColumn, int lastColumn, int firstRow, int lastRow);
+  void SetClip(bool clip);
+  void SetClipOrigin(double x, double y, double z);
+  void SetClipNormal(double x, double y, double z);
+  ///@}
+
+  /// The file of a picture that knows its place, laid over the terrain there (vtkTerrainImageWarp);
+  /// empty (default) for none. Each process that draws reads it.
+  void SetDrape(const char* fileName);
+
+  ///@{
   /// As those of vtkActor, vtkProperty and vtkMapper.
   void SetLookupTable(vtkScalarsToColors* colors);
   void SetOpacity(double opacity);
@@ -139,6 +158,8 @@ private:
   void TakePieces(vtkDataObject* delivered);
   void TakeSurfaces(vtkDataObject* delivered);
   void PlaceSurface(vtkActor* actor);
+  void DrapePiece(vtkTerrainActor* actor, vtkImageData* piece, bool isOneOfSeveral);
+  void LiftSelection();
   const char* GetColorArray(bool& isOfCells);
   void UpdateColors(vtkTerrainActor* actor);
   void UpdateColors(vtkMapper* mapper);
@@ -154,6 +175,14 @@ private:
   std::array<double, 2> HeightRange{ 1.0, 0.0 };
   vtkSmartPointer<vtkScalarsToColors> ReliefColors;
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
+  std::unique_ptr<vtkTerrainSourceColors> SourceColors;
+  std::unique_ptr<vtkTerrainSelectionLift> Selection;
+  std::array<int, 4> Extract{ 0, -1, 0, -1 };
+  vtkNew<vtkPlane> ClipPlane;
+  bool Clip = false;
+  std::string Drape;
+  /// Whether extract or drape have changed since the pieces were taken.
+  bool HasOtherParts = false;
 };
 
 #endif
