@@ -129,6 +129,37 @@ class TestColors(LooksTest):
             self.assertGreater((np.abs(drawn - expected).max(axis=2) < 4).mean(), 0.15, options)
         self.assertEqual(terrain.prop.color, pyvista.Color("red"))
 
+    def test_a_texture_that_is_set_later(self):
+        picture = np.full((8, 8, 3), (200, 100, 50), np.uint8)
+        plotter = self.plotter()
+        terrain = plotting.add_terrain(plotter, hill(), lighting=False, cmap="viridis", show_scalar_bar=False)
+        before, color = look(plotter), terrain.prop.color
+        terrain.texture = pyvista.Texture(picture)
+        drawn = look(plotter)
+        self.assertGreater((np.abs(drawn - (200, 100, 50)).max(axis=2) < 4).mean(), 0.15)
+        copied = terrain.copy()
+        for other in (copied, terrain):
+            other.texture = None
+            self.assertEqual(other.prop.color, color)
+            self.assertTrue(other.GetColorByHeight())
+        np.testing.assert_array_equal(look(plotter), before)
+
+    def test_edges_of_a_theme(self):
+        theme = pyvista.themes.DocumentTheme()
+        theme.show_edges = True
+        theme.edge_color = "red"
+        plotter = pyvista.Plotter(off_screen=True, window_size=SIZE, theme=theme)
+        self.addCleanup(plotter.close)
+        with self.assertWarnsRegex(UserWarning, "rays have none"):
+            terrain = plotting.add_terrain(plotter, hill())
+        self.assertFalse(terrain.prop.show_edges)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", UserWarning)
+            plotting.add_terrain(plotter, hill(), show_edges=False)
+            meshed = plotting.add_terrain(plotter, hill(), technique="mesh")
+        self.assertTrue(meshed.prop.show_edges)
+        self.assertEqual(meshed.prop.edge_color, pyvista.Color("red"))
+
     def test_opacity_of_colours(self):
         solid, _ = self.draw(cmap="viridis")
         faint, _ = self.draw(cmap="viridis", opacity=0.4)

@@ -148,6 +148,7 @@ class Terrain(vtkTerrainActor):
         self._name = None
         self._surface = None
         self._file = None
+        self._own_color = None  # of the property, while a texture is in place of colours
         prop = TerrainProperty(interpolation="Gouraud", ambient=0.0, diffuse=1.0, specular=0.0)
         prop.watch(self)
         self.SetProperty(prop)
@@ -265,11 +266,19 @@ class Terrain(vtkTerrainActor):
 
     @property
     def texture(self):
-        """The picture that spans it, None for none."""
+        """The picture that spans it, None for none; in place of the colours of heights while it is there."""
         return self.GetTexture()
 
     @texture.setter
     def texture(self, texture):
+        if texture is not None and self.GetColorByHeight():
+            self._own_color = self.prop.color
+            self.SetColorByHeight(False)
+            self.prop.color = "white"  # which the picture is multiplied with
+        elif texture is None and self._own_color is not None:
+            self.prop.color = self._own_color
+            self.SetColorByHeight(True)
+            self._own_color = None
         self.SetTexture(texture)
 
     @property
@@ -415,6 +424,7 @@ class Terrain(vtkTerrainActor):
         if not deep:
             other.ShallowCopy(self)
             other._prop = self._prop
+            other._own_color = self._own_color
             return other
         if self._file:
             other.SetFileName(self._file)
@@ -428,6 +438,7 @@ class Terrain(vtkTerrainActor):
         for name in ("position", "orientation", "scale", "origin", "user_matrix", "visibility", "pickable", "texture",
                      "backface_prop"):
             setattr(other, name, getattr(self, name))
+        other._own_color = self._own_color
         return other
 
     def plot(self, **options):

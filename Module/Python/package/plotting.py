@@ -201,6 +201,18 @@ def _check_words(scalar_bar_args, name, sun_angle, sky_light, scene):
             raise ValueError(f"{what} must be a number from 0 to {highest}, not {value!r}")
 
 
+def _follow_theme(theme, technique, options):
+    """Edges, where a theme has them and nothing else is said."""
+    if not theme.show_edges or options.get("show_edges") is not None:
+        return
+    if technique in ("mesh", "strips"):
+        options["show_edges"] = True
+        options.setdefault("edge_color", theme.edge_color)
+    else:
+        warnings.warn('the theme shows edges, and rays have none: technique="mesh" draws those of all cells, '
+                      "show_edges=False ends this warning", stacklevel=3)
+
+
 def _check_size(heights):
     """Arrays are drawn whole or not at all."""
     columns, rows, _ = heights.GetDimensions()
@@ -343,6 +355,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
               "below_color": below_color, "categories": categories, "annotations": annotations}
     texture = texture if texture is None else _to_texture(texture)
     shown = Scalars(actor, scalars, component=component, rgb=rgb) if color is None and texture is None else None
+    _follow_theme(plotter.theme, technique, options)
     apply_look(actor, scene, **options)
     table = color_terrain(actor, shown, plotter.theme, color, texture, opacity, colors)
     plotter.add_actor(actor, name=name, reset_camera=reset_camera, pickable=pickable, render=False)
