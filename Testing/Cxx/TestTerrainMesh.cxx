@@ -14,6 +14,7 @@
 #include <vtkMassProperties.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 #include <vtkShortArray.h>
@@ -184,6 +185,74 @@ TEST(TerrainMesh, CarriesSamplesWithArraysNormalsAndTextureCoordinates)
     const double* texture = mesh->GetPointData()->GetTCoords()->GetTuple2(k);
     EXPECT_NEAR(texture[0], (i + 0.5) / 41.0, 1e-6);
     EXPECT_NEAR(texture[1], (j + 0.5) / 33.0, 1e-6);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What a file of 32 bits holds, met by VTK's locator: coordinates of 10^4 with a step of 2^-10.
+TEST(TerrainMesh, HoldsItsErrorInSinglePrecision)
+{
+  const vtkNew<vtkImageData> image = MakeHeights(131, 97, HillsWithLake);
+  image->SetOrigin(10000.3, 10000.7, 1000.1);
+  image->SetSpacing(1.001, 1.003, 1.0);
+  constexpr double error = 0.5;
+  for (const bool holds : { false, true })
+  {
+    vtkNew<vtkTerrainMesh> filter;
+    filter->SetInputData(image);
+    filter->SetMaximumError(error);
+    filter->SetHoldInSinglePrecision(holds);
+    filter->Update();
+    vtkPolyData* mesh = filter->GetOutput();
+    for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
+    {
+      double point[3];
+      mesh->GetPoint(k, point);
+      for (double& coordinate : point)
+      {
+        coordinate = static_cast<float>(coordinate);
+      }
+      mesh->GetPoints()->SetPoint(k, point);
+    }
+    vtkNew<vtkStaticCellLocator> locator;
+    locator->SetDataSet(mesh);
+    locator->BuildLocator();
+    double largest = 0.0;
+    for (int j = 1; j < 96; ++j) // rounding moves the border
+    {
+      for (int i = 1; i < 130; ++i)
+      {
+        if (!IsCovered(image, i, j))
+        {
+          continue;
+        }
+        double sample[3];
+        image->GetPoint(i + 131 * j, sample);
+        const double height = sample[2] + image->GetScalarComponentAsDouble(i, j, 0, 0);
+        const double from[3] = { sample[0], sample[1], -1e5 };
+        const double to[3] = { sample[0], sample[1], 1e5 };
+        double t = 0.0;
+        double met[3];
+        double parametric[3];
+        int part = 0;
+        vtkIdType cell = -1;
+        if (locator->IntersectWithLine(from, to, 0.0, t, met, parametric, part, cell))
+        {
+          largest = std::max(largest, std::abs(met[2] - height));
+        }
+      }
+    }
+    EXPECT_GT(largest, 0.8 * error);
+    if (holds)
+    {
+      EXPECT_LE(largest, error + 1e-9);
+      EXPECT_NEAR(filter->GetMeshError(), largest, 0.05 * error); // samples at borders
+      EXPECT_LE(filter->GetMeshError(), error);
+    }
+    else
+    {
+      EXPECT_GT(largest, error);
+    }
   }
 }
 

@@ -8,15 +8,20 @@
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTypeInt32Array.h"
 
 #include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace terrain
 {
@@ -35,37 +40,47 @@ struct MeshPoint
 class MeshParts
 {
 public:
-  MeshParts(const GridMesh& mesh, const GridGeometry& geometry)
+  MeshParts(GridMesh& mesh, const GridGeometry& geometry)
     : Mesh(mesh)
     , Geometry(geometry)
   {
-    for (const glm::ivec2& sample : mesh.Vertices)
-    {
-      this->Points.push_back({ sample, false, {} });
-    }
-    this->SurfacePoints = this->Points.size();
-    this->Triangles.assign(mesh.Triangles.begin(), mesh.Triangles.end());
+  }
+
+  std::size_t NumberOfPoints() const
+  {
+    return this->Mesh.Vertices.size() + this->Others.size();
+  }
+
+  /// The first ones are those of the surface.
+  MeshPoint Point(std::size_t k) const
+  {
+    const std::size_t surface = this->Mesh.Vertices.size();
+    return k < surface ? MeshPoint{ this->Mesh.Vertices[k], false, {} } : this->Others[k - surface];
+  }
+  bool IsOnSurface(std::size_t k) const
+  {
+    return k < this->Mesh.Vertices.size();
   }
 
   /// Closes the surface. Parts have points of their own if they have normals of their own.
   void AddBlock(bool sharp)
   {
     const std::vector<glm::ivec2> border = FindBorderEdges(this->Mesh);
-    const auto floor = static_cast<vtkIdType>(this->Points.size());
+    const auto floor = static_cast<std::int32_t>(this->Mesh.Vertices.size());
     for (const glm::ivec2& sample : this->Mesh.Vertices)
     {
-      this->Points.push_back({ sample, true, { 0.0, 0.0, -1.0 } });
+      this->Others.push_back({ sample, true, { 0.0, 0.0, -1.0 } });
     }
-    const std::size_t corners = this->Triangles.size();
+    std::vector<std::int32_t>& triangles = this->Mesh.Triangles;
+    const std::size_t corners = triangles.size();
     for (std::size_t k = 0; k < corners; k += 3)
     {
-      this->AddTriangle(
-        floor + this->Triangles[k], floor + this->Triangles[k + 2], floor + this->Triangles[k + 1]);
+      this->AddTriangle(floor + triangles[k], floor + triangles[k + 2], floor + triangles[k + 1]);
     }
     for (const glm::ivec2& edge : border)
     {
-      vtkIdType top[2] = { edge.x, edge.y };
-      vtkIdType bottom[2] = { floor + edge.x, floor + edge.y };
+      std::int32_t top[2] = { edge.x, edge.y };
+      std::int32_t bottom[2] = { floor + edge.x, floor + edge.y };
       if (sharp)
       {
         const glm::dvec3 normal = this->WallNormal(edge);
@@ -80,21 +95,28 @@ public:
     }
   }
 
-  std::vector<MeshPoint> Points;
-  std::vector<vtkIdType> Triangles;
-  /// The first so many points are those of the surface.
-  std::size_t SurfacePoints = 0;
-
-private:
-  vtkIdType AddPoint(const glm::ivec2& sample, bool isOnFloor, const glm::dvec3& normal)
+  /// Takes the triangles out of the mesh.
+  vtkSmartPointer<vtkCellArray> TakeTriangles()
   {
-    this->Points.push_back({ sample, isOnFloor, normal });
-    return static_cast<vtkIdType>(this->Points.size()) - 1;
+    vtkNew<vtkTypeInt32Array> corners;
+    corners->SetNumberOfValues(static_cast<vtkIdType>(this->Mesh.Triangles.size()));
+    std::copy(this->Mesh.Triangles.begin(), this->Mesh.Triangles.end(), corners->GetPointer(0));
+    this->Mesh.Triangles = {};
+    vtkNew<vtkCellArray> triangles;
+    triangles->SetData(3, corners);
+    return triangles;
   }
 
-  void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+private:
+  std::int32_t AddPoint(const glm::ivec2& sample, bool isOnFloor, const glm::dvec3& normal)
   {
-    this->Triangles.insert(this->Triangles.end(), { a, b, c });
+    this->Others.push_back({ sample, isOnFloor, normal });
+    return static_cast<std::int32_t>(this->NumberOfPoints()) - 1;
+  }
+
+  void AddTriangle(std::int32_t a, std::int32_t b, std::int32_t c)
+  {
+    this->Mesh.Triangles.insert(this->Mesh.Triangles.end(), { a, b, c });
   }
 
   /// To the right of the edge: away from the surface.
@@ -105,8 +127,10 @@ private:
     return glm::normalize(glm::dvec3(along.y, -along.x, 0.0));
   }
 
-  const GridMesh& Mesh;
+  GridMesh& Mesh;
   const GridGeometry& Geometry;
+  /// Points of walls and floor.
+  std::vector<MeshPoint> Others;
 };
 
 /// Slope along an axis at a sample, in height units a cell: to the neighbours that have heights.
@@ -132,8 +156,9 @@ template <typename T, typename Real>
 void FillPoints(const HeightfieldView<T>& view, const MeshParts& parts,
   const GridGeometry& geometry, double base, Real* points)
 {
-  for (const MeshPoint& point : parts.Points)
+  for (std::size_t k = 0; k < parts.NumberOfPoints(); ++k)
   {
+    const MeshPoint point = parts.Point(k);
     const double height = point.IsOnFloor ? base : view.At(point.Sample.x, point.Sample.y);
     const glm::dvec3 position = geometry.ToModel(glm::dvec2(point.Sample), height);
     *points++ = static_cast<Real>(position.x);
@@ -149,13 +174,13 @@ void AddNormals(const HeightfieldView<T>& view, const MeshParts& parts,
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(static_cast<vtkIdType>(parts.Points.size()));
-  for (std::size_t k = 0; k < parts.Points.size(); ++k)
+  normals->SetNumberOfTuples(static_cast<vtkIdType>(parts.NumberOfPoints()));
+  for (std::size_t k = 0; k < parts.NumberOfPoints(); ++k)
   {
-    glm::dvec3 normal = parts.Points[k].Normal;
-    if (k < parts.SurfacePoints)
+    glm::dvec3 normal = parts.Point(k).Normal;
+    if (parts.IsOnSurface(k))
     {
-      const glm::ivec2& sample = parts.Points[k].Sample;
+      const glm::ivec2 sample = parts.Point(k).Sample;
       normal = glm::normalize(
         geometry.NormalToModel({ -Slope(view, sample, 0), -Slope(view, sample, 1), 1.0 }));
     }
@@ -170,10 +195,10 @@ void AddTextureCoordinates(vtkImageData* image, const MeshParts& parts, vtkPolyD
   vtkNew<vtkFloatArray> coordinates;
   coordinates->SetName("TextureCoordinates");
   coordinates->SetNumberOfComponents(2);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(parts.Points.size()));
-  for (std::size_t k = 0; k < parts.Points.size(); ++k)
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(parts.NumberOfPoints()));
+  for (std::size_t k = 0; k < parts.NumberOfPoints(); ++k)
   {
-    const glm::dvec2 sample = parts.Points[k].Sample;
+    const glm::dvec2 sample = parts.Point(k).Sample;
     coordinates->SetTuple2(
       static_cast<vtkIdType>(k), (sample.x + 0.5) / size[0], (sample.y + 0.5) / size[1]);
   }
@@ -183,29 +208,19 @@ void AddTextureCoordinates(vtkImageData* image, const MeshParts& parts, vtkPolyD
 void AddArraysOfSamples(vtkImageData* image, const MeshParts& parts, vtkPolyData* output)
 {
   vtkNew<vtkIdList> samples;
-  samples->SetNumberOfIds(static_cast<vtkIdType>(parts.Points.size()));
-  for (std::size_t k = 0; k < parts.Points.size(); ++k)
+  samples->SetNumberOfIds(static_cast<vtkIdType>(parts.NumberOfPoints()));
+  for (std::size_t k = 0; k < parts.NumberOfPoints(); ++k)
   {
-    const glm::ivec2& sample = parts.Points[k].Sample;
+    const glm::ivec2 sample = parts.Point(k).Sample;
     samples->SetId(
       static_cast<vtkIdType>(k), ImageHeights::PointOfSample(image, sample.x, sample.y));
   }
   AddPointArrays(image, samples, output);
 }
-
-vtkSmartPointer<vtkCellArray> MakeTriangles(const MeshParts& parts)
-{
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(parts.Triangles.size()));
-  std::copy(parts.Triangles.begin(), parts.Triangles.end(), connectivity->GetPointer(0));
-  vtkNew<vtkCellArray> triangles;
-  triangles->SetData(3, connectivity);
-  return triangles;
-}
 }
 
 //------------------------------------------------------------------------------
-void FillMeshOutput(vtkImageData* image, const GridMesh& mesh, const GridGeometry& geometry,
+void FillMeshOutput(vtkImageData* image, GridMesh& mesh, const GridGeometry& geometry,
   const MeshOutputOptions& options, vtkPolyData* output)
 {
   MeshParts parts(mesh, geometry);
@@ -215,9 +230,9 @@ void FillMeshOutput(vtkImageData* image, const GridMesh& mesh, const GridGeometr
   }
   vtkNew<vtkPoints> points;
   points->SetDataType(options.SinglePrecision ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(parts.Points.size()));
+  points->SetNumberOfPoints(static_cast<vtkIdType>(parts.NumberOfPoints()));
   output->SetPoints(points);
-  output->SetPolys(MakeTriangles(parts));
+  output->SetPolys(parts.TakeTriangles());
   ImageHeights::Dispatch(image,
     [&](const auto& view)
     {

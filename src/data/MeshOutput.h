@@ -30,8 +30,9 @@ struct MeshOutputOptions
   double BlockBase = 0.0;
 };
 
-/// Fills the output of vtkTerrainMesh. image: the heights, whose samples the vertices are.
-void FillMeshOutput(vtkImageData* image, const GridMesh& mesh, const GridGeometry& geometry,
+/// Fills the output of vtkTerrainMesh, and empties the mesh on the way. image: the heights, whose
+/// samples the vertices are. Triangles have numbers of 32 bits.
+void FillMeshOutput(vtkImageData* image, GridMesh& mesh, const GridGeometry& geometry,
   const MeshOutputOptions& options, vtkPolyData* output);
 }
 

@@ -69,6 +69,7 @@ void Build(vtkTerrainMesh* filter, vtkImageData* heights, const MeshOptions& opt
   filter->SetInputData(heights);
   filter->SetMaximumError(options.Error);
   filter->SetExaggeration(options.Exaggeration);
+  filter->HoldInSinglePrecisionOn(); // most formats have 32 bits
   // printers want closed bodies, whose parts share their points
   filter->SetComputeNormals(options.PrintWidth <= 0.0);
   filter->Update();

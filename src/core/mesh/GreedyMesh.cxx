@@ -332,6 +332,20 @@ void Append(const TileBuilder<T>& tiles, const GridMesh& part,
   }
 }
 
+/// Memory for all parts, so that it need not grow by doubling.
+void ReserveFor(const std::vector<GridMesh>& parts, GridMesh& mesh)
+{
+  std::size_t vertices = 0;
+  std::size_t corners = 0;
+  for (const GridMesh& part : parts)
+  {
+    vertices += part.Vertices.size();
+    corners += part.Triangles.size();
+  }
+  mesh.Vertices.reserve(vertices);
+  mesh.Triangles.reserve(corners);
+}
+
 template <typename T>
 double LargestHeight(const HeightfieldView<T>& view)
 {
@@ -362,7 +376,20 @@ GridMesh BuildGreedyMesh(
     return mesh;
   }
   GreedyMeshOptions used = options;
-  used.CellsPerTile = std::clamp(options.CellsPerTile, 1, kMostTileCells);
+  if (options.CellsPerTile == 0)
+  {
+    used.CellsPerTile = kFewTileCells;
+    mesh = BuildGreedyMesh(view, used, parallelFor);
+    const std::int64_t tiles =
+      TileLines(view.Width, kFewTileCells).Tiles() * TileLines(view.Height, kFewTileCells).Tiles();
+    if (tiles == 1 || static_cast<std::int64_t>(mesh.Vertices.size()) >= kFewTileVertices * tiles)
+    {
+      return mesh;
+    }
+    used.CellsPerTile = kManyTileCells;
+  }
+  used.CellsPerTile = std::clamp(used.CellsPerTile, 1, kMostTileCells);
+  mesh = GridMesh();
   const double slack = kMeshErrorSlack * LargestHeight(view);
   const double tolerance = std::max(slack, options.MaximumError - slack);
   TileBuilder<T> tiles(view, used, tolerance, parallelFor);
@@ -376,6 +403,7 @@ GridMesh BuildGreedyMesh(
         parts[tile] = tiles.Build(tile);
       }
     });
+  ReserveFor(parts, mesh);
   std::unordered_map<std::uint64_t, std::int32_t> shared;
   for (GridMesh& part : parts)
   {
@@ -387,19 +415,33 @@ GridMesh BuildGreedyMesh(
 
 namespace
 {
+/// > 0 if three points are counter-clockwise: twice their area.
+double Cross(const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r)
+{
+  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+}
+
+/// Height of the plane through three points at a position.
+double HeightOnPlane(const glm::dvec3* points, const glm::dvec2& p)
+{
+  const double u = Cross(points[1], points[2], p);
+  const double v = Cross(points[2], points[0], p);
+  const double w = Cross(points[0], points[1], p);
+  return (u * points[0].z + v * points[1].z + w * points[2].z) /
+    Cross(points[0], points[1], points[2]);
+}
+
 /// Largest vertical distance of the samples on a triangle, whose samples are marked as covered.
 template <typename T>
 double CompareTriangle(const HeightfieldView<T>& view, const glm::ivec2* corners,
-  std::vector<std::atomic<bool>>& covered)
+  const VertexRounding& rounding, std::vector<std::atomic<bool>>& covered)
 {
-  const auto cross = [](const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r)
-  { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
-  double heights[3];
+  glm::dvec3 points[3];
   for (int k = 0; k < 3; ++k)
   {
-    heights[k] = view.At(corners[k].x, corners[k].y);
+    points[k] = { corners[k], view.At(corners[k].x, corners[k].y) };
+    points[k] = rounding ? rounding(points[k]) : points[k];
   }
-  const double area = cross(corners[0], corners[1], corners[2]);
   const glm::ivec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
   const glm::ivec2 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
   double largest = 0.0;
@@ -408,14 +450,11 @@ double CompareTriangle(const HeightfieldView<T>& view, const glm::ivec2* corners
     for (int x = low.x; x <= high.x; ++x)
     {
       const glm::dvec2 p(x, y);
-      const double u = cross(corners[1], corners[2], p);
-      const double v = cross(corners[2], corners[0], p);
-      const double w = cross(corners[0], corners[1], p);
-      if (u >= 0.0 && v >= 0.0 && w >= 0.0)
+      if (Cross(corners[1], corners[2], p) >= 0.0 && Cross(corners[2], corners[0], p) >= 0.0 &&
+        Cross(corners[0], corners[1], p) >= 0.0)
       {
         covered[x + view.Width * y].store(true, std::memory_order_relaxed);
-        const double z = (u * heights[0] + v * heights[1] + w * heights[2]) / area;
-        largest = std::max(largest, std::abs(z - view.At(x, y)));
+        largest = std::max(largest, std::abs(HeightOnPlane(points, p) - view.At(x, y)));
       }
     }
   }
@@ -424,8 +463,8 @@ double CompareTriangle(const HeightfieldView<T>& view, const glm::ivec2* corners
 }
 
 template <typename T>
-double FindMeshError(
-  const HeightfieldView<T>& view, const GridMesh& mesh, const ParallelFor& parallelFor)
+double FindMeshError(const HeightfieldView<T>& view, const GridMesh& mesh,
+  const ParallelFor& parallelFor, const VertexRounding& rounding)
 {
   std::vector<std::atomic<bool>> covered(view.Width * view.Height);
   std::mutex mutex;
@@ -438,7 +477,7 @@ double FindMeshError(
       {
         const glm::ivec2 corners[3] = { mesh.Vertices[mesh.Triangles[k]],
           mesh.Vertices[mesh.Triangles[k + 1]], mesh.Vertices[mesh.Triangles[k + 2]] };
-        ofRange = std::max(ofRange, CompareTriangle(view, corners, covered));
+        ofRange = std::max(ofRange, CompareTriangle(view, corners, rounding, covered));
       }
       const std::lock_guard<std::mutex> lock(mutex);
       largest = std::max(largest, ofRange);
@@ -484,7 +523,8 @@ std::vector<glm::ivec2> FindBorderEdges(const GridMesh& mesh)
 #define TERRAIN_INSTANTIATE(T)                                                                     \
   template GridMesh BuildGreedyMesh(                                                               \
     const HeightfieldView<T>&, const GreedyMeshOptions&, const ParallelFor&);                      \
-  template double FindMeshError(const HeightfieldView<T>&, const GridMesh&, const ParallelFor&);
+  template double FindMeshError(                                                                   \
+    const HeightfieldView<T>&, const GridMesh&, const ParallelFor&, const VertexRounding&);
 TERRAIN_FOR_EACH_SAMPLE_TYPE(TERRAIN_INSTANTIATE)
 #undef TERRAIN_INSTANTIATE
 }

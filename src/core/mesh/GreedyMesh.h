@@ -28,19 +28,26 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace terrain
 {
+/// Tiles of a greedy mesh that chooses them.
+constexpr int kFewTileCells = 128;
+constexpr int kManyTileCells = 1024;
+constexpr int kFewTileVertices = 64;
+
 /// How to build a greedy mesh.
 struct GreedyMeshOptions
 {
   /// Largest vertical distance of a sample to the mesh, in height units, >= 0; 0: no sample is off
   /// but for rounding, so that only flat parts have fewer triangles than two a cell.
   double MaximumError = 1.0;
-  /// Cells along a side of a tile, 1 to kMostTileCells (GreedyTile.h). Larger tiles save a few
-  /// triangles; more of them keep more threads busy.
-  int CellsPerTile = 1024;
+  /// Cells along a side of a tile, 1 to kMostTileCells (GreedyTile.h), or 0: kFewTileCells, whose
+  /// tiles stay in a processor's cache, unless these come to fewer than kFewTileVertices each; then
+  /// kManyTileCells, which save triangles. Many vertices take 2.3 times as long in large tiles.
+  int CellsPerTile = 0;
 };
 
 /// What is kept back from the tolerance, and is the smallest tolerance, as a fraction of the
@@ -67,14 +74,18 @@ template <typename T>
 GridMesh BuildGreedyMesh(
   const HeightfieldView<T>& view, const GreedyMeshOptions& options, const ParallelFor& parallelFor);
 
+/// Where a vertex stands: column, row and height of its sample as a format rounds them.
+using VertexRounding = std::function<glm::dvec3(const glm::dvec3&)>;
+
 /**
  * Largest vertical distance, in height units, between the mesh and the samples that belong to a
  * cell with a surface; infinite if one of them is not covered. It looks at each triangle by itself,
- * whatever made the mesh.
+ * whatever made the mesh. With a rounding, which moves vertices by far less than a cell, it is the
+ * distance from the planes through the rounded vertices.
  */
 template <typename T>
-double FindMeshError(
-  const HeightfieldView<T>& view, const GridMesh& mesh, const ParallelFor& parallelFor);
+double FindMeshError(const HeightfieldView<T>& view, const GridMesh& mesh,
+  const ParallelFor& parallelFor, const VertexRounding& rounding = nullptr);
 
 /// Edges with a triangle on one side only, two vertices each, the triangle to the left of the way
 /// from the first to the second.
