@@ -8,9 +8,13 @@
 #include "vtkTerrainHierarchy.h"
 #include "vtkTerrainSource.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationExecutivePortVectorKey.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -104,6 +108,38 @@ TEST(TerrainActorInput, CopiesHaveTheSurfaceError)
   copy->ShallowCopy(terrain);
   EXPECT_EQ(copy->GetSurfaceError(), 12.0);
   EXPECT_EQ(copy->GetSurface()->GetNumberOfPolys(), terrain->GetSurface()->GetNumberOfPolys());
+}
+
+// Filters that stand behind the heights, whether they have made anything or not.
+int NumberOfConsumers(vtkAlgorithm* heights)
+{
+  return vtkExecutive::CONSUMERS()->Length(heights->GetExecutive()->GetOutputInformation(0));
+}
+
+//------------------------------------------------------------------------------
+// The mesh for pickers and exporters does not even exist as a filter until somebody asks for it.
+TEST(TerrainActorInput, NothingIsMadeForNobody)
+{
+  const vtkNew<vtkTerrainSource> source;
+  source->SetDimensions(65, 65);
+  const vtkNew<vtkTerrainActor> terrain;
+  terrain->SetInputConnection(source->GetOutputPort());
+  const int needed = NumberOfConsumers(source);
+  vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(80, 60);
+  scene.Renderer->AddActor(terrain);
+  scene.Renderer->ResetCamera();
+  for (const Techniques technique : { Techniques::Pyramid, Techniques::Mesh, Techniques::Strips })
+  {
+    terrain->SetTechnique(technique);
+    vtkTerrainTesting::Render(scene.Window);
+    EXPECT_EQ(NumberOfConsumers(source), needed) << static_cast<int>(technique);
+  }
+  terrain->SetVerticalExaggeration(2.0);
+  vtkTerrainTesting::Render(scene.Window);
+  EXPECT_TRUE(terrain->HasSurface());
+  EXPECT_EQ(NumberOfConsumers(source), needed);
+  EXPECT_GT(terrain->GetSurface()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(NumberOfConsumers(source), needed + 1);
 }
 
 //------------------------------------------------------------------------------
