@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How much of each light a point of the surface sees over the surface. Twin of discs and ends:
-// src/core/rays/SurfaceShading.h. Needs vtkTerrainView.glsl; to cast rays, vtkTerrainOutlook.glsl;
-// in a fragment shader, vtkTerrainSurface.glsl.
+// src/core/rays/SurfaceShading.h. Needs vtkTerrainView.glsl; to cast rays, vtkTerrainOutlook.glsl,
+// on a globe vtkTerrainGlobeTrace.glsl; in a fragment shader, vtkTerrainSurface.glsl.
 // Defines: TERRAIN_SHADOWS, how many lights cast shadows; TERRAIN_SHADOW_BOUNDS if there are bounds
 // of one's rays (vtkTerrainOutlook.glsl); TERRAIN_CLIP_PLANES and TERRAIN_COLUMNS as in
 // vtkTerrainCast.glsl; TERRAIN_READ_LIGHTS if a compute shader has cast the rays
@@ -38,6 +38,53 @@ uniform vec4 terrainLightsVC[TERRAIN_SHADOWS];
 // of the light that a shadow takes away.
 uniform vec4 terrainLightDiscs[TERRAIN_SHADOWS];
 
+#ifdef TERRAIN_GLOBE
+// By how much a ray begins above the ground: parts of a cell, and of its distance from the eye.
+const vec2 terrainGlobeLift = vec2(1e-3, 4e-7);
+
+// True if the ground or the planet below it stands between a point of the surface and a light. The
+// ray starts above the ground by what float rounds; where it starts below, it comes up through the
+// ground and goes on.
+bool terrainGlobeHides(vec4 positionVC, vec4 lightVC)
+{
+  vec3 way = mat3(terrainViewToGrid) * (lightVC.xyz - lightVC.w * positionVC.xyz);
+  float far = length(way);
+  float end = lightVC.w > 0.0 ? far : terrainGlobeNever;
+  vec3 point = (terrainViewToGrid * positionVC).xyz;
+  vec2 cells = terrainCellsPerMetre();
+  float lift = dot(terrainGlobeLift,
+    vec2(1.0 / max(cells.x, cells.y), length(point) + length(positionVC.xyz)));
+  vec3 up = normalize(transpose(terrainGlobeLocal)[2]);
+  vec3 origin = point + lift * up;
+  way /= max(far, 1e-20);
+  TerrainGlobePath path = terrainGlobeMakePath(origin, way, 0.0, end);
+  vec2 inner = terrainGlobeMeetShell(path, terrainGlobeInner.xyz);
+  bool hidden = inner.x < inner.y && inner.x > 0.0 && inner.x < end;
+  float begin = 0.0;
+  bool on = !hidden;
+  for (int i = 0; i < 3 && on; ++i)
+  {
+    TerrainGlobeHit hit = terrainGlobeTrace(origin, way, begin, end);
+    hidden = hit.found && hit.front;
+    on = hit.found && !hit.front;
+    begin = hit.t + 10.0; // metres
+  }
+  return hidden;
+}
+
+// The shares of all lights at a point of the surface of a globe: suns are points there.
+void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERRAIN_SHADOWS])
+{
+  for (int i = 0; i < TERRAIN_SHADOWS; ++i)
+  {
+    vec4 light = terrainLightsVC[i];
+    vec3 way = light.xyz - light.w * surface.positionVC.xyz;
+    bool shines = surface.front && dot(surface.normalVC, way) > 0.0; // else VTK's own dark
+    bool hidden = shines && terrainGlobeHides(surface.positionVC, light);
+    shares[i] = hidden ? 1.0 - terrainLightDiscs[i].w : 1.0;
+  }
+}
+#else
 #ifdef TERRAIN_SHADOW_BOUNDS
 uniform int terrainBoundedLight; // whose rays terrainShadowBounds is for
 #endif
@@ -120,4 +167,5 @@ void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERR
       : terrainLightShare(i, outlook, surface.positionVC.xyz, surface.normalVC);
   }
 }
+#endif
 #endif

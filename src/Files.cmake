@@ -36,6 +36,7 @@ set(classes
 # Private to the module: one line a file, by rooms.
 set(private_sources
   data/ColorDocument
+  data/GlobePaths
   data/GlobeSurface
   data/HierarchyHeights
   data/ImageSurface
@@ -50,6 +51,7 @@ set(private_sources
   place/GeoreferencePrepare
   place/GlobeHeights
   place/GroundPlaces
+  place/ImageWarp
   place/ReprojectPlan
   raster/CoordinateSystem
   raster/FolderFiles

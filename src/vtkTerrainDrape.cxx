@@ -3,6 +3,8 @@
 #include "vtkTerrainDrape.h"
 
 #include "core/rays/SurfacePath.h"
+#include "data/GlobeData.h"
+#include "data/GlobePaths.h"
 #include "data/ImageHeights.h"
 #include "data/Setting.h"
 #include "place/GroundPlaces.h"
@@ -22,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -318,6 +321,7 @@ int vtkTerrainDrape::RequestData(
   {
     input = OnVerticals(input, this->Georeference, image);
   }
+  const std::unique_ptr<terrain::GlobeGrid> globe = terrain::GlobeData::Get(image);
   Rule rule;
   rule.Geometry = terrain::ImageHeights::Geometry(image, this->Exaggeration);
   rule.Mode = this->Mode;
@@ -325,6 +329,12 @@ int vtkTerrainDrape::RequestData(
   rule.Tolerance = this->Tolerance > 0.0
     ? this->Tolerance
     : 0.01 * std::min(rule.Geometry.Spacing.x, rule.Geometry.Spacing.y);
+  if (globe)
+  {
+    const double cell = std::min(1.0, 0.01 * globe->Step * globe->Body.Equatorial);
+    rule.Tolerance = this->Tolerance > 0.0 ? this->Tolerance : cell;
+    input = terrain::GlobePaths::ToFlat(input, *globe, image, rule.Tolerance);
+  }
   Draped draped;
   draped.Input = input;
   draped.Output = output;
@@ -353,6 +363,10 @@ int vtkTerrainDrape::RequestData(
       }
     });
   draped.Finish();
+  if (globe)
+  {
+    terrain::GlobePaths::FromFlat(output, *globe, image);
+  }
   return 1;
 }
 

@@ -19,6 +19,11 @@
  * points go up and down their own vertical, and z counts from the surface along it; without one,
  * that of the scene, which shifts a place by its height times the angle between the two.
  *
+ * Heights on a globe (vtkTerrainGlobe) take geocentric points. Between two points a line is
+ * straight in longitude and latitude, the shorter way round; points are added so that its chords
+ * follow the curve of the body within Tolerance. It is cut where it passes the longitude at which
+ * the heights begin. Heights count from the ellipsoid.
+ *
  * All heights are asked for, whatever piece of the lines is.
  *
  * Error: Tolerance; 0 height at inserted points. Cost: proportional to the cells crossed.
@@ -81,7 +86,7 @@ public:
 
   ///@{
   /// Largest vertical distance of a line from where it should be, in height units, > 0; 0 (default)
-  /// is a hundredth of the grid's spacing.
+  /// is a hundredth of the grid's spacing, on a globe of at most a metre.
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
   ///@}

@@ -14,6 +14,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -28,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -69,6 +71,16 @@ void BendToGlobe(vtkPolyData* data, vtkImageData* heights)
     points->SetPoint(i, point.x, point.y, point.z);
   }
   data->SetPoints(points);
+}
+
+/// Heights of a globe as flat ones, in degrees.
+vtkSmartPointer<vtkImageData> AsFlat(vtkImageData* heights)
+{
+  auto flat = vtkSmartPointer<vtkImageData>::New();
+  flat->ShallowCopy(heights);
+  const vtkNew<vtkFieldData> none;
+  flat->SetFieldData(none);
+  return flat;
 }
 }
 
@@ -347,7 +359,7 @@ int vtkTerrainGraticule::RequestData(
   }
   vtkNew<vtkTerrainDrape> drape;
   drape->SetInputData(this->MakeLines(frame));
-  drape->SetHeightsData(heights);
+  drape->SetHeightsData(frame.IsGlobe ? AsFlat(heights).Get() : heights);
   drape->SetGeoreference(this->Georeference);
   drape->SetOffset(this->Offset);
   drape->SetExaggeration(this->Exaggeration);

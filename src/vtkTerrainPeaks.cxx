@@ -3,6 +3,7 @@
 #include "vtkTerrainPeaks.h"
 
 #include "core/surface/Peaks.h"
+#include "data/GlobeData.h"
 #include "data/ImageHeights.h"
 
 #include "vtkCellArray.h"
@@ -15,6 +16,7 @@
 #include "vtkPolyData.h"
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,7 @@ int vtkTerrainPeaks::RequestData(
   const std::vector<terrain::Peak> peaks =
     terrain::FindPeaks(AllHeights(image), static_cast<std::size_t>(image->GetDimensions()[0]));
   const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(image, this->Exaggeration);
+  const std::unique_ptr<terrain::GlobeGrid> globe = terrain::GlobeData::Get(image);
   const vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   const vtkNew<vtkCellArray> vertices;
@@ -80,8 +83,11 @@ int vtkTerrainPeaks::RequestData(
     {
       break;
     }
-    const glm::dvec3 point = geometry.ToModel(
-      { static_cast<double>(peak.Column), static_cast<double>(peak.Row) }, peak.Height);
+    const glm::dvec2 at(static_cast<double>(peak.Column), static_cast<double>(peak.Row));
+    const glm::dvec3 flat = geometry.ToModel(at, peak.Height);
+    const glm::dvec3 point = globe ? globe->Body.ToPosition({ globe->West + at.x * globe->Step,
+                                       globe->Latitudes[peak.Row], flat.z })
+                                   : flat;
     const vtkIdType id = points->InsertNextPoint(point.x, point.y, point.z);
     vertices->InsertNextCell(1, &id);
     heights->InsertNextValue(peak.Height);

@@ -3,223 +3,43 @@
 //
 // Heights on a globe as the mapper draws them, against the reference in double precision: from
 // space to eye height, over the poles and the date line, on several bodies.
-#include "vtkTerrainTestDrawing.h"
-#include "vtkTerrainTestGlobe.h"
+#include "vtkTerrainTestGlobeDrawing.h"
 
-#include "core/globe/GlobeReference.h"
-#include "data/GlobeData.h"
-#include "data/GlobeSurface.h"
 #include "render/Globe.h"
 #include "vtkTerrainPicker.h"
 
 #include "vtkCommand.h"
-#include "vtkLight.h"
-#include "vtkPointData.h"
-#include "vtkProperty.h"
 #include "vtkTestErrorObserver.h"
 
-#include <gtest/gtest.h>
-
-namespace
-{
-using terrain::kDegree;
-using vtkTerrainTesting::Drawing;
-using vtkTerrainTesting::DrawingHeight;
-using vtkTerrainTesting::DrawingWidth;
-using vtkTerrainTesting::LayOnGlobe;
-using vtkTerrainTesting::MakeDegrees;
-
-double hills(int i, int j)
-{
-  return std::floor(2000.0 + 2500.0 * std::sin(0.31 * i) * std::cos(0.23 * j) +
-    1500.0 * std::sin(0.9 * i + j) * std::cos(1.3 * j));
-}
-
-/// Cells of a degree or half of it, all over a planet.
-vtkSmartPointer<vtkImageData> makeWorld(
-  double step = 1.0, double equatorial = 0.0, double polar = 0.0)
-{
-  const int columns = static_cast<int>(360.0 / step);
-  return LayOnGlobe(
-    MakeDegrees(-180.0 + 0.5 * step, -90.0 + 0.5 * step, step, columns, columns / 2,
-      [columns](int i, int j) { return hills(i < columns / 2 ? i : columns - i, j); }),
-    equatorial, polar);
-}
-
-/// What is drawn against the reference.
-struct Agreement
-{
-  int Pixels = 0;
-  int Hits = 0;
-  int Disagreements = 0;
-  int Off = 0;
-  double Largest = 0.0;
-};
-
-/// The first point of the surface that a ray meets from above.
-terrain::GlobeReferenceHit castSeen(
-  const terrain::GlobeReference& reference, terrain::GlobeReferenceRay ray)
-{
-  const double metre = 1.0 / glm::length(ray.Direction);
-  terrain::GlobeReferenceHit hit = reference.Cast(ray);
-  const auto isAbove = [&](double t)
-  {
-    glm::ivec2 cell;
-    glm::dvec2 fraction;
-    return reference.Above(ray.Origin + t * ray.Direction, cell, fraction, false) > 0.0;
-  };
-  while (hit.Found && !isAbove(hit.T - 0.1 * metre))
-  {
-    ray.Begin = hit.T + 10.0 * metre;
-    hit = reference.Cast(ray);
-  }
-  return hit;
-}
-
-class Globe
-{
-public:
-  explicit Globe(vtkImageData* heights)
-    : Shown(heights)
-    , Grid(*terrain::GlobeData::Get(heights))
-    , Heights(heights)
-  {
-    this->Shown.Mapper->RemoveMesh();
-  }
-
-  /// From a place to another: longitude, latitude in degrees, height in metres.
-  void Look(const glm::dvec3& from, const glm::dvec3& to)
-  {
-    const auto position = [this](const glm::dvec3& place) {
-      return this->Grid.Body.ToPosition({ place.x * kDegree, place.y * kDegree, place.z });
-    };
-    const glm::dvec3 eye = this->Scale * position(from);
-    const glm::dvec3 focus = this->Scale * position(to);
-    this->Shown.Camera()->SetPosition(eye.x, eye.y, eye.z);
-    this->Shown.Camera()->SetFocalPoint(focus.x, focus.y, focus.z);
-    const glm::dvec3 way = glm::normalize(focus - eye);
-    const glm::dvec3 up = glm::normalize(eye);
-    const bool down = std::abs(glm::dot(way, up)) > 0.99;
-    this->Shown.Camera()->SetViewUp(down ? 0.13 : up.x, down ? 0.95 : up.y, down ? 0.3 : up.z);
-    this->Shown.Scene.Renderer->ResetCameraClippingRange();
-  }
-
-  double Ground(double longitude, double latitude) const
-  {
-    glm::ivec2 cell;
-    glm::dvec2 fraction;
-    const auto reference = this->Reference();
-    return -reference.Above(
-      this->Grid.Body.ToPosition({ longitude * kDegree, latitude * kDegree, 0.0 }), cell, fraction,
-      false);
-  }
-
-  terrain::GlobeReference Reference() const
-  {
-    double range[2];
-    this->Heights->GetPointData()->GetScalars()->GetFiniteRange(range);
-    const double exaggeration = this->Exaggeration;
-    return { this->Grid,
-      [this, exaggeration](int i, int j)
-      {
-        vtkUnsignedCharArray* ghosts = this->Heights->GetPointGhostArray();
-        return ghosts && ghosts->GetValue(i + this->Grid.Columns * j) != 0
-          ? terrain::kNaN
-          : exaggeration * this->Heights->GetScalarComponentAsDouble(i, j, 0, 0);
-      },
-      { exaggeration * range[0], exaggeration * range[1] } };
-  }
-
-  Agreement Compare(double tolerance = 1e-4)
-  {
-    vtkImageData* distances = this->Shown.Distances();
-    const terrain::GlobeReference reference = this->Reference();
-    const terrain::PixelRays rays = this->Rays();
-    Agreement result;
-    for (int y = 1; y < DrawingHeight; y += 3)
-    {
-      for (int x = 1; x < DrawingWidth; x += 3)
-      {
-        terrain::GlobeReferenceRay ray;
-        ray.Origin = terrain::AtPixel(rays.OriginGC, { x + 0.5, y + 0.5 }) / this->Scale;
-        ray.Direction = terrain::AtPixel(rays.DirectionGC, { x + 0.5, y + 0.5 }) / this->Scale;
-        ray.Begin = rays.Begin;
-        ray.End = rays.Far;
-        const auto hit = castSeen(reference, ray);
-        const double drawn = distances->GetScalarComponentAsDouble(x, y, 0, 0);
-        const bool both = hit.Found && !std::isnan(drawn);
-        const double difference = both ? std::abs(drawn - hit.T) / hit.T : 0.0;
-        ++result.Pixels;
-        result.Hits += both ? 1 : 0;
-        result.Disagreements += hit.Found == std::isnan(drawn) && hit.Nearest > 0.01 ? 1 : 0;
-        result.Off += difference > tolerance ? 1 : 0;
-        result.Largest = std::max(result.Largest, difference);
-      }
-    }
-    return result;
-  }
-
-  terrain::PixelRays Rays()
-  {
-    vtkMatrix4x4* toView = this->Shown.Camera()->GetModelViewTransformMatrix();
-    vtkMatrix4x4* toDisplay = this->Shown.Camera()->GetProjectionTransformMatrix(
-      double(DrawingWidth) / DrawingHeight, -1.0, 1.0);
-    glm::dmat4 view;
-    glm::dmat4 display;
-    for (int row = 0; row < 4; ++row)
-    {
-      for (int column = 0; column < 4; ++column)
-      {
-        view[column][row] = toView->GetElement(row, column);
-        display[column][row] = toDisplay->GetElement(row, column);
-      }
-    }
-    return terrain::MakePixelRays(view, display, glm::dvec4(0.0, 0.0, DrawingWidth, DrawingHeight));
-  }
-
-  Drawing Shown;
-  terrain::GlobeGrid Grid;
-  vtkSmartPointer<vtkImageData> Heights;
-  double Exaggeration = 1.0;
-  double Scale = 1.0; ///< of the actor
-};
-
-void expectAgreement(Globe& globe, int hits, double tolerance = 1e-4)
-{
-  const Agreement result = globe.Compare(tolerance);
-  EXPECT_GE(result.Hits, hits);
-  EXPECT_EQ(result.Disagreements, 0);
-  EXPECT_EQ(result.Off, 0) << "the largest difference is " << result.Largest;
-}
-}
+using namespace vtkTerrainTesting;
 
 //------------------------------------------------------------------------------
 TEST(OpenGLTerrainMapperGlobe, IsExactFromSpace)
 {
-  Globe globe(makeWorld());
+  Globe globe(MakeWorld());
   for (const glm::dvec3& eye : { glm::dvec3(10.0, 40.0, 1.9e7), glm::dvec3(180.0, 3.0, 1e7),
          glm::dvec3(20.0, 90.0, 8e6), glm::dvec3(20.0, -89.0, 5e6), glm::dvec3(-100.0, 20.0, 4e5) })
   {
     SCOPED_TRACE(eye.x);
     globe.Look(eye, { eye.x + 1.0, eye.y - 1.0, 0.0 });
-    expectAgreement(globe, 100);
+    ExpectAgreement(globe, 100);
   }
 }
 
 // What matters in float: 2 m above the ground, and a kilometre across seen from space.
 TEST(OpenGLTerrainMapperGlobe, IsExactNearAndFar)
 {
-  Globe globe(LayOnGlobe(MakeDegrees(6.0, 44.0, 1.0 / 120.0, 500, 400, hills)));
+  Globe globe(LayOnGlobe(MakeDegrees(6.0, 44.0, 1.0 / 120.0, 500, 400, GlobeHills)));
   const double ground = globe.Ground(8.0, 46.0);
   for (const double above : { 2.0, 50.0, 2000.0, 30000.0 })
   {
     SCOPED_TRACE(above);
     globe.Look({ 8.0, 46.0, ground + above }, { 8.3, 46.1, ground - above });
-    expectAgreement(globe, 100);
+    ExpectAgreement(globe, 100);
   }
   globe.Shown.Camera()->SetViewAngle(0.002);
   globe.Look({ 8.0, 46.0, 1.9e7 }, { 8.0, 46.0, ground });
-  expectAgreement(globe, 500);
+  ExpectAgreement(globe, 500);
 }
 
 TEST(OpenGLTerrainMapperGlobe, IsExactOnAnyBody)
@@ -228,30 +48,30 @@ TEST(OpenGLTerrainMapperGlobe, IsExactOnAnyBody)
          std::pair(1737400.0, 1737400.0), std::pair(284500.0, 0.9 * 284500.0) })
   {
     SCOPED_TRACE(equatorial);
-    Globe globe(makeWorld(1.0, equatorial, polar));
+    Globe globe(MakeWorld(1.0, equatorial, polar));
     globe.Look({ 100.0, 30.0, 2.0 * equatorial }, { 100.0, 20.0, 0.0 });
-    expectAgreement(globe, 100);
+    ExpectAgreement(globe, 100);
     globe.Look({ 100.0, 30.0, globe.Ground(100.0, 30.0) + 20.0 }, { 101.0, 30.2, 0.0 });
-    expectAgreement(globe, 30);
+    ExpectAgreement(globe, 30);
   }
 }
 
 // Partial rasters, exaggeration.
 TEST(OpenGLTerrainMapperGlobe, ShowsWhatIsThere)
 {
-  Globe part(LayOnGlobe(MakeDegrees(170.0, -15.0, 0.5, 61, 61, hills)));
+  Globe part(LayOnGlobe(MakeDegrees(170.0, -15.0, 0.5, 61, 61, GlobeHills)));
   part.Look({ 185.0, -3.0, 4e6 }, { 183.0, 1.0, 0.0 });
-  expectAgreement(part, 50);
+  ExpectAgreement(part, 50);
   part.Exaggeration = 20.0;
   part.Shown.Mapper->SetVerticalExaggeration(20.0);
   part.Look({ 185.0, -40.0, 4e6 }, { 183.0, 1.0, 0.0 });
-  expectAgreement(part, 50);
+  ExpectAgreement(part, 50);
 }
 
 // Holes without data, through which space is seen and no underside.
 TEST(OpenGLTerrainMapperGlobe, HasHoles)
 {
-  const auto heights = MakeDegrees(170.0, -15.0, 0.5, 61, 61, hills);
+  const auto heights = MakeDegrees(170.0, -15.0, 0.5, 61, 61, GlobeHills);
   vtkUnsignedCharArray* ghosts = heights->AllocatePointGhostArray();
   for (vtkIdType i = 0; i < heights->GetNumberOfPoints(); ++i)
   {
@@ -260,7 +80,7 @@ TEST(OpenGLTerrainMapperGlobe, HasHoles)
   }
   Globe part(LayOnGlobe(heights));
   part.Look({ 185.0, -3.0, 2e6 }, { 183.0, 1.0, 0.0 });
-  expectAgreement(part, 50);
+  ExpectAgreement(part, 50);
   const Agreement result = part.Compare();
   EXPECT_GT(result.Pixels - result.Hits, 150);
 }
@@ -303,7 +123,7 @@ TEST(OpenGLTerrainMapperGlobe, HasContours)
 // The planet is opaque: from within it, and from behind it, nothing is seen of the underside.
 TEST(OpenGLTerrainMapperGlobe, HidesItsUnderside)
 {
-  Globe part(LayOnGlobe(MakeDegrees(170.0, -15.0, 0.5, 61, 61, hills)));
+  Globe part(LayOnGlobe(MakeDegrees(170.0, -15.0, 0.5, 61, 61, GlobeHills)));
   const vtkNew<vtkTerrainPicker> picker;
   for (const glm::dvec3& eye : { glm::dvec3(185.0, 10.0, -3e6), glm::dvec3(5.0, 10.0, 1e6) })
   {
@@ -323,19 +143,19 @@ TEST(OpenGLTerrainMapperGlobe, ShowsWhatLiesBehindItsUnderside)
   for (const double scale : { 1.0, 1e-3 })
   {
     SCOPED_TRACE(scale);
-    Globe globe(LayOnGlobe(MakeDegrees(6.0, 44.0, 1.0 / 120.0, 500, 400, hills)));
+    Globe globe(LayOnGlobe(MakeDegrees(6.0, 44.0, 1.0 / 120.0, 500, 400, GlobeHills)));
     globe.Scale = scale;
     globe.Shown.Actor->SetScale(scale, scale, scale);
     const double ground = globe.Ground(8.0, 46.0);
     globe.Look({ 8.0, 46.0, ground - 30.0 }, { 8.06, 46.03, ground + 300.0 });
-    expectAgreement(globe, 100);
+    ExpectAgreement(globe, 100);
   }
 }
 
 // A grid that has not changed is not read again for each frame.
 TEST(OpenGLTerrainMapperGlobe, ReadsItsGridOnce)
 {
-  const auto heights = makeWorld(10.0);
+  const auto heights = MakeWorld(10.0);
   terrain::Globe globe;
   EXPECT_EQ(globe.SetImage(heights), "");
   EXPECT_EQ(globe.SetImage(heights), "");
@@ -356,7 +176,7 @@ TEST(OpenGLTerrainMapperGlobe, HasHeightsOnItsBorder)
 {
   for (const double west : { 170.0, -180.0, 0.1 })
   {
-    const auto heights = LayOnGlobe(MakeDegrees(west, -15.3, 0.1, 61, 61, hills));
+    const auto heights = LayOnGlobe(MakeDegrees(west, -15.3, 0.1, 61, 61, GlobeHills));
     terrain::GlobeSurface surface;
     ASSERT_TRUE(surface.SetImage(heights));
     const double east = west + 6.0;
@@ -382,17 +202,17 @@ TEST(OpenGLTerrainMapperGlobe, HasHeightsOnItsBorder)
 
 TEST(OpenGLTerrainMapperGlobe, IsExactInParallelProjection)
 {
-  Globe globe(makeWorld());
+  Globe globe(MakeWorld());
   globe.Shown.Camera()->ParallelProjectionOn();
   globe.Shown.Camera()->SetParallelScale(5e6);
   globe.Look({ 30.0, 50.0, 1.5e7 }, { 31.0, 48.0, 0.0 });
-  expectAgreement(globe, 100);
+  ExpectAgreement(globe, 100);
 }
 
 // Day and night come with normals: a light from the east lights the east.
 TEST(OpenGLTerrainMapperGlobe, HasDayAndNight)
 {
-  Globe globe(makeWorld());
+  Globe globe(MakeWorld());
   globe.Look({ 0.0, 0.0, 1.5e7 }, { 0.0, 0.0, 0.0 });
   globe.Shown.Camera()->SetViewUp(0.0, 0.0, 1.0);
   vtkRenderer* renderer = globe.Shown.Scene.Renderer;
@@ -414,7 +234,7 @@ TEST(OpenGLTerrainMapperGlobe, HasDayAndNight)
 
 TEST(OpenGLTerrainMapperGlobe, PicksAndSees)
 {
-  Globe globe(makeWorld());
+  Globe globe(MakeWorld());
   globe.Look({ 25.0, 30.0, 3e6 }, { 25.0, 30.0, 0.0 });
   globe.Shown.Scene.Window->Render();
   const vtkNew<vtkTerrainPicker> picker;
@@ -450,7 +270,7 @@ TEST(OpenGLTerrainMapperGlobe, PicksAndSees)
 // What is not to be had is one sentence, not a wrong picture.
 TEST(OpenGLTerrainMapperGlobe, RefusesOtherTechniques)
 {
-  Globe globe(makeWorld());
+  Globe globe(MakeWorld());
   globe.Look({ 0.0, 0.0, 1.5e7 }, { 0.0, 0.0, 0.0 });
   globe.Shown.Mapper->SetTechnique(vtkOpenGLTerrainMapper::Techniques::Equidistant);
   const vtkNew<vtkTest::ErrorObserver> errors;

@@ -213,6 +213,64 @@ TEST(Globe, CrossesFewNodes)
   EXPECT_LT(crossings, 200 * 20);
 }
 
+// The box against positions all over the surface, the lowest and the highest.
+TEST(Globe, HasTheLeastBox)
+{
+  std::vector<terrain::TestGlobe> globes = terrain::TestGlobes();
+  const auto level = [](int, int) { return 0.0; };
+  for (const double west : { -190.0, -100.0, -20.0, 30.0, 80.0, 170.0, 260.0 })
+  {
+    globes.push_back({ "a part, " + std::to_string(west),
+      terrain::MakeGrid({}, west, 1.0, 41, terrain::Parallels(-40.0, 1.0, 31)), level });
+  }
+  const terrain::GlobeRange range{ -5000.0, 9000.0 };
+  for (const terrain::TestGlobe& globe : globes)
+  {
+    SCOPED_TRACE(globe.Name);
+    const terrain::GlobeGrid& grid = globe.Grid;
+    glm::dvec3 low(terrain::kInfinity);
+    glm::dvec3 high(-terrain::kInfinity);
+    constexpr int parts = 400;
+    for (int k = 0; k <= parts * parts; ++k)
+    {
+      const double x = k % parts / (parts - 1.0) * grid.Cells().x * grid.Step;
+      const double y = std::min(k / parts / (parts - 1.0), 1.0);
+      for (const double height : { range.Lowest, range.Highest })
+      {
+        const glm::dvec3 point = grid.Body.ToPosition(
+          { grid.West + x, glm::mix(grid.Latitudes.front(), grid.Latitudes.back(), y), height });
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+      }
+    }
+    const auto box = grid.BoxOf(range);
+    // the positions are up to half a part from where the box is touched
+    const double slack = grid.Body.Equatorial * std::pow(0.5 * terrain::kTurn / (parts - 1), 2);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_LE(box[0][axis], low[axis] + 1e-6);
+      EXPECT_GE(box[0][axis], low[axis] - slack);
+      EXPECT_GE(box[1][axis], high[axis] - 1e-6);
+      EXPECT_LE(box[1][axis], high[axis] + slack);
+    }
+  }
+}
+
+TEST(Globe, TellsRowsFromLatitudes)
+{
+  const terrain::GlobeGrid grid =
+    terrain::MakeGrid({}, -179.5, 1.0, 361, terrain::ParallelsOfCells(1.0));
+  EXPECT_DOUBLE_EQ(grid.RowOf(-90.0 * kDegree), 0.0);
+  EXPECT_NEAR(grid.RowOf(-89.75 * kDegree), 0.5, 1e-12);
+  EXPECT_NEAR(grid.RowOf(0.0), 90.5, 1e-12);
+  EXPECT_NEAR(grid.RowOf(90.0 * kDegree), 181.0, 1e-12);
+  EXPECT_NEAR(grid.RowOf(-90.25 * kDegree), -0.5, 1e-12);
+  for (const double row : { -1.5, 0.0, 0.4, 1.0, 77.7, 180.0, 180.9, 181.0, 182.5 })
+  {
+    EXPECT_NEAR(grid.RowOf(grid.LatitudeOf(row)), row, 1e-12);
+  }
+}
+
 TEST(Globe, AnswersRaysThatAreNone)
 {
   const terrain::TestGlobe globe = terrain::TestGlobes().front();

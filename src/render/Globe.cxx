@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "render/Globe.h"
 
+#include "core/grid/Constants.h"
 #include "data/GlobeData.h"
 #include "render/Driver.h"
 #include "render/Uniforms.h"
@@ -84,21 +85,25 @@ void Globe::SetHeights(const HeightCodes& codes, double exaggeration)
 //------------------------------------------------------------------------------
 BoxGC Globe::GetBounds() const
 {
-  // a little more, for rounding, than the shell of the heights
-  const double above =
-    1.001 * std::max(this->Range.Highest, 0.0) + 1e-5 * this->Grid->Body.Equatorial;
-  const glm::dvec3 reach(this->Grid->Body.Equatorial + above, this->Grid->Body.Equatorial + above,
-    this->Grid->Body.Polar + above);
-  return { -reach, reach };
+  // a little more than the surface: for rounding, and as the proxy that rays enter by
+  const double margin = 1e-5 * this->Grid->Body.Equatorial +
+    1e-3 * std::max(std::abs(this->Range.Lowest), std::abs(this->Range.Highest));
+  const BoxGC box = this->Grid->BoxOf(this->Range);
+  return { box[0] - margin, box[1] + margin };
 }
 
 //------------------------------------------------------------------------------
 BoxGC Globe::GetAnchoredBounds() const
 {
-  // the box turned about the axis of the planet
-  const glm::dvec3 reach = glm::dvec3(1.42, 1.42, 1.01) * this->GetBounds()[1];
-  const glm::dvec3 centre(-this->Anchor.Radius, 0.0, -this->Anchor.Position.z);
-  return { centre - reach, centre + reach };
+  const BoxGC box = this->GetBounds();
+  BoxGC anchored{ glm::dvec3(kInfinity), glm::dvec3(-kInfinity) };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 point(box[corner & 1].x, box[(corner >> 1) & 1].y, box[corner >> 2].z);
+    const glm::dvec3 there = this->Anchor.ToAxes(point - this->Anchor.Position);
+    anchored = { glm::min(anchored[0], there), glm::max(anchored[1], there) };
+  }
+  return anchored;
 }
 
 //------------------------------------------------------------------------------

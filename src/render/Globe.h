@@ -49,14 +49,14 @@ public:
 
   /// Takes over how heights are drawn.
   void SetHeights(const HeightCodes& codes, double exaggeration);
-  /// The box about the planet, in model coordinates.
+  /// A box about the surface, in model coordinates.
   BoxGC GetBounds() const;
 
   /// Chooses the anchor of a view and uploads the lines about it; false if that failed.
   bool Update(vtkRenderer* renderer, vtkActor* actor);
   /// Matrix from the axes of the anchor, metres, to model coordinates.
   glm::dmat4 ModelFromAnchor() const;
-  /// A box about the planet, in the axes of the anchor.
+  /// A box about that box, in the axes of the anchor.
   BoxGC GetAnchoredBounds() const;
 
   void Activate();

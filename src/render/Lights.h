@@ -30,8 +30,9 @@ public:
   /// Looks at a renderer's lights. sunAngle: angular diameter, in degrees, of the lights that are
   /// infinitely far away; lamps, which have a place, are points. Lights that are off, headlights
   /// (whose shadows nobody sees), lights without attenuation of shadows or without a finite
-  /// direction cast none. Returns an empty string, or what is not drawn.
-  std::string Update(vtkRenderer* renderer, const View& view, double sunAngle);
+  /// direction cast none. On a globe, where each place has a horizon of its own, a sun is the point
+  /// in its middle. Returns an empty string, or what is not drawn.
+  std::string Update(vtkRenderer* renderer, const View& view, double sunAngle, bool isGlobe);
   /// None casts shadows.
   void Clear()
   {
@@ -59,7 +60,9 @@ public:
   ///@}
 
 private:
-  bool Add(vtkLight* light, const glm::dmat4& viewFromWorld, const View& view, double sunAngle);
+  bool Add(vtkLight* light, const glm::dmat4& viewFromWorld, const View& view, double sunAngle,
+    bool isGlobe);
+  bool AddSun(const glm::dvec3& wayVC, const View& view, double sunAngle, bool isSteady);
 
   int Mask = 0;
   int Count = 0;

@@ -103,13 +103,12 @@ std::string Scene::UpdateGlobe(vtkImageData* heights, vtkImageData* detail)
     return why;
   }
   const bool plain = this->GetTechnique().IsExact() && !detail && !this->Surface.HasTiles() &&
-    !this->Cutting.Extracts && !this->Cutting.Block && !this->Look->GetSunShadows() &&
-    this->Look->GetSkyLight() <= 0.0 &&
+    !this->Cutting.Extracts && !this->Cutting.Block && this->Look->GetSkyLight() <= 0.0 &&
     this->Look->GetSurface() != vtkTerrainLook::Surfaces::Columns;
   return plain ? std::string()
                : "a globe is drawn with the technique Pyramid from heights in memory, without "
-                 "detail, columns, block, extract, shadows and the light of the sky: leave these "
-                 "out, or choose a flat frame";
+                 "detail, columns, block, extract and the light of the sky: leave these out, or "
+                 "choose a flat frame";
 }
 
 //------------------------------------------------------------------------------
@@ -158,7 +157,8 @@ std::string Scene::Prepare(vtkRenderer* renderer, vtkActor* actor)
   const bool lit = !renderer->GetSelector(); // else colours are numbers of what is seen
   if (lit && this->CastsShadows(actor))
   {
-    const std::string lights = this->Lights.Update(renderer, this->View, this->Look->GetSunAngle());
+    const std::string lights =
+      this->Lights.Update(renderer, this->View, this->Look->GetSunAngle(), this->Globe.IsRound());
     words = words.empty() ? lights : words;
   }
   this->BoundsShadows = this->UploadShadowBounds(window);
@@ -252,7 +252,10 @@ std::string Scene::BeginLayer(
   }
   const PrepassFrame frame = this->MakeFrame(renderer, actor, features);
   const std::string words = this->Prepass.ComputeSightings(frame);
-  return words.empty() && features.ShadowMask != 0 ? this->Prepass.ComputeLights(frame) : words;
+  // a globe's are looked for by each pixel
+  return words.empty() && features.ShadowMask != 0 && !features.Globe
+    ? this->Prepass.ComputeLights(frame)
+    : words;
 }
 
 //------------------------------------------------------------------------------

@@ -74,15 +74,15 @@ std::string CommonFunctions(const Features& features)
 
 std::string PyramidFunctions(const Features& features)
 {
-  return std::string(vtkTerrainPyramid) + (features.Tiles ? vtkTerrainTileTrace : "");
+  return std::string(vtkTerrainPyramid) + (features.Tiles ? vtkTerrainTileTrace : "") +
+    (features.Globe ? vtkTerrainGlobeTrace : "");
 }
 
 std::string CastFunctions(const Features& features)
 {
   return PyramidFunctions(features) +
-    (features.Way == Features::Ways::Pyramid ? "" : vtkTerrainSearch) +
-    (features.Globe ? vtkTerrainGlobeTrace : "") + vtkTerrainTrace + vtkTerrainSighting +
-    vtkTerrainCast;
+    (features.Way == Features::Ways::Pyramid ? "" : vtkTerrainSearch) + vtkTerrainTrace +
+    vtkTerrainSighting + vtkTerrainCast;
 }
 }
 
@@ -104,7 +104,7 @@ std::string Technique::FragmentFunctions(const Features& features)
   const bool looks = features.ShadowMask != 0 && !features.ReadsLights;
   const bool hasPyramid = features.CastsRays() && !features.ReadsSightings;
   functions += looks && !hasPyramid ? PyramidFunctions(features) : "";
-  functions += looks ? vtkTerrainOutlook : "";
+  functions += looks && !features.Globe ? vtkTerrainOutlook : "";
   functions += features.ShadowMask != 0 ? vtkTerrainLight : "";
   return functions + (features.Sky ? vtkTerrainSky : "");
 }

@@ -15,14 +15,14 @@ vtkStandardNewMacro(vtkSMTerrainRepresentationProxy);
 
 namespace
 {
-bool isAllowed(double value, unsigned int index, vtkSMDoubleRangeDomain* range)
+bool IsAllowed(double value, unsigned int index, vtkSMDoubleRangeDomain* range)
 {
   return std::isfinite(value) &&
     !(range->GetMinimumExists(index) && value < range->GetMinimum(index)) &&
     !(range->GetMaximumExists(index) && value > range->GetMaximum(index));
 }
 
-std::string rangeText(vtkSMDoubleRangeDomain* range)
+std::string RangeText(vtkSMDoubleRangeDomain* range)
 {
   std::ostringstream text;
   text << "at least " << range->GetMinimum(0);
@@ -47,7 +47,7 @@ void vtkSMTerrainRepresentationProxy::PutBack(
   const unsigned int count = property->GetNumberOfElements();
   std::vector<double> wanted(property->GetElements(), property->GetElements() + count);
   unsigned int bad = 0;
-  while (bad < count && isAllowed(wanted[bad], bad, range))
+  while (bad < count && IsAllowed(wanted[bad], bad, range))
   {
     ++bad;
   }
@@ -63,7 +63,7 @@ void vtkSMTerrainRepresentationProxy::PutBack(
     property->SetElements(taken.data());
   }
   const char* label = property->GetXMLLabel();
-  vtkErrorMacro(<< (label ? label : name) << " must be " << rangeText(range) << ", not "
+  vtkErrorMacro(<< (label ? label : name) << " must be " << RangeText(range) << ", not "
                 << wanted[bad] << ": it stays " << property->GetElement(bad) << ".");
 }
 

@@ -30,7 +30,7 @@ struct SelectionParts : vtkSelectionRepresentation
 };
 
 /// What draws the selection of the data that a representation draws; null if there is none.
-vtkSelectionRepresentation* findSelection(vtkView* view, vtkPVDataRepresentation* terrain)
+vtkSelectionRepresentation* FindSelection(vtkView* view, vtkPVDataRepresentation* terrain)
 {
   for (int i = 0; view && i < view->GetNumberOfRepresentations(); ++i)
   {
@@ -60,7 +60,7 @@ vtkTerrainSelectionLift::~vtkTerrainSelectionLift() = default;
 void vtkTerrainSelectionLift::Lift(
   vtkView* view, vtkPVDataRepresentation* terrain, const char* heights, double exaggeration)
 {
-  vtkSelectionRepresentation* selection = findSelection(view, terrain);
+  vtkSelectionRepresentation* selection = FindSelection(view, terrain);
   vtkAlgorithmOutput* cells = selection
     ? SelectionParts::GeometryOf(selection)->GetNumberOfInputConnections(0) > 0
       ? SelectionParts::GeometryOf(selection)->GetInputConnection(0, 0)

@@ -13,7 +13,7 @@ namespace
 {
 constexpr double kSteepest = 60.0; // degrees of the last colour
 
-bool isSource(int source, vtkTerrainLook::ColorSources what)
+bool IsSource(int source, vtkTerrainLook::ColorSources what)
 {
   return source == static_cast<int>(what);
 }
@@ -48,8 +48,8 @@ vtkTerrainSourceColors::~vtkTerrainSourceColors() = default;
 vtkScalarsToColors* vtkTerrainSourceColors::GetTable(int source)
 {
   using Sources = vtkTerrainLook::ColorSources;
-  return isSource(source, Sources::Slope) ? this->Slopes
-    : isSource(source, Sources::Aspect)   ? this->Aspects
+  return IsSource(source, Sources::Slope) ? this->Slopes
+    : IsSource(source, Sources::Aspect)   ? this->Aspects
                                           : nullptr;
 }
 
@@ -63,7 +63,7 @@ void vtkTerrainSourceColors::ShowBar(vtkPVRenderView* view, int source)
     return;
   }
   this->Bar->SetLookupTable(table);
-  this->Bar->SetTitle(isSource(source, vtkTerrainLook::ColorSources::Slope) ? "Slope (degrees)\n"
+  this->Bar->SetTitle(IsSource(source, vtkTerrainLook::ColorSources::Slope) ? "Slope (degrees)\n"
                                                                             : "Aspect (degrees)\n");
   if (!this->Renderer)
   {

@@ -14,6 +14,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,15 @@ struct GlobeGrid
   bool IsJoined() const;
   /// Empty, or one sentence that says why there is no such grid.
   std::string WhyNot() const;
+  ///@{
+  /// The position of a latitude among the rows, and back: linear between them, and on beyond the
+  /// first and the last as beside them.
+  double RowOf(double latitude) const;
+  double LatitudeOf(double row) const;
+  ///@}
+  /// Corners of the least box, in geocentric coordinates, about all positions over the grid whose
+  /// heights lie in a range above half the body's polar semi-axis below it.
+  std::array<glm::dvec3, 2> BoxOf(const GlobeRange& range) const;
 };
 }
 
