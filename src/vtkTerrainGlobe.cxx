@@ -37,6 +37,36 @@ double LowestSeen(vtkImageData* heights)
 }
 
 //------------------------------------------------------------------------------
+vtkTerrainGlobe::vtkTerrainGlobe()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainGlobe::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainGlobe::AddFinerData(vtkImageData* globe)
+{
+  this->AddInputDataInternal(1, globe);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainGlobe::AddFinerConnection(vtkAlgorithmOutput* globe)
+{
+  this->AddInputConnection(1, globe);
+}
+
+//------------------------------------------------------------------------------
 void vtkTerrainGlobe::SetRadii(double equatorial, double polar)
 {
   if (this->Radii[0] != equatorial || this->Radii[1] != polar)
@@ -74,9 +104,15 @@ int vtkTerrainGlobe::RequestInformation(
 int vtkTerrainGlobe::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  vtkInformation* info = inputs[0]->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+  for (int port = 0; port < 2; ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+        info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+    }
+  }
   return 1;
 }
 
@@ -111,14 +147,16 @@ int vtkTerrainGlobe::RequestData(
   }
   // the origin's z counts as in every frame
   const double offset = (radii ? body.Equatorial : 0.0) - heights->GetOrigin()[2];
-  if (plan.IsPlain && offset == 0.0 && !terrain::ImageHeights::AreRowsFromNorth(heights))
+  const int finer = inputs[1]->GetNumberOfInformationObjects();
+  if (plan.IsPlain && offset == 0.0 && finer == 0 &&
+    !terrain::ImageHeights::AreRowsFromNorth(heights))
   {
     output->ShallowCopy(heights);
     output->SetExtent(0, plan.Grid.Columns - 1, 0, heights->GetDimensions()[1] - 1, 0, 0);
   }
   else
   {
-    terrain::FillGlobe(heights, plan, offset, output);
+    terrain::FillGlobe(heights, plan, offset, finer > 0, output);
     output->GetFieldData()->PassData(heights->GetFieldData());
   }
   const double step = plan.Grid.Step / terrain::kDegree;
@@ -133,6 +171,14 @@ int vtkTerrainGlobe::RequestData(
   output->GetFieldData()->RemoveArray("LayoutOrigin");
   output->GetFieldData()->RemoveArray("LayoutScale");
   terrain::GlobeData::Add(output, plan.Grid);
+  for (int i = 0; i < finer; ++i)
+  {
+    const std::string why = terrain::GiveWay(output, vtkImageData::GetData(inputs[1], i));
+    if (!why.empty())
+    {
+      return this->Fail(output, why);
+    }
+  }
   return 1;
 }
 

@@ -18,10 +18,16 @@
  * - Heights that are radii (all of them above half the polar one) count from a sphere's surface.
  * - Cells wider than a degree are divided; the surface stays the same.
  *
+ * Several rasters of one planet are several terrains. A coarse one gives way to finer ones on input
+ * port 1, the outputs of their own filters: its samples are lowered below them where they cover its
+ * cells, so that the finest is seen. Its cells along the border of a finer one fall to there as
+ * walls: no gap opens, and in a strip of two of its cells along the border the higher of both is
+ * seen. Where the finer one has no data it stays as it is.
+ *
  * Output: origin and spacing in degrees; point scalars of the input's type, or floats where cells
- * are divided or radii given; vtkGhostType; the field data of the input and GlobeRadii (equatorial
- * and polar, metres), GlobeLongitudes (of the first column and to the next) and GlobeLatitudes (of
- * the rows, degrees). Other arrays are not passed on.
+ * are divided, radii given or samples lowered; vtkGhostType; the field data of the input and
+ * GlobeRadii (equatorial and polar, metres), GlobeLongitudes (of the first column and to the next)
+ * and GlobeLatitudes (of the rows, degrees). Other arrays are not passed on.
  *
  * Memory: a copy of the heights where columns or rows are added, else none.
  *
@@ -50,6 +56,12 @@ public:
     return this->Radii;
   }
 
+  ///@{
+  /// Heights on the same globe that this one gives way to, input port 1; any number.
+  void AddFinerData(vtkImageData* globe);
+  void AddFinerConnection(vtkAlgorithmOutput* globe);
+  ///@}
+
   /// Empty, or one sentence that says why there is no output; VTK's error says it, too.
   const std::string& GetErrorMessage() const
   {
@@ -64,9 +76,10 @@ public:
   void operator=(const vtkTerrainGlobe&) = delete;
 
 protected:
-  vtkTerrainGlobe() = default;
+  vtkTerrainGlobe();
   ~vtkTerrainGlobe() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestUpdateExtent(

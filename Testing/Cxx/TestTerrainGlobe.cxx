@@ -8,6 +8,7 @@
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -210,6 +211,77 @@ TEST(TerrainGlobe, RefusesWhatIsNone)
   EXPECT_TRUE(
     has(refusal(makeHeights(0.0, 0.0, 1.0, 9, 9, "+proj=longlat +a=6378137 +b=5000000 +no_defs")),
       "flattening"));
+}
+
+// A coarse raster lies below a finer one where that covers its cells, and elsewhere is as it was.
+TEST(TerrainGlobe, GivesWayToFinerHeights)
+{
+  const auto world = vtkTerrainTesting::MakeDegrees(
+    -179.5, -89.5, 1.0, 360, 180, [](int i, int j) { return 500 + 3 * (i % 7) + 2 * (j % 5); });
+  const auto part = vtkTerrainTesting::MakeDegrees(
+    175.0, 10.0, 0.1, 101, 81, [](int i, int j) { return 400 + (i * j) % 90; });
+  const auto finer = layOnGlobe(part);
+  const vtkNew<vtkTerrainGlobe> filter;
+  filter->SetInputData(world);
+  filter->AddFinerData(finer);
+  filter->Update();
+  const auto before = layOnGlobe(world);
+  vtkImageData* after = filter->GetOutput();
+  ASSERT_EQ(after->GetDimensions()[0], before->GetDimensions()[0]);
+  int lowered = 0;
+  for (int j = 0; j < after->GetDimensions()[1]; ++j)
+  {
+    for (int i = 0; i < after->GetDimensions()[0]; ++i)
+    {
+      const double longitude = -179.5 + i;
+      const double east = longitude < 0.0 ? longitude + 360.0 : longitude;
+      const bool covered = east >= 176.0 && east <= 184.0 && latitude(after, j) >= 11.0 - 1e-9 &&
+        latitude(after, j) <= 17.0 + 1e-9;
+      lowered += covered ? 1 : 0;
+      if (covered)
+      {
+        EXPECT_LT(height(after, i, j), 400.0 - 1000.0) << i << " " << j; // 0.01 of a cell
+        EXPECT_GT(height(after, i, j), 400.0 - 1200.0) << i << " " << j;
+      }
+      else
+      {
+        EXPECT_EQ(height(after, i, j), height(before, i, j)) << i << " " << j;
+      }
+    }
+  }
+  EXPECT_EQ(lowered, 9 * 6);
+
+  // where the finer one has a hole, nothing gives way
+  part->AllocatePointGhostArray()->SetValue(50 + 101 * 40, vtkDataSetAttributes::HIDDENPOINT);
+  const auto holed = layOnGlobe(part);
+  filter->RemoveAllInputConnections(1);
+  filter->AddFinerData(holed);
+  filter->Update();
+  int same = 0;
+  for (int k = 0; k < 4; ++k)
+  {
+    // about longitude 180, latitude 14
+    const int i = k % 2 == 0 ? 359 : 0;
+    const int j = 104 + k / 2;
+    same += height(filter->GetOutput(), i, j) == height(before, i, j) ? 1 : 0;
+  }
+  EXPECT_EQ(same, 4);
+
+  // another body
+  const vtkNew<vtkTerrainGlobe> moon;
+  moon->SetInputData(part);
+  moon->SetRadii(1737400.0, 1737400.0);
+  moon->Update();
+  filter->AddFinerData(moon->GetOutput());
+  const vtkNew<vtkTest::ErrorObserver> errors;
+  filter->AddObserver(vtkCommand::ErrorEvent, errors);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+  filter->Update();
+  EXPECT_NE(errors->GetErrorMessage().find("another body"), std::string::npos);
+  filter->RemoveAllInputConnections(1);
+  filter->AddFinerData(part);
+  filter->Update();
+  EXPECT_NE(errors->GetErrorMessage().find("lies on no globe"), std::string::npos);
 }
 
 TEST(TerrainGlobe, SuitsWhatIsWide)

@@ -4,15 +4,18 @@
 
 #include "core/grid/Constants.h"
 #include "data/FieldData.h"
+#include "data/GlobeData.h"
 #include "data/HiddenSamples.h"
 #include "data/ImageHeights.h"
 #include "raster/CoordinateSystem.h"
 
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace terrain
 {
@@ -196,6 +199,38 @@ double SampleAt(const std::vector<double>& south, const std::vector<double>& nor
   const double above = north[first] * (1.0 - column.At) + north[next] * column.At;
   return below * (1.0 - along) + above * along;
 }
+
+/// The lowest of the samples of a grid within half a width of a longitude, and between two rows;
+/// NaN if some have no height, or the grid does not reach so far.
+template <typename T>
+double lowestWithin(const HeightfieldView<T>& view, const GlobeGrid& grid, double longitude,
+  double half, const glm::dvec2& rows)
+{
+  double east = longitude - half - grid.West;
+  east -= kTurn * std::floor(east / kTurn);
+  const auto first = static_cast<std::int64_t>(std::floor(east / grid.Step));
+  const auto last = static_cast<std::int64_t>(std::ceil((east + 2.0 * half) / grid.Step));
+  const auto south = static_cast<std::int64_t>(std::floor(rows[0]));
+  const auto north = static_cast<std::int64_t>(std::ceil(rows[1]));
+  if (south < 0 || north >= view.Height || last >= view.Width)
+  {
+    return kNaN;
+  }
+  double lowest = kInfinity;
+  for (std::int64_t j = south; j <= north; ++j)
+  {
+    for (std::int64_t i = first; i <= last; ++i)
+    {
+      const double height = view.At(i, j);
+      lowest = std::isnan(height) ? kNaN : std::min(height, lowest);
+      if (std::isnan(lowest))
+      {
+        return lowest;
+      }
+    }
+  }
+  return lowest;
+}
 }
 
 GlobePlan PlanGlobe(vtkImageData* heights, const double radii[2])
@@ -236,7 +271,7 @@ glm::dvec2 GlobeReach(vtkImageData* heights, bool& isEarth)
   CoordinateSystem system;
   isEarth = true;
   const std::string text = FieldData::GetText(heights, "CRS");
-  if (text.empty() || !system.Read(text).empty() || !system.WhyNotLongitudeLatitude().empty())
+  if (text.empty() || !system.Read(text).empty() || !system.IsInDegrees())
   {
     return glm::dvec2(0.0);
   }
@@ -245,9 +280,10 @@ glm::dvec2 GlobeReach(vtkImageData* heights, bool& isEarth)
   return degrees.Step * glm::dvec2(degrees.Count);
 }
 
-void FillGlobe(vtkImageData* heights, const GlobePlan& plan, double offset, vtkImageData* output)
+void FillGlobe(
+  vtkImageData* heights, const GlobePlan& plan, double offset, bool asFloats, vtkImageData* output)
 {
-  const bool isFloat = plan.IsDivided || offset != 0.0;
+  const bool isFloat = asFloats || plan.IsDivided || offset != 0.0;
   output->SetDimensions(plan.Grid.Columns, static_cast<int>(plan.Grid.Latitudes.size()), 1);
   output->AllocateScalars(
     isFloat ? VTK_FLOAT : heights->GetPointData()->GetScalars()->GetDataType(), 1);
@@ -280,5 +316,55 @@ void FillGlobe(vtkImageData* heights, const GlobePlan& plan, double offset, vtkI
         });
     });
   FillHidden(output);
+}
+
+std::string GiveWay(vtkImageData* globe, vtkImageData* finer)
+{
+  const std::unique_ptr<GlobeGrid> own = GlobeData::Get(globe);
+  const std::unique_ptr<GlobeGrid> grid = GlobeData::Get(finer);
+  if (!grid)
+  {
+    return "what it gives way to lies on no globe: take the output of another vtkTerrainGlobe";
+  }
+  if (grid->Body.Equatorial != own->Body.Equatorial || grid->Body.Polar != own->Body.Polar)
+  {
+    return "what it gives way to lies on another body: bring both to one coordinate system";
+  }
+  const double margin = 0.01 * own->Step * own->Body.Equatorial;
+  auto* heights = vtkFloatArray::SafeDownCast(globe->GetPointData()->GetScalars());
+  const int rows = static_cast<int>(own->Latitudes.size());
+  ImageHeights::Dispatch(finer,
+    [&](const auto& view)
+    {
+      vtkSMPTools::For(1, rows - 1,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType j = begin; j < end; ++j)
+          {
+            const auto row = static_cast<std::size_t>(j);
+            const glm::dvec2 along(
+              grid->RowOf(own->Latitudes[row - 1]), grid->RowOf(own->Latitudes[row + 1]));
+            for (int i = 0; i < own->Columns; ++i)
+            {
+              const double lowest =
+                lowestWithin(view, *grid, own->West + i * own->Step, own->Step, along);
+              const vtkIdType at = j * own->Columns + i;
+              if (!std::isnan(lowest))
+              {
+                heights->SetValue(
+                  at, std::min(heights->GetValue(at), static_cast<float>(lowest - margin)));
+              }
+            }
+          }
+          if (own->IsJoined())
+          {
+            for (vtkIdType j = begin; j < end; ++j)
+            {
+              heights->SetValue((j + 1) * own->Columns - 1, heights->GetValue(j * own->Columns));
+            }
+          }
+        });
+    });
+  return {};
 }
 }

@@ -42,7 +42,12 @@ GlobePlan PlanGlobe(vtkImageData* heights, const double radii[2]);
 /// Longitudes and latitudes over which the samples reach, degrees; 0 where they are none. isEarth:
 /// false for another world.
 glm::dvec2 GlobeReach(vtkImageData* heights, bool& isEarth);
-/// Writes the samples of a planned globe: height less offset.
-void FillGlobe(vtkImageData* heights, const GlobePlan& plan, double offset, vtkImageData* output);
+/// Lowers the samples of a globe below finer heights on the same one: each whose cells are covered
+/// by them, to less than the lowest of these by a hundredth of a cell. Scalars are floats.
+/// Empty, or one sentence that says why not.
+std::string GiveWay(vtkImageData* globe, vtkImageData* finer);
+/// Writes the samples of a planned globe: height less offset; floats where they are asked for.
+void FillGlobe(
+  vtkImageData* heights, const GlobePlan& plan, double offset, bool asFloats, vtkImageData* output);
 }
 #endif
