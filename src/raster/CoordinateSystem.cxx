@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <sstream>
 #include <vector>
 
 namespace terrain
@@ -97,6 +98,22 @@ bool CountsLongitudeWest(OGRSpatialReferenceH reference)
     west = west || orientation == OAO_West;
   }
   return west;
+}
+
+/// A definition of longitude, counted east, and latitude on an ellipsoid, for messages; on a sphere
+/// if the semi-axes are alike.
+std::string DegreesEastOn(double semiMajor, double semiMinor)
+{
+  std::ostringstream text;
+  text.precision(12);
+  text << "--crs '+proj=longlat +a=" << semiMajor << " +b=" << semiMinor << "'";
+  return text.str();
+}
+
+/// True for longitude and planetocentric latitude.
+bool IsPlanetocentric(OGRSpatialReferenceH reference)
+{
+  return Wkt(reference).find("CS[spherical") != std::string::npos;
 }
 
 /// The beginning of a long definition, for messages.
@@ -228,6 +245,15 @@ void CoordinateSystem::ReadVertical(void* whole)
 std::string CoordinateSystem::ReadFlat(void* flat)
 {
   const bool projected = OSRIsProjected(flat) != 0;
+  if (!projected && IsPlanetocentric(flat))
+  {
+    this->TheKind = Kind::Geographic; // degrees, of which no metres can be made
+    const double radius = OSRGetSemiMajor(flat, nullptr);
+    return "the coordinate system '" + this->Name +
+      "' counts latitudes from the centre of an ellipsoid, which is not supported: name the sphere "
+      "if that is meant (" +
+      DegreesEastOn(radius, radius) + ")";
+  }
   if (!projected && !OSRIsGeographic(flat))
   {
     return "the coordinate system '" + this->Name +
@@ -295,7 +321,9 @@ std::string CoordinateSystem::WhyNotLongitudeLatitude() const
       "' is none: bring them to degrees first (gdalwarp -t_srs EPSG:4326 for the earth)";
   }
   return this->CountsWest ? "the coordinate system '" + this->Name +
-      "' counts longitudes to the west: name the one of the same body that counts east (--crs)"
+      "' counts longitudes to the west: if those of the heights grow to the east, name one that "
+      "counts so (" +
+      DegreesEastOn(this->SemiMajor, this->SemiMinor) + ")"
                           : std::string();
 }
 
