@@ -125,7 +125,8 @@ std::string AddLayer(OGRLayerH layer, vtkTerrainGeoreference* scene, Vectors& ve
   }
   const vtkNew<vtkTerrainGeoreference> file;
   file->SetCoordinateSystem(CoordinateSystemOf(layer));
-  file->SetFrame(vtkTerrainGeoreference::FrameType::Geocentric);
+  file->SetFrame(scene->IsOnOtherWorld() ? vtkTerrainGeoreference::FrameType::Globe
+                                         : vtkTerrainGeoreference::FrameType::Geocentric);
   file->SetSceneHeights(scene->GetSceneHeights());
   file->GetGeoid()->SetModel(scene->GetGeoid()->GetModel());
   double* points = vectors.Coordinates.data() + first;

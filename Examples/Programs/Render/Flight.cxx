@@ -4,6 +4,7 @@
 
 #include "Canvas.h"
 #include "Day.h"
+#include "DefaultView.h"
 #include "Failure.h"
 #include "Film.h"
 #include "FlightFile.h"
@@ -228,7 +229,7 @@ void SetView(const FlightStage& stage, const FlightView& view, const Options& op
   const double aside = std::hypot(view.Eye[0] - view.Focus[0], view.Eye[1] - view.Focus[1]);
   const bool isSteep = aside < kSteepView * std::abs(view.Eye[2] - view.Focus[2]);
   camera->SetViewUp(0.0, isSteep ? 1.0 : 0.0, isSteep ? 0.0 : 1.0);
-  SetClippingRange(camera, stage.Ground.Bounds);
+  SetClippingRange(camera, stage.Ground.Bounds, stage.Heights);
   SetBackground(stage.Renderer, options);
 }
 
@@ -316,6 +317,12 @@ void DrawFlight(const FlightStage& stage, const Options& options, Statistics& st
   if (stage.Heights.IsGlobe() && options.Flight.IsFile())
   {
     throw Failure("--flight", "over a globe there are orbit and spin: choose --frame map");
+  }
+  if (stage.Heights.IsGlobe() &&
+    vtkMath::Norm(stage.Renderer->GetActiveCamera()->GetFocalPoint()) > 0.0)
+  {
+    throw Failure("--flight",
+      "over a globe orbit and spin turn about its axis: choose --frame plane for a part of it");
   }
   std::vector<FlightView> views = PlanFlight(stage, options);
   if (!stage.Heights.IsGlobe())

@@ -386,7 +386,10 @@ std::vector<Label> FindPeakLabels(
     Label label;
     label.Text = MetresText(height);
     found->GetPoint(k, label.Point.data());
-    label.Point[2] = ground->GetGround(label.Point[0], label.Point[1]);
+    if (!heights.IsGlobe())
+    {
+      label.Point[2] = ground->GetGround(label.Point[0], label.Point[1]);
+    }
     labels.push_back(label);
   }
   return labels;

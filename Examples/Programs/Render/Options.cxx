@@ -70,6 +70,11 @@ void CheckCoordinateSystem(const std::string& definition)
 {
   const vtkNew<vtkTerrainGeoreference> reference;
   reference->SetCoordinateSystem(definition);
+  reference->SetFrame(vtkTerrainGeoreference::FrameType::Grid);
+  if (reference->IsOnOtherWorld())
+  {
+    return;
+  }
   reference->SetFrame(vtkTerrainGeoreference::FrameType::Geocentric);
   const std::string why = reference->GetWhyNot();
   if (!why.empty())
@@ -410,6 +415,7 @@ std::vector<std::string> InputFiles(const Options& options)
     options.Detail.File, options.Scene, options.Marks.Labels,
     options.Flight.IsFile() ? options.Flight.Flight : std::string() };
   inputs.insert(inputs.end(), options.Place.Tracks.begin(), options.Place.Tracks.end());
+  inputs.insert(inputs.end(), options.Place.Finer.begin(), options.Place.Finer.end());
   return inputs;
 }
 

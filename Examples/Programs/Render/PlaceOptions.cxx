@@ -174,6 +174,11 @@ void PlaceArguments::Declare(CLI::App& app, PlaceOptions& options)
     "heights count from: as-is (default), ellipsoid, geoid (sea level)")
     ->transform(OneOf(kVerticals));
   add("--geoid", options.Geoid, "NAME", "geoid data of GeographicLib; default egm96-5");
+  add("--finer", options.Finer, "FILE",
+    "heights of a part in finer cells, to which HEIGHTS give way on the globe; may be given more "
+    "than once")
+    ->allow_extra_args(false)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add("--drape", options.Drape, "FILE", "picture of any CRS to lay onto the terrain");
   add("--track", options.Tracks, "FILE",
     "points and lines: GPX, or any vector file GDAL opens; may be given more than once")

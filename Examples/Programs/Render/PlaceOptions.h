@@ -41,6 +41,8 @@ struct PlaceOptions
   /// Name of geoid data; empty for the default.
   std::string Geoid;
 
+  /// Files of heights in finer cells on the same globe.
+  std::vector<std::string> Finer;
   /// File of a picture; empty for none.
   std::string Drape;
   /// Files of points and lines.

@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -122,12 +124,7 @@ void RefuseOnGlobe(const Options& options)
   refuse(wanted.Cell > 0.0, "--cell", "heights are drawn as they are");
   refuse(wanted.Cubic, "--cubic", "heights are drawn as they are, or choose --frame map");
   refuse(wanted.Vertical != HeightType::AsIs, "--vertical", "heights count from the ellipsoid");
-  refuse(!wanted.Drape.empty(), "--drape", "choose --frame map");
-  refuse(!wanted.Tracks.empty(), "--track", "choose --frame map");
   refuse(options.Surface.Block > 0.0, "--block", "choose --frame map");
-  refuse(!options.Marks.Labels.empty(), "--labels", "choose --frame map");
-  refuse(options.Marks.Peaks > 0, "--peaks", "choose --frame map");
-  refuse(options.Light.Shadows, "--shadows", "choose --frame map");
   refuse(options.Light.SkyLight > 0.0, "--sky-light", "choose --frame map");
   refuse(!options.Light.Sun.empty() && !options.Light.NeedsPlace(), "--sun",
     "a direction differs over a globe, give a date and time");
@@ -135,10 +132,15 @@ void RefuseOnGlobe(const Options& options)
   refuse(wanted.NorthArrow, "--north-arrow", "choose --frame map");
 }
 
-vtkSmartPointer<vtkImageData> LayOnGlobe(vtkImageData* image, const std::string& name)
+vtkSmartPointer<vtkImageData> LayOnGlobe(vtkImageData* image, const std::string& name,
+  const std::vector<vtkSmartPointer<vtkImageData>>& finer = {})
 {
   const vtkNew<vtkTerrainGlobe> globe;
   globe->SetInputData(image);
+  for (vtkImageData* other : finer)
+  {
+    globe->AddFinerData(other);
+  }
   globe->Update();
   ThrowOnError(name);
   return globe->GetOutput();
@@ -170,8 +172,60 @@ vtkSmartPointer<vtkImageData> Resample(
   return filter->GetOutput();
 }
 
+/// What cannot be had where the ground at a place is that of one of several rasters.
+void RefuseBesideFiner(const Options& options)
+{
+  for (const auto& [option, isGiven] : { std::pair("--track", !options.Place.Tracks.empty()),
+         std::pair("--labels", !options.Marks.Labels.empty()),
+         std::pair("--peaks", options.Marks.Peaks > 0),
+         std::pair("--graticule", options.Place.Graticule.has_value()) })
+  {
+    if (isGiven)
+    {
+      throw Failure(option,
+        "does not go with --finer: join the rasters at one resolution (gdalbuildvrt -resolution "
+        "highest)");
+    }
+  }
+}
+
+/// Lays the heights and those of finer cells on the globe, the finest first: all others give way.
+void LayAllOnGlobe(PlacedHeights& placed, const Options& options, ProgressBar& progress)
+{
+  struct Raster
+  {
+    std::string Name;
+    vtkSmartPointer<vtkImageData> Image;
+    bool IsMain = false;
+  };
+  std::vector<Raster> rasters{ { HeightsName(options), placed.Image, true } };
+  for (const std::string& path : options.Place.Finer)
+  {
+    Options own = options;
+    own.Heights = path;
+    Statistics unused;
+    rasters.push_back({ path, ReadHeights(own, false, progress, unused).Image });
+  }
+  std::stable_sort(rasters.begin(), rasters.end(),
+    [](const Raster& a, const Raster& b)
+    { return a.Image->GetSpacing()[1] < b.Image->GetSpacing()[1]; });
+  std::vector<vtkSmartPointer<vtkImageData>> laid;
+  for (const Raster& raster : rasters)
+  {
+    laid.push_back(LayOnGlobe(raster.Image, raster.Name, laid));
+    if (raster.IsMain)
+    {
+      placed.Image = laid.back();
+    }
+    else
+    {
+      placed.Finer.push_back(laid.back());
+    }
+  }
+}
+
 /// Lays heights, whose scene is described, on a globe.
-void PlaceOnGlobe(PlacedHeights& placed, const Options& options)
+void PlaceOnGlobe(PlacedHeights& placed, const Options& options, ProgressBar& progress)
 {
   placed.Georeference->SetFrame(FrameType::Globe);
   const std::string name = HeightsName(options);
@@ -180,7 +234,11 @@ void PlaceOnGlobe(PlacedHeights& placed, const Options& options)
     throw Failure(name, placed.Georeference->GetWhyNot());
   }
   RefuseOnGlobe(options);
-  placed.Image = LayOnGlobe(placed.Image, name);
+  if (!options.Place.Finer.empty())
+  {
+    RefuseBesideFiner(options);
+  }
+  LayAllOnGlobe(placed, options, progress);
 }
 
 /// Fails if an option needs places that there are not.
@@ -220,11 +278,15 @@ PlacedHeights PlaceHeights(
   std::string warning;
   if (IsGlobe(placed.Image, options))
   {
-    PlaceOnGlobe(placed, options);
+    PlaceOnGlobe(placed, options, progress);
     CountSamples(placed.Image, statistics);
     statistics.AddTime("place", watch.GetMilliseconds());
     statistics.SetText("crs", placed.Georeference->GetCoordinateSystemName());
     return placed;
+  }
+  if (!wanted.Finer.empty())
+  {
+    throw Failure("--finer", "rasters of several resolutions are drawn on a globe (--frame globe)");
   }
   if (!wanted.Frame)
   {

@@ -12,6 +12,7 @@
 #include "vtkTerrainGeoreference.h"
 
 #include <string>
+#include <vector>
 
 class ProgressBar;
 class Statistics;
@@ -21,6 +22,8 @@ struct Options;
 struct PlacedHeights
 {
   vtkSmartPointer<vtkImageData> Image;
+  /// Further heights of the same globe, of which the finest are seen: a terrain each.
+  std::vector<vtkSmartPointer<vtkImageData>> Finer;
   vtkSmartPointer<vtkTerrainGeoreference> Georeference;
   /// Empty if the scene has places on earth, else one sentence that says why not.
   std::string WhyNoPlaces;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sites.h"
 
+#include "Draping.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "Options.h"
@@ -116,6 +117,33 @@ std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, const PlacedHei
     ShareColors(sites, terrain, options);
   }
   return sites;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Terrain> PrepareFiner(const PlacedHeights& heights, const Options& options,
+  Terrain& terrain, ProgressBar& progress, Statistics& statistics)
+{
+  std::vector<Terrain> finer;
+  for (vtkImageData* image : heights.Finer)
+  {
+    Statistics unused;
+    finer.push_back(
+      PrepareTerrain({ image, nullptr }, heights.Exaggeration, options, progress, unused));
+    PlacedHeights placed = heights;
+    placed.Image = image;
+    DrapePicture(finer.back(), placed, options, unused);
+    terrain.Bounds.AddBox(finer.back().Bounds);
+    std::array<double, 2> range{};
+    finer.back().Actor->GetHeightRange(range.data());
+    terrain.OtherHeights = { std::min(terrain.OtherHeights[0], range[0]),
+      std::max(terrain.OtherHeights[1], range[1]) };
+  }
+  if (!finer.empty())
+  {
+    statistics.SetCount("finer_rasters", static_cast<std::int64_t>(finer.size()));
+    ShareColors(finer, terrain, options);
+  }
+  return finer;
 }
 
 //------------------------------------------------------------------------------

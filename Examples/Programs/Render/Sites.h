@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A folder of tiles at sites far from each other: a terrain for each, in one scene.
+ * Several terrains in one scene: a folder of tiles at sites far from each other, or rasters of
+ * several resolutions on a globe.
  */
 #ifndef terrain_render_Sites_h
 #define terrain_render_Sites_h
@@ -18,6 +19,11 @@ struct PlacedHeights;
 /// cannot join the scene is left out with a warning.
 std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, const PlacedHeights& heights,
   const Options& options, Terrain& terrain, ProgressBar& progress, Statistics& statistics);
+
+/// A terrain for each raster of finer cells on the globe of the first. The first one's bounds grow
+/// to hold all of them, and all have the same colours. Throws a Failure.
+std::vector<Terrain> PrepareFiner(const PlacedHeights& heights, const Options& options,
+  Terrain& terrain, ProgressBar& progress, Statistics& statistics);
 
 /// Adds them to the renderer of the first.
 void AddSites(const std::vector<Terrain>& sites, vtkRenderer* renderer, const Options& options);

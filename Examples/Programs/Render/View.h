@@ -29,9 +29,6 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const Options& options);
 vtkSmartPointer<vtkRenderer> MakeRenderer(
   const Terrain& terrain, const PlacedHeights& heights, const Options& options);
 
-/// From as near as the contract of the near plane allows to beyond the farthest corner.
-void SetClippingRange(vtkCamera* camera, const vtkBoundingBox& box);
-
 /// Moves the sun of such a renderer to one of LightOptions::GetSuns(). Throws a Failure.
 void SetSun(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options,
   const std::string& sun);

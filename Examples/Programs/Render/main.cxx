@@ -155,8 +155,9 @@ void Render(Options options)
   const auto [read, heights] = ReadAndPlace(options, *progress, statistics);
   Terrain terrain = PrepareTerrain(
     { heights.Image, read.Tiles }, heights.Exaggeration, options, *progress, statistics);
-  const std::vector<Terrain> sites =
-    PrepareSites(read, heights, options, terrain, *progress, statistics);
+  std::vector<Terrain> sites = PrepareSites(read, heights, options, terrain, *progress, statistics);
+  const std::vector<Terrain> finer = PrepareFiner(heights, options, terrain, *progress, statistics);
+  sites.insert(sites.end(), finer.begin(), finer.end());
   DrapePicture(terrain, heights, options, statistics);
   progress.reset();
 

@@ -285,7 +285,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     shadows : bool
         Whether the surface lies in its own shadow, of all lights of the plotter but a headlight.
     sun_angle : float
-        Angular diameter in degrees, 0 to 90, of lights far away, for the edges of shadows; 0 for hard ones.
+        Angular diameter in degrees, 0 to 90, of lights far away, for the edges of shadows; 0 for hard
+        ones, which those on a globe always are.
     sky_light : float
         Light of the sky over that of a light of intensity 1, as far as it is seen over the surface.
     **options

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where the camera stands that nobody has placed, and between which distances it sees.
+ */
+#ifndef terrain_render_DefaultView_h
+#define terrain_render_DefaultView_h
+
+class vtkBoundingBox;
+class vtkCamera;
+class vtkLight;
+struct PlacedHeights;
+
+/// From the south, as near as shows all of the terrain in its box; aspect: width over height of the
+/// picture. On a globe, from the south of the middle of the heights, the wider they are the steeper; a
+/// planet of which more than 120 degrees are there is seen as a whole.
+void LookAtAll(
+  vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights& heights, double aspect);
+
+/// Light on a globe from over the left shoulder of who looks at it.
+void LightGlobe(vtkCamera* camera, vtkLight* sun);
+
+/// From as near as the contract of the near plane allows to beyond the farthest corner; on a globe
+/// to the horizon of its highest heights, and as near as a hundred-thousandth of that.
+void SetClippingRange(vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights& heights);
+
+#endif
