@@ -242,8 +242,8 @@ std::array<double, 4> ImageWarp::FindOverlap()
     std::min(bounds[3], own[3]) };
 }
 
-/// A picture that goes on beyond the longitudes of the heights on their other side, or has a pole in
-/// it, lies at all longitudes; points: of its outline and inside, two at each place.
+/// A picture that goes on beyond the longitudes of the heights on their other side, or has a pole
+/// in it, lies at all longitudes; points: of its outline and inside, two at each place.
 void ImageWarp::WidenOnGlobe(const std::vector<double>& points, std::array<double, 4>& own)
 {
   constexpr std::size_t stride = 6;

@@ -115,10 +115,11 @@ std::array<double, 2> DrawnRange(const PlacedHeights& heights)
     image->GetPointData()->GetScalars()->GetFiniteRange(range.data());
     all = { std::min(all[0], range[0]), std::max(all[1], range[1]) };
   }
-  for (double& height : all)
+  if (!(all[0] <= all[1]))
   {
-    height = std::isfinite(height) && all[0] <= all[1] ? height * heights.Exaggeration : 0.0;
+    return { 0.0, 0.0 };
   }
+  vtkMath::MultiplyScalar2D(all.data(), heights.Exaggeration);
   return all;
 }
 

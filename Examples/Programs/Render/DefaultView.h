@@ -13,8 +13,8 @@ class vtkLight;
 struct PlacedHeights;
 
 /// From the south, as near as shows all of the terrain in its box; aspect: width over height of the
-/// picture. On a globe, from the south of the middle of the heights, the wider they are the steeper; a
-/// planet of which more than 120 degrees are there is seen as a whole.
+/// picture. On a globe, from the south of the middle of the heights, the wider they are the
+/// steeper; a planet of which more than 120 degrees are there is seen as a whole.
 void LookAtAll(
   vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights& heights, double aspect);
 
