@@ -238,6 +238,35 @@ std::vector<vtkIdType> IdsOf(vtkCellArray* cells, vtkIdType cell, bool closed)
   }
   return result;
 }
+
+/// Drapes all vertices, lines and polygons of the input.
+void DrapeCells(vtkImageData* image, const Rule& rule, Draped& draped)
+{
+  vtkPolyData* input = draped.Input;
+  vtkCellArray* const kinds[3] = { input->GetVerts(), input->GetLines(), input->GetPolys() };
+  terrain::ImageHeights::Dispatch(image,
+    [&](const auto& heights)
+    {
+      vtkIdType source = 0;
+      for (int kind = 0; kind < 3; ++kind)
+      {
+        for (vtkIdType cell = 0; cell < kinds[kind]->GetNumberOfCells(); ++cell, ++source)
+        {
+          const std::vector<vtkIdType> ids = IdsOf(kinds[kind], cell, kind == 2);
+          if (kind > 0)
+          {
+            DrapeLine(heights, rule, draped, ids, source);
+            continue;
+          }
+          for (vtkIdType id : ids)
+          {
+            DrapeVertex(heights, rule, draped, id, source);
+          }
+        }
+      }
+    });
+  draped.Finish();
+}
 }
 
 vtkStandardNewMacro(vtkTerrainDrape);
@@ -340,29 +369,7 @@ int vtkTerrainDrape::RequestData(
   draped.Output = output;
   draped.Points->SetDataTypeToDouble();
   output->GetPointData()->InterpolateAllocate(input->GetPointData());
-  terrain::ImageHeights::Dispatch(image,
-    [&](const auto& heights)
-    {
-      vtkIdType source = 0;
-      vtkCellArray* const kinds[3] = { input->GetVerts(), input->GetLines(), input->GetPolys() };
-      for (int kind = 0; kind < 3; ++kind)
-      {
-        for (vtkIdType cell = 0; cell < kinds[kind]->GetNumberOfCells(); ++cell, ++source)
-        {
-          const std::vector<vtkIdType> ids = IdsOf(kinds[kind], cell, kind == 2);
-          if (kind > 0)
-          {
-            DrapeLine(heights, rule, draped, ids, source);
-            continue;
-          }
-          for (vtkIdType id : ids)
-          {
-            DrapeVertex(heights, rule, draped, id, source);
-          }
-        }
-      }
-    });
-  draped.Finish();
+  DrapeCells(image, rule, draped);
   if (globe)
   {
     terrain::GlobePaths::FromFlat(output, *globe, image);

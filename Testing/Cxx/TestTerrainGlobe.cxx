@@ -71,6 +71,20 @@ double height(vtkImageData* globe, int i, int j)
 {
   return globe->GetScalarComponentAsDouble(i, j, 0, 0);
 }
+
+/// Heights of the whole world, in steps of one degree.
+vtkSmartPointer<vtkImageData> makeWorld()
+{
+  return vtkTerrainTesting::MakeDegrees(
+    -179.5, -89.5, 1.0, 360, 180, [](int i, int j) { return 500 + 3 * (i % 7) + 2 * (j % 5); });
+}
+
+/// Finer heights on both sides of 180 degrees.
+vtkSmartPointer<vtkImageData> makePart()
+{
+  return vtkTerrainTesting::MakeDegrees(
+    175.0, 10.0, 0.1, 101, 81, [](int i, int j) { return 400 + (i * j) % 90; });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -216,10 +230,8 @@ TEST(TerrainGlobe, RefusesWhatIsNone)
 // A coarse raster lies below a finer one where that covers its cells, and elsewhere is as it was.
 TEST(TerrainGlobe, GivesWayToFinerHeights)
 {
-  const auto world = vtkTerrainTesting::MakeDegrees(
-    -179.5, -89.5, 1.0, 360, 180, [](int i, int j) { return 500 + 3 * (i % 7) + 2 * (j % 5); });
-  const auto part = vtkTerrainTesting::MakeDegrees(
-    175.0, 10.0, 0.1, 101, 81, [](int i, int j) { return 400 + (i * j) % 90; });
+  const auto world = makeWorld();
+  const auto part = makePart();
   const auto finer = layOnGlobe(part);
   const vtkNew<vtkTerrainGlobe> filter;
   filter->SetInputData(world);
@@ -266,8 +278,13 @@ TEST(TerrainGlobe, GivesWayToFinerHeights)
     same += height(filter->GetOutput(), i, j) == height(before, i, j) ? 1 : 0;
   }
   EXPECT_EQ(same, 4);
+}
 
-  // another body
+TEST(TerrainGlobe, RefusesFinerHeightsOfAnotherBody)
+{
+  const auto part = makePart();
+  const vtkNew<vtkTerrainGlobe> filter;
+  filter->SetInputData(makeWorld());
   const vtkNew<vtkTerrainGlobe> moon;
   moon->SetInputData(part);
   moon->SetRadii(1737400.0, 1737400.0);

@@ -164,6 +164,8 @@ public:
     return result;
   }
 
+  /// A picture of what a sun lights, and of nothing else.
+  vtkSmartPointer<vtkImageData> RenderSunlit(const glm::dvec3& sun);
   /// Pixels that a sun lights, by the picture and by the reference; those it grazes are left out.
   Shadowed CompareShadows(const glm::dvec3& sun, bool onlyPicture = false);
   /// How far, in pixels, the contour of a height lies from where it should be on the middle row.
@@ -194,7 +196,7 @@ public:
   double Scale = 1.0; ///< of the actor
 };
 
-inline Shadowed Globe::CompareShadows(const glm::dvec3& sun, bool onlyPicture)
+inline vtkSmartPointer<vtkImageData> Globe::RenderSunlit(const glm::dvec3& sun)
 {
   vtkRenderer* renderer = this->Shown.Scene.Renderer;
   renderer->RemoveAllLights();
@@ -208,7 +210,12 @@ inline Shadowed Globe::CompareShadows(const glm::dvec3& sun, bool onlyPicture)
   this->Shown.Mapper->SetSunShadows(true);
   this->Shown.Actor->GetProperty()->SetAmbient(0.0);
   this->Shown.Actor->GetProperty()->SetSpecular(0.0);
-  const auto picture = Render(this->Shown.Scene.Window);
+  return Render(this->Shown.Scene.Window);
+}
+
+inline Shadowed Globe::CompareShadows(const glm::dvec3& sun, bool onlyPicture)
+{
+  const auto picture = this->RenderSunlit(sun);
   const terrain::GlobeReference reference = this->Reference();
   const terrain::PixelRays rays = this->Rays();
   terrain::GlobeSurface surface;

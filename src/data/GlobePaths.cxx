@@ -25,13 +25,13 @@ constexpr double kAtPole = 1e-9;
 constexpr double kMostPoints = 1e5;
 
 /// Longitude from which those of the image, or its gap, count: half a turn west of its middle.
-double firstOf(const GlobeGrid& grid)
+double FirstOf(const GlobeGrid& grid)
 {
   return grid.West + 0.5 * grid.Cells().x * grid.Step - 0.5 * kTurn;
 }
 
 /// A longitude that is not turned any more, a latitude and a height.
-glm::dvec3 flatOf(const glm::dvec3& place, const GlobeGrid& grid, vtkImageData* heights)
+glm::dvec3 FlatOf(const glm::dvec3& place, const GlobeGrid& grid, vtkImageData* heights)
 {
   const double* origin = heights->GetOrigin();
   const double* spacing = heights->GetSpacing();
@@ -48,7 +48,7 @@ public:
     , Grid(grid)
     , Heights(heights)
     , Step(std::sqrt(8.0 * sag / grid.Body.Equatorial))
-    , First(firstOf(grid))
+    , First(FirstOf(grid))
   {
     this->Points->SetDataTypeToDouble();
     this->Flat->GetPointData()->InterpolateAllocate(paths->GetPointData());
@@ -120,7 +120,7 @@ private:
   vtkIdType AddPoint(const glm::dvec3& place, double turn, vtkIdType from, vtkIdType to, double t)
   {
     const glm::dvec3 flat =
-      flatOf({ place.x - turn * kTurn, place.y, place.z }, this->Grid, this->Heights);
+      FlatOf({ place.x - turn * kTurn, place.y, place.z }, this->Grid, this->Heights);
     const vtkIdType id = this->Points->InsertNextPoint(flat.x, flat.y, flat.z);
     this->Flat->GetPointData()->InterpolateEdge(this->Paths->GetPointData(), id, from, to, t);
     return id;
@@ -222,12 +222,12 @@ vtkSmartPointer<vtkPolyData> ToFlat(
 //------------------------------------------------------------------------------
 void ToFlat(double* points, std::size_t count, const GlobeGrid& grid, vtkImageData* heights)
 {
-  const double first = firstOf(grid);
+  const double first = FirstOf(grid);
   for (double* point = points; point != points + 3 * count; point += 3)
   {
     glm::dvec3 place = grid.Body.ToPlace({ point[0], point[1], point[2] });
     place.x -= kTurn * std::floor((place.x - first) / kTurn);
-    const glm::dvec3 flat = flatOf(place, grid, heights);
+    const glm::dvec3 flat = FlatOf(place, grid, heights);
     std::copy_n(&flat.x, 3, point);
   }
 }

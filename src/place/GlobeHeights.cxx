@@ -203,7 +203,7 @@ double SampleAt(const std::vector<double>& south, const std::vector<double>& nor
 /// The lowest of the samples of a grid within half a width of a longitude, and between two rows;
 /// NaN if some have no height, or the grid does not reach so far.
 template <typename T>
-double lowestWithin(const HeightfieldView<T>& view, const GlobeGrid& grid, double longitude,
+double LowestWithin(const HeightfieldView<T>& view, const GlobeGrid& grid, double longitude,
   double half, const glm::dvec2& rows)
 {
   double east = longitude - half - grid.West;
@@ -347,7 +347,7 @@ std::string GiveWay(vtkImageData* globe, vtkImageData* finer)
             for (int i = 0; i < own->Columns; ++i)
             {
               const double lowest =
-                lowestWithin(view, *grid, own->West + i * own->Step, own->Step, along);
+                LowestWithin(view, *grid, own->West + i * own->Step, own->Step, along);
               const vtkIdType at = j * own->Columns + i;
               if (!std::isnan(lowest))
               {

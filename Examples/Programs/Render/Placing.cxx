@@ -241,6 +241,32 @@ void PlaceOnGlobe(PlacedHeights& placed, const Options& options, ProgressBar& pr
   LayAllOnGlobe(placed, options, progress);
 }
 
+/// Sets the frame of heights that are drawn flat: a warning, or nothing.
+std::string SetFlatFrame(PlacedHeights& placed, const Options& options)
+{
+  const std::string name = HeightsName(options);
+  if (!options.Place.Finer.empty())
+  {
+    throw Failure("--finer", "rasters of several resolutions are drawn on a globe (--frame globe)");
+  }
+  std::string warning;
+  if (!options.Place.Frame)
+  {
+    warning = ChooseFrame(placed, name);
+  }
+  else if (!placed.Georeference->GetWhyNot().empty())
+  {
+    throw Failure(name, placed.Georeference->GetWhyNot());
+  }
+  if (placed.Georeference->GetFrame() == FrameType::Local)
+  {
+    // heights alone, not the earth's curve
+    placed.Georeference->SetVerticalExaggeration(placed.Factor);
+    placed.Exaggeration = 1.0;
+  }
+  return warning;
+}
+
 /// Fails if an option needs places that there are not.
 void RequirePlaces(const PlacedHeights& placed, const Options& options)
 {
@@ -275,7 +301,6 @@ PlacedHeights PlaceHeights(
     return placed;
   }
   placed.Georeference = DescribeScene(placed.Image, wanted);
-  std::string warning;
   if (IsGlobe(placed.Image, options))
   {
     PlaceOnGlobe(placed, options, progress);
@@ -284,24 +309,7 @@ PlacedHeights PlaceHeights(
     statistics.SetText("crs", placed.Georeference->GetCoordinateSystemName());
     return placed;
   }
-  if (!wanted.Finer.empty())
-  {
-    throw Failure("--finer", "rasters of several resolutions are drawn on a globe (--frame globe)");
-  }
-  if (!wanted.Frame)
-  {
-    warning = ChooseFrame(placed, name);
-  }
-  else if (!placed.Georeference->GetWhyNot().empty())
-  {
-    throw Failure(name, placed.Georeference->GetWhyNot());
-  }
-  if (placed.Georeference->GetFrame() == FrameType::Local)
-  {
-    // heights alone, not the earth's curve
-    placed.Georeference->SetVerticalExaggeration(placed.Factor);
-    placed.Exaggeration = 1.0;
-  }
+  const std::string warning = SetFlatFrame(placed, options);
   if (placed.Georeference->GetFrame() != FrameType::Grid || wanted.Cell > 0.0 ||
     wanted.Vertical != HeightType::AsIs)
   {

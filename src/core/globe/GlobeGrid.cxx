@@ -15,7 +15,7 @@ namespace
 constexpr double kRounding = 1e-3;
 
 /// Least and greatest cosine of the angles from first to last, first <= last.
-glm::dvec2 cosines(double first, double last)
+glm::dvec2 Cosines(double first, double last)
 {
   const double begin = first - kTurn * std::floor(first / kTurn);
   const double end = begin + (last - first);
@@ -98,8 +98,8 @@ std::array<glm::dvec3, 2> GlobeGrid::BoxOf(const GlobeRange& range) const
   const double out = at(nearest, range.Highest).x;
   const double in = at(farthest, range.Lowest).x;
   const double east = this->West + this->Cells().x * this->Step;
-  const glm::dvec2 x = cosines(this->West, east);
-  const glm::dvec2 y = cosines(this->West - 0.25 * kTurn, east - 0.25 * kTurn);
+  const glm::dvec2 x = Cosines(this->West, east);
+  const glm::dvec2 y = Cosines(this->West - 0.25 * kTurn, east - 0.25 * kTurn);
   const auto least = [&](double cosine) { return std::min(cosine * in, cosine * out); };
   const auto greatest = [&](double cosine) { return std::max(cosine * in, cosine * out); };
   return { glm::dvec3(least(x[0]), least(y[0]),
