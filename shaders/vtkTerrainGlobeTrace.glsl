@@ -279,9 +279,10 @@ vec2 terrainGlobeHeightNear(TerrainGlobePath path, vec4 line, float radius, floa
   return vec2(above + drop - slack, above + drop + slack);
 }
 
-// True if a path may meet a node; then from is where from.
+// True if a path may meet a node; then from is where from, and side as in terrainGlobeMeetCell().
 bool terrainGlobeVisitNode(
-  TerrainGlobePath path, TerrainGlobeStep at, TerrainGlobeSpan span, int row, out float from)
+  TerrainGlobePath path, TerrainGlobeStep at, TerrainGlobeSpan span, int row, out float from,
+  inout float side)
 {
   vec2 bounds = terrainGlobeHeights.y +
     terrainGlobeHeights.x * (terrainNodeExtremes(at.node, at.level) - terrainGlobeHeights.z);
@@ -298,6 +299,7 @@ bool terrainGlobeVisitNode(
   float fall = begin.x > bounds.x ? (begin.x - bounds.x) / (sag - change) : 0.0;
   float rise = begin.y < bounds.y ? (bounds.y - begin.y) / (end.y - begin.y) : 0.0;
   from = at.t + min(max(max(fall, rise), 0.0), 1.0) * length;
+  side = begin.x > bounds.x ? 1.0 : begin.y < bounds.y ? -1.0 : side;
   return least <= bounds.x && max(begin.y, end.y) >= bounds.y;
 }
 
@@ -419,7 +421,7 @@ TerrainGlobeHit terrainGlobeTracePart(TerrainGlobePath path)
         TerrainGlobeSpan span = terrainGlobeNodeSpan(path, at, fence);
         float from = at.t;
         bool down = at.node.x >= 0 && at.node.y >= 0 &&
-          terrainGlobeVisitNode(path, at, span, (fence.y + fence.w) >> 1, from);
+          terrainGlobeVisitNode(path, at, span, (fence.y + fence.w) >> 1, from, side);
         side = down ? side : 0.0;
         ended = (span.ends && !down) || crossings >= most;
         if (down)

@@ -117,6 +117,39 @@ TEST(Globe, IsWatertight)
   EXPECT_EQ(leaks, 0);
 }
 
+// Flat ground, as the sea of global rasters is: the box of a node has no height there, and float,
+// which counts from an anchor far away, rounds the place where a ray comes to it to below the ground.
+TEST(Globe, HasNoHolesInFlatGround)
+{
+  const double step = 360.0 / 2048.0;
+  const terrain::TestGlobe globe{ "flat",
+    terrain::MakeGrid({}, -180.0, step, 2049, terrain::Parallels(-90.0, step, 1025)),
+    [](int i, int j) { return (i / 97 + j / 61) % 5 == 0 ? 5000.0 : 0.0; } };
+  const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
+  const glm::dvec3 eye = globe.Grid.Body.ToPosition({ 0.3, 0.4, 1.5e7 });
+  const terrain::WorldTracer<float, std::uint16_t> tracer(
+    world, globe.Grid.Body.ToPosition({ 0.3, 0.4, 0.0 }));
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int holes = 0;
+  for (int k = 0; k < 100000; ++k)
+  {
+    const glm::dvec3 target = globe.Grid.Body.ToPosition(
+      { 0.3 + 0.9 * uniform(generator), 0.4 + 0.9 * uniform(generator), 0.0 });
+    terrain::GlobeReferenceRay ray;
+    ray.Direction = glm::normalize(target - eye);
+    if (glm::dot(ray.Direction, glm::normalize(target)) > -0.05)
+    {
+      continue;
+    }
+    ray.Origin = target - 3e5 * ray.Direction;
+    ray.End = 1e8;
+    const auto hit = tracer.Trace(ray);
+    holes += hit.Found && hit.Front && hit.T < 3.01e5f ? 0 : 1;
+  }
+  EXPECT_EQ(holes, 0);
+}
+
 // A million points of a planet, poles and date line among them, each seen by one of a thousand
 // eyes.
 TEST(Globe, PicksPlacesToAMillimetre)

@@ -97,8 +97,9 @@ struct GlobeTraversal
   Step Down(const Path& path, const Step& at, Real t) const;
   /// Least and greatest height, less the anchor's, that a path may have at t.
   Vec2 HeightNear(const Path& path, int row, Real t) const;
-  /// True if the path may meet the node; then at is where from.
-  bool VisitNode(const Path& path, const Step& at, const Span& span, int row, Real& from) const;
+  /// True if the path may meet the node; then from is where from, and side as in MeetCell().
+  bool VisitNode(
+    const Path& path, const Step& at, const Span& span, int row, Real& from, Real& side) const;
   /// Height of a path in a cell less that of the surface, and the position in the cell.
   Real Difference(
     const Path& path, glm::ivec2 cell, const glm::vec4& codes, Real t, Vec2& fraction) const;
@@ -344,7 +345,7 @@ glm::vec<2, Real> GlobeTraversal<Real, Texel>::HeightNear(const Path& path, int 
 
 template <typename Real, typename Texel>
 bool GlobeTraversal<Real, Texel>::VisitNode(
-  const Path& path, const Step& at, const Span& span, int row, Real& from) const
+  const Path& path, const Step& at, const Span& span, int row, Real& from, Real& side) const
 {
   const auto& extremes = this->pyramid->At(at.Node, at.Level);
   const float bias = static_cast<float>(this->heights.bias) + this->anchorCode;
@@ -370,6 +371,9 @@ bool GlobeTraversal<Real, Texel>::VisitNode(
   const Real fall = begin.x > highest ? (begin.x - highest) / (sag - change) : Real(0);
   const Real rise = begin.y < lowest ? (lowest - begin.y) / (end.y - begin.y) : Real(0);
   from = at.T + std::min(std::max(std::max(fall, rise), Real(0)), Real(1)) * length;
+  // what came from above or below all of the node is on that side there, although float may round
+  // the place past flat ground
+  side = begin.x > highest ? Real(1) : (begin.y < lowest ? Real(-1) : side);
   return true;
 }
 
@@ -485,7 +489,7 @@ void GlobeTraversal<Real, Texel>::TracePart(const Path& path, Hit& hit) const
     if (outside || at.Level > 0)
     {
       const int row = outside ? 0 : (fence.First.y + fence.Last.y) >> 1;
-      down = !outside && this->VisitNode(path, at, span, row, from);
+      down = !outside && this->VisitNode(path, at, span, row, from, side);
       // down in the node the ray is where it left the last cell, or above or below all of it
       side = down ? side : Real(0);
     }
