@@ -43,24 +43,19 @@ private:
   std::string Before;
 };
 
-/// What is drawn in the ways of some words, and the fragment shader that draws it.
-struct Drawn
+/// What is drawn, and the fragment shader that draws it.
+class Drawing
 {
-  vtkSmartPointer<vtkImageData> Picture;
-  std::string Shader;
-
-  explicit Drawn(const std::string& chosen)
+public:
+  Drawing()
   {
-    const Words words(chosen);
     const vtkNew<vtkTerrainSource> source;
     source->SetDimensions(65, 65);
-    const vtkNew<vtkTerrainActor> terrain;
-    terrain->SetInputConnection(source->GetOutputPort());
-    vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(60, 40);
-    scene.Renderer->AddActor(terrain);
-    scene.Renderer->ResetCamera();
-    scene.Renderer->GetActiveCamera()->Elevation(-50.0);
-    scene.Renderer->ResetCamera();
+    this->Terrain->SetInputConnection(source->GetOutputPort());
+    this->Scene.Renderer->AddActor(this->Terrain);
+    this->Scene.Renderer->ResetCamera();
+    this->Scene.Renderer->GetActiveCamera()->Elevation(-50.0);
+    this->Scene.Renderer->ResetCamera();
     const vtkNew<vtkCallbackCommand> read;
     read->SetClientData(&this->Shader);
     read->SetCallback(
@@ -69,14 +64,30 @@ struct Drawn
         *static_cast<std::string*>(text) =
           static_cast<vtkShaderProgram*>(program)->GetFragmentShader()->GetSource();
       });
-    terrain->GetTerrainMapper()->AddObserver(vtkCommand::UpdateShaderEvent, read);
-    this->Picture = vtkTerrainTesting::Render(scene.Window);
+    this->Terrain->GetTerrainMapper()->AddObserver(vtkCommand::UpdateShaderEvent, read);
+  }
+  Drawing(const Drawing&) = delete;
+  Drawing& operator=(const Drawing&) = delete;
+  ~Drawing() = default;
+
+  /// The next picture, in the ways of some words.
+  vtkSmartPointer<vtkImageData> Draw(const std::string& chosen)
+  {
+    const Words words(chosen);
+    this->Shader.clear();
+    return vtkTerrainTesting::Render(this->Scene.Window);
   }
 
+  /// True if the shader of the last picture has a text.
   bool Has(const std::string& text) const
   {
     return this->Shader.find(text) != std::string::npos;
   }
+
+private:
+  std::string Shader;
+  const vtkNew<vtkTerrainActor> Terrain;
+  vtkTerrainTesting::Scene Scene = vtkTerrainTesting::MakeScene(60, 40);
 };
 
 /// Two words, and what is in the shader with the first alone.
@@ -100,21 +111,43 @@ class TerrainDriverWords : public testing::TestWithParam<Choice>
 TEST_P(TerrainDriverWords, ChooseTheWayAndNotThePicture)
 {
   const Choice& choice = GetParam();
-  const Drawn with(choice.With);
-  const Drawn without(choice.Without);
-  EXPECT_GT(vtkTerrainTesting::DrawnShare(with.Picture), 0.1);
-  EXPECT_TRUE(with.Has(choice.Text));
-  EXPECT_FALSE(without.Has(choice.Text));
+  Drawing first;
+  Drawing second;
+  const auto with = first.Draw(choice.With);
+  const auto without = second.Draw(choice.Without);
+  EXPECT_GT(vtkTerrainTesting::DrawnShare(with), 0.1);
+  EXPECT_TRUE(first.Has(choice.Text));
+  EXPECT_FALSE(second.Has(choice.Text));
   // a compute shader hands on distances and places that float rounds
-  EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(with.Picture, without.Picture, 2), 0);
+  EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(with, without, 2), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Pairs, TerrainDriverWords,
-  testing::Values(Choice{ "gather", "fetch", "\n#define TERRAIN_GATHER\n" },
-    Choice{ "buffer", "levels", "#define TERRAIN_PYRAMID_BUFFER\n" },
-    Choice{ "passed", "plain", "VSOutput;\n#define terrain" },
-    Choice{ "compute", "fragment", "#define TERRAIN_READ_SIGHTINGS\n" }),
-  [](const auto& choice) { return std::string(choice.param.With); });
+const Choice kOfTextures{ "buffer", "levels", "#define TERRAIN_PYRAMID_BUFFER\n" };
+const Choice kOfPrograms[] = { { "gather", "fetch", "\n#define TERRAIN_GATHER\n" },
+  { "passed", "plain", "VSOutput;\n#define terrain" },
+  { "compute", "fragment", "#define TERRAIN_READ_SIGHTINGS\n" } };
+const auto kNameOf = [](const auto& choice) { return std::string(choice.param.With); };
+
+INSTANTIATE_TEST_SUITE_P(Textures, TerrainDriverWords, testing::Values(kOfTextures), kNameOf);
+INSTANTIATE_TEST_SUITE_P(Programs, TerrainDriverWords, testing::ValuesIn(kOfPrograms), kNameOf);
+
+class TerrainDriverPrograms : public testing::TestWithParam<Choice>
+{
+};
+
+// Words that change while a scene lives change its next frame.
+TEST_P(TerrainDriverPrograms, AreBuiltAnewForOtherWords)
+{
+  const Choice& choice = GetParam();
+  Drawing drawing;
+  for (const bool with : { true, false, true })
+  {
+    drawing.Draw(with ? choice.With : choice.Without);
+    EXPECT_EQ(drawing.Has(choice.Text), with);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, TerrainDriverPrograms, testing::ValuesIn(kOfPrograms), kNameOf);
 
 TEST(TerrainDriver, UnknownWordsAreOneWarning)
 {

@@ -15,8 +15,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 #include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace
@@ -29,39 +33,56 @@ bool has(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
-/// Features that differ from those of no way in one member each.
-std::vector<Features> singleFeatures()
+/// Features that have one member at other values than those of no way.
+template <std::size_t Member>
+void addOthers(std::vector<Features>& all)
+{
+  Features features;
+  auto& member = std::get<Member>(terrain::MembersOf(features));
+  using Type = std::decay_t<decltype(member)>;
+  if constexpr (std::is_same_v<Type, Features::Ways>)
+  {
+    for (int way = 1; way <= static_cast<int>(Features::Ways::Pyramid); ++way)
+    {
+      member = static_cast<Type>(way);
+      all.push_back(features);
+    }
+  }
+  else
+  {
+    member = std::is_same_v<Type, bool> ? Type(true) : Type(3);
+    all.push_back(features);
+  }
+}
+
+template <std::size_t... Members>
+std::vector<Features> othersOf(std::index_sequence<Members...> /*all*/)
 {
   std::vector<Features> all;
-  const auto add = [&all](auto member, auto value)
-  {
-    Features features;
-    features.*member = value;
-    all.push_back(features);
-  };
-  for (const auto way : { Features::Ways::Mesh, Features::Ways::Linear, Features::Ways::Exponential,
-         Features::Ways::Equidistant, Features::Ways::Pyramid })
-  {
-    add(&Features::Way, way);
-  }
-  for (const auto member :
-    { &Features::IntegerHeights, &Features::BuffersPyramid, &Features::Gathers, &Features::Globe,
-      &Features::Tiles, &Features::Detail, &Features::Columns, &Features::Within, &Features::Block,
-      &Features::BelowBox, &Features::ReadsSightings, &Features::ShiftsDepth, &Features::Textured,
-      &Features::Paints, &Features::ReadsLights, &Features::Sky, &Features::BoundsShadows })
-  {
-    add(member, true);
-  }
-  for (const auto member : { &Features::ClipPlanes, &Features::BeamPixels,
-         &Features::DrapeComponents, &Features::ShadowMask })
-  {
-    add(member, 3);
-  }
+  (addOthers<Members>(all), ...);
   return all;
 }
 
-// A program built for one of them is another one than that for any other, by its text and by its
-// key.
+/// Features that differ from those of no way in one member each, whichever there are.
+std::vector<Features> singleFeatures()
+{
+  using Key = decltype(terrain::MembersOf(std::declval<Features&>()));
+  return othersOf(std::make_index_sequence<std::tuple_size_v<Key>>());
+}
+
+/// The texts of all files of shaders/.
+std::vector<std::string> readShaders()
+{
+  std::vector<std::string> texts;
+  for (const auto& file : std::filesystem::directory_iterator(VTKTERRAIN_SHADER_DIR))
+  {
+    texts.push_back(vtkTerrainTesting::ReadShader(file.path().stem().string()));
+  }
+  return texts;
+}
+
+// A program built for one of them is another one than that for any other, by its key and by its
+// text; the uniforms that are passed change the text elsewhere (SurfaceProgram).
 TEST(TerrainFeatures, AreDefinesAndKey)
 {
   const std::vector<Features> all = singleFeatures();
@@ -70,9 +91,9 @@ TEST(TerrainFeatures, AreDefinesAndKey)
   {
     EXPECT_EQ(features, Features(features));
     EXPECT_NE(features, Features()) << features.Defines();
-    texts.insert(features.Defines());
+    const bool isNew = texts.insert(features.Defines()).second;
+    EXPECT_NE(isNew, features.PassesUniforms) << features.Defines();
   }
-  EXPECT_EQ(texts.size(), all.size() + 1);
 }
 
 // Names of conditions in our GLSL are those that features define, or it is a typing error.
@@ -84,11 +105,11 @@ TEST(TerrainFeatures, DefineEveryNameThatShadersAskFor)
     defined += features.Defines();
   }
   const std::string name = "TERRAIN_";
-  for (const char* shader : { "Beam", "BeamCS", "Cast", "Color", "Columns", "Gradient", "Heights",
-         "Light", "LightCS", "Outlook", "Pyramid", "Ray", "Search", "Sighting", "SightingCS",
-         "Surface", "TileTrace", "Tiles", "Trace", "View" })
+  const std::vector<std::string> shaders = readShaders();
+  ASSERT_GT(shaders.size(), 20U);
+  for (const std::string& text : shaders)
   {
-    const std::string text = vtkTerrainTesting::ReadShader(std::string("vtkTerrain") + shader);
+    ASSERT_FALSE(text.empty());
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
     {
       const std::string found =

@@ -12,7 +12,6 @@
 #include <iomanip>
 #include <locale>
 #include <sstream>
-#include <tuple>
 
 namespace terrain
 {
@@ -37,17 +36,6 @@ std::string DefineNumber(const char* name, int number)
 {
   return number != 0 ? std::string("#define ") + name + " " + std::to_string(number) + "\n"
                      : std::string();
-}
-
-/// Every feature.
-auto MembersOf(const Features& features)
-{
-  return std::tie(features.Way, features.IntegerHeights, features.BuffersPyramid, features.Gathers,
-    features.Globe, features.Tiles, features.Detail, features.Columns, features.Within,
-    features.Block, features.BelowBox, features.ReadsSightings, features.ShiftsDepth,
-    features.Textured, features.Paints, features.ClipPlanes, features.BeamPixels,
-    features.DrapeComponents, features.ShadowMask, features.ReadsLights, features.Sky,
-    features.BoundsShadows);
 }
 }
 

@@ -11,6 +11,7 @@
 #include "core/rays/PaintKinds.h"
 
 #include <string>
+#include <tuple>
 
 namespace terrain
 {
@@ -58,6 +59,7 @@ struct Features
   bool Sky = false;            ///< the sky gives light
   bool BoundsShadows = false;  ///< there are bounds of the rays of one light
   bool ReadsLights = false;    ///< a compute shader has looked for the lights
+  bool PassesUniforms = false; ///< the vertex shader passes uniforms; without a line in Defines()
 
   bool FindsSurface() const
   {
@@ -75,10 +77,25 @@ struct Features
     return !(*this == other);
   }
 
-  /// Lines that enable extensions, then one #define line for each feature.
+  /// Lines that enable extensions, then one #define line for each feature but PassesUniforms, which
+  /// changes the text in another way (UniformPasser.h).
   std::string Defines() const;
   /// The #define lines of the constants: the same for all features.
   static std::string Constants();
 };
+
+/// References to every member of features, in a tuple: the key by which programs are told apart.
+/// The names are written once. With a member more or less than names it does not compile.
+template <typename SomeFeatures>
+auto MembersOf(SomeFeatures& features)
+{
+#define TERRAIN_FEATURES                                                                           \
+  way, integerHeights, buffersPyramid, gathers, globe, tiles, detail, columns, within, block,      \
+    belowBox, readsSightings, shiftsDepth, textured, paints, clipPlanes, beamPixels,               \
+    drapeComponents, shadowMask, sky, boundsShadows, readsLights, passesUniforms
+  auto& [TERRAIN_FEATURES] = features;
+  return std::tie(TERRAIN_FEATURES);
+#undef TERRAIN_FEATURES
+}
 }
 #endif

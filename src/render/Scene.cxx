@@ -283,6 +283,7 @@ void Scene::AddFeatures(Features& features) const
   if (technique.CastsRays())
   {
     features.BelowBox = !this->View.IsEyeInBox();
+    features.PassesUniforms = Driver::Current().PassesUniforms; // a box has few vertices
     this->Prepass.AddFeatures(features);
   }
   features.ShadowMask = this->Lights.GetMask();

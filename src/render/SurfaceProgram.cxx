@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "render/SurfaceProgram.h"
 
-#include "render/Driver.h"
 #include "render/ShaderText.h"
 #include "render/Technique.h"
 #include "render/UniformPasser.h"
@@ -205,8 +204,7 @@ void SurfaceProgram::FollowSurface(Shaders& shaders)
     fragment.Require("texelFetchBuffer(textureF, gl_PrimitiveID +\n    PrimitiveIDOffset)",
       "vec4(terrainShownValue(terrainPoint))", "the values of vtkValuePass would be the proxy's");
   }
-  // the vertices of a box are few: to pass uniforms costs nothing
-  if (this->Features.CastsRays() && Driver::Current().PassesUniforms)
+  if (this->Features.PassesUniforms)
   {
     std::string vertexSource = shaders[vtkShader::Vertex]->GetSource();
     std::string fragmentSource = shaders[vtkShader::Fragment]->GetSource();
