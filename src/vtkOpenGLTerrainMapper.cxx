@@ -442,6 +442,7 @@ bool vtkOpenGLTerrainMapper::GetNeedToRebuildShaders(
 void vtkOpenGLTerrainMapper::BuildShaders(ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
 {
   this->Superclass::BuildShaders(shaders, ren, act);
+  this->ReportWords(this->Internals->Program.End(shaders));
   this->ReportWords(this->Internals->Program.Guard.Check(shaders, ren->GetRenderWindow()));
 }
 
@@ -452,7 +453,6 @@ void vtkOpenGLTerrainMapper::ReplaceShaderValues(ShaderMap shaders, vtkRenderer*
   ++internals.ShaderBuilds;
   internals.Program.Begin(this->FindFeatures(ren, act), shaders);
   this->Superclass::ReplaceShaderValues(shaders, ren, act);
-  this->ReportWords(internals.Program.End(shaders));
 }
 
 //------------------------------------------------------------------------------

@@ -113,6 +113,23 @@ TEST_P(TerrainBrokenShader, SaysWhatDoesNotLink)
   EXPECT_NE(this->Reported->Texts[0].find("terrainNowhere"), std::string::npos);
 }
 
+// A vtkShaderProperty's own code, which is not VTK's, is followed or refused as VTK's is.
+TEST_P(TerrainBrokenShader, SaysWhereDepthsWouldBeTheProxys)
+{
+  const bool castsRays = GetParam() == vtkOpenGLTerrainMapper::Techniques::Pyramid;
+  this->Replace("  gl_FragData[0] = vec4(gl_FragCoord.xy, 1.0, gl_FrontFacing ? 1.0 : 0.0);\n"
+                "  gl_FragData[0].z += gl_FragCoord.z;\n//VTK::Light::Impl\n");
+  EXPECT_GT(CountDrawn(this->Scene), 500);
+  EXPECT_TRUE(this->Reported->Texts.empty()) << this->Reported->Texts[0];
+  this->Replace("  gl_FragData[0] = vec4(1.0) + gl_FragCoord;\n//VTK::Light::Impl\n");
+  EXPECT_GT(CountDrawn(this->Scene), 500);
+  EXPECT_GT(CountDrawn(this->Scene), 500);
+  ASSERT_EQ(this->Reported->Texts.size(), castsRays ? 1U : 0U);
+  EXPECT_TRUE(!castsRays ||
+    this->Reported->Texts[0].find("gl_FragCoord;\": depths would be the proxy's") !=
+      std::string::npos);
+}
+
 INSTANTIATE_TEST_SUITE_P(Techniques, TerrainBrokenShader,
   testing::Values(vtkOpenGLTerrainMapper::Techniques::Pyramid,
     vtkOpenGLTerrainMapper::Techniques::Mesh, vtkOpenGLTerrainMapper::Techniques::Strips));

@@ -152,6 +152,35 @@ TEST(TerrainShaderText, EditsOutsideItsMarks)
   EXPECT_EQ(problem, "");
 }
 
+/// The problem of a text whose pixels must be asked for x and y alone.
+std::string problemOfPixels(const std::string& source)
+{
+  vtkNew<vtkShader> shader;
+  shader->SetSource(source);
+  std::string problem;
+  terrain::ShaderText(shader, problem).RequireSwizzles("gl_FragCoord", "xy", "it would be wrong");
+  return problem;
+}
+
+TEST(TerrainShaderText, RequiresNamedComponents)
+{
+  for (const std::string good :
+    { "", "void main() {}", "a = gl_FragCoord.xy / b;", "f(gl_FragCoord.x, gl_FragCoord.y)\n",
+      "\n// terrain begins\ngl_FragCoord.z; gl_FragCoord\n// terrain ends\ngl_FragCoord.yx;" })
+  {
+    EXPECT_EQ(problemOfPixels(good), "") << good;
+  }
+  for (const std::string bad :
+    { "gl_FragCoord;", "gl_FragCoord", "gl_FragCoord.", "gl_FragCoord.z;", "gl_FragCoord.xyz;",
+      "gl_FragCoord.xw;", "gl_FragCoord .xy;", "gl_FragCoord[2];", "gl_FragCoord.st;" })
+  {
+    const std::string expected =
+      std::string("there is \"").append(bad).append("\": it would be wrong");
+    EXPECT_EQ(problemOfPixels("a = gl_FragCoord.xy;\n" + bad + "\nb;\n"), expected);
+    EXPECT_NE(problemOfPixels("// terrain begins\n// terrain ends\n" + bad), "") << bad;
+  }
+}
+
 TEST(TerrainShaderText, KeepsTheFirstProblem)
 {
   vtkNew<vtkShader> shader;

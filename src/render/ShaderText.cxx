@@ -4,6 +4,8 @@
 
 #include "vtkShaderProgram.h"
 
+#include <cctype>
+
 namespace terrain
 {
 namespace
@@ -95,6 +97,27 @@ void ShaderText::Require(
   if (!this->Follow(pattern, text))
   {
     this->Note("there is no \"" + pattern + "\": " + what);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ShaderText::RequireSwizzles(
+  const std::string& vector, const std::string& components, const std::string& what)
+{
+  const std::string source = this->Shader->GetSource();
+  for (std::size_t at = FindOutside(source, vector, 0); at != std::string::npos;
+       at = FindOutside(source, vector, at + vector.size()))
+  {
+    const std::size_t dot = at + vector.size();
+    const std::size_t end =
+      dot < source.size() ? source.find_first_not_of(components, dot + 1) : std::string::npos;
+    const bool isNamed = end != std::string::npos && source[dot] == '.' && end > dot + 1 &&
+      std::isalnum(static_cast<unsigned char>(source[end])) == 0 && source[end] != '_';
+    if (!isNamed)
+    {
+      this->Note("there is \"" + source.substr(at, source.find('\n', at) - at) + "\": " + what);
+      return;
+    }
   }
 }
 }

@@ -39,6 +39,9 @@ public:
   bool Follow(const std::string& pattern, const std::string& text);
   /// The same where it must be there; what: the terrain's part that would be wrong without.
   void Require(const std::string& pattern, const std::string& text, const std::string& what);
+  /// A vector must have some of its components named, out of these, wherever VTK's own text has it.
+  void RequireSwizzles(
+    const std::string& vector, const std::string& components, const std::string& what);
 
 private:
   void Insert(const std::string& tag, const std::string& before, const std::string& behind,

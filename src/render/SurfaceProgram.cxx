@@ -195,6 +195,7 @@ void SurfaceProgram::FollowSurface(Shaders& shaders)
   {
     fragment.Follow("gl_FragCoord.z", "gl_FragDepth");
     fragment.Follow("gl_FragCoord.w", "(1.0 / dot(terrainWeightRow, vertexVC))");
+    fragment.RequireSwizzles("gl_FragCoord", "xy", "depths would be the proxy's");
   }
   // vtkValuePass in its floating-point mode, of points or of cells
   if (this->Features.Paints && fragment.Follow("in float dataValue;", "float dataValue;") &&

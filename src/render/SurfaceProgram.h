@@ -49,8 +49,9 @@ public:
   void ClipMesh(Shaders& shaders);
   /// Replaces: with rays, identifiers are those of the grid's cells, or else of its samples.
   void ReplaceIds(Shaders& shaders, bool ofCells, bool highBits);
-  /// Follows: where VTK's code and that of render passes speaks of the fragment, they mean the
-  /// surface. Behind VTK's code. Returns an empty string, or why the program does not draw right.
+  /// Follows, in complete texts: where the code of VTK, of render passes or of a vtkShaderProperty
+  /// speaks of the fragment's depth or side, it means the surface's. Returns an empty string, or
+  /// why the program does not draw right.
   std::string End(Shaders& shaders);
 
   /// For complete programs.
