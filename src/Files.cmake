@@ -91,8 +91,8 @@ set(private_sources
   render/Features
   render/Globe
   render/ModelCamera
-  render/Paint
   render/Lights
+  render/Paint
   render/Prepass
   render/ProgramGuard
   render/Proxy
