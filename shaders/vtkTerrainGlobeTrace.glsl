@@ -303,7 +303,7 @@ bool terrainGlobeVisitNode(
   return least <= bounds.x && max(begin.y, end.y) >= bounds.y;
 }
 
-// atan(x) of a cell's angles, to 1e-8.
+// atan(x) of a cell's angles, in radians, to kGlobeAngleError (core/globe/GlobeTraversal.h).
 float terrainGlobeAngle(float x)
 {
   float x2 = x * x;

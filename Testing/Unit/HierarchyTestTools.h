@@ -328,6 +328,85 @@ std::string WhyCullingLoses(const Raster& raster, const terrain::GridGeometry& g
   }
   return std::string();
 }
+
+/// Height of the triangle's plane at (x, y) in cells, with heights of a mesh's vertices.
+inline double PlaneAt(const Triangle& t, const std::array<double, 3>& heights, double x, double y)
+{
+  const auto area = static_cast<double>(Area2(t));
+  const auto weight = [&](int i)
+  {
+    const Sample& a = t[(i + 1) % 3];
+    const Sample& b = t[(i + 2) % 3];
+    return ((static_cast<double>(a[0]) - x) * (static_cast<double>(b[1]) - y) -
+             (static_cast<double>(a[1]) - y) * (static_cast<double>(b[0]) - x)) /
+      area;
+  };
+  return weight(0) * heights[0] + weight(1) * heights[1] + weight(2) * heights[2];
+}
+
+/// A triangle of a mesh, and the heights of its corners.
+struct Drawn
+{
+  Triangle Corners;
+  std::array<double, 3> Heights{};
+};
+
+inline Drawn DrawnOf(const terrain::StripMesh& mesh, const std::array<std::uint32_t, 3>& indices)
+{
+  Drawn drawn;
+  for (int i = 0; i < 3; ++i)
+  {
+    const terrain::StripVertex& vertex = mesh.Vertices[indices[i]];
+    drawn.Corners[i] = { { vertex.Column, vertex.Row } };
+    drawn.Heights[i] = static_cast<double>(vertex.Height) + vertex.Displacement;
+  }
+  return drawn;
+}
+
+/// Over a grid of points finer than the samples.
+struct ErrorOfTriangle
+{
+  double Height = 0.0;                                      ///< largest vertical distance
+  double Nearest = std::numeric_limits<double>::infinity(); ///< the surface's distance to the eye
+};
+
+inline ErrorOfTriangle FindError(const Raster& raster, const glm::dvec3& eye, const Drawn& drawn)
+{
+  const Triangle& t = drawn.Corners;
+  const std::array<double, 3>& heights = drawn.Heights;
+  const terrain::GridGeometry geometry = MakeGeometry();
+  const auto [west, east] = std::minmax({ t[0][0], t[1][0], t[2][0] });
+  const auto [south, north] = std::minmax({ t[0][1], t[1][1], t[2][1] });
+  ErrorOfTriangle error;
+  for (std::int64_t y2 = 2 * south; y2 <= 2 * north; ++y2)
+  {
+    for (std::int64_t x2 = 2 * west; x2 <= 2 * east; ++x2)
+    {
+      const double x = 0.5 * static_cast<double>(x2);
+      const double y = 0.5 * static_cast<double>(y2);
+      bool inside = true;
+      for (int i = 0; i < 3; ++i)
+      {
+        std::array<double, 3> one{ { 0.0, 0.0, 0.0 } };
+        one[i] = 1.0;
+        inside = inside && PlaneAt(t, one, x, y) >= -1e-12;
+      }
+      if (!inside)
+      {
+        continue;
+      }
+      const std::int64_t i = std::min<std::int64_t>(x2 / 2, raster.Width - 2);
+      const std::int64_t j = std::min<std::int64_t>(y2 / 2, raster.Height - 2);
+      const double u = x - static_cast<double>(i);
+      const double v = y - static_cast<double>(j);
+      const double h = (1 - u) * (1 - v) * raster.At(i, j) + u * (1 - v) * raster.At(i + 1, j) +
+        (1 - u) * v * raster.At(i, j + 1) + u * v * raster.At(i + 1, j + 1);
+      error.Height = std::max(error.Height, std::abs(h - PlaneAt(t, heights, x, y)));
+      error.Nearest = std::min(error.Nearest, glm::distance(eye, geometry.ToModel({ x, y }, h)));
+    }
+  }
+  return error;
+}
 }
 
 #endif

@@ -42,17 +42,14 @@ void CompareWithReference(int count, double part, double length)
   }
 }
 
-// Along a ray 2 mm in cells of 1 degree, by the end of the meridian's series; the fourth power of
-// the cell's size.
 TEST(Globe, IsExactInDouble)
 {
-  CompareWithReference<double>(6, 1e-9, 2e-3);
+  CompareWithReference<double>(6, 0.0, terrain::kGlobeError);
 }
 
-// The rest is what float rounds of a cell of 1 degree, and of slopes of 100.
 TEST(Globe, IsExactInFloat)
 {
-  CompareWithReference<float>(6, 1e-5, 0.01);
+  CompareWithReference<float>(6, terrain::kGlobeFloatPartError, terrain::kGlobeFloatError);
 }
 
 // 2 m above the ground of a raster of 8192 columns depths are as exact as from space.

@@ -134,6 +134,44 @@ TEST(Hierarchy, ErrorsAndSpheresAreNested)
   }
 }
 
+// In parallel projection they are pixels.
+TEST(Hierarchy, ErrorsBoundTheHeightsOfTriangles)
+{
+  for (const float level : { 0.0f, 9000.0f, 1.0e6f })
+  {
+    for (const std::string pattern : { "none", "lake", "speckles" })
+    {
+      Raster raster = WithHoles(MakeHills(130, 97), pattern);
+      float highest = 0.0f;
+      for (float& height : raster.Heights)
+      {
+        height += level;
+        highest = std::max(highest, std::isnan(height) ? 0.0f : std::abs(height));
+      }
+      const MemoryHierarchy hierarchy = Build(raster);
+      terrain::Refiner refiner(hierarchy.View());
+      terrain::RefinementView view = MakeView(raster, 0.5, 0.5, 1.0e7);
+      view.Parallel = true;
+      view.PixelsPerUnit = 1.0;
+      for (const double tolerance : { 0.5, 2.0, 8.0 })
+      {
+        terrain::StripMesh mesh;
+        refiner.Refine(view, WithTolerance(tolerance), mesh);
+        const double allowed = tolerance + terrain::kHierarchyError * highest;
+        for (const auto& indices : IndexTriangles(mesh))
+        {
+          const Drawn drawn = DrawnOf(mesh, indices);
+          if (Area2(drawn.Corners) > 1)
+          {
+            ASSERT_LE(FindError(raster, view.Eye, drawn).Height, allowed)
+              << level << " " << pattern << " tolerance " << tolerance;
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Hierarchy, GradientsAreThoseOfAPlane)
 {
   Raster raster = MakeHills(70, 40);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/rays/Horizon.h"
+#include "core/rays/HorizonLanes.h"
 
 #include "UnitTestFields.h"
 
@@ -116,6 +117,24 @@ void CompareWithJudge(const TestField& field, const HorizonOptions& options, dou
     }
   }
 }
+}
+
+TEST(Horizon, ArcTangentsAreThoseOfTheLibrary)
+{
+  using L = Lanes<double>;
+  constexpr double kLargest = 1e6;
+  double worst = 0.0;
+  for (double tangent = 1e-6; tangent < kLargest; tangent *= 1.0 + 1e-4)
+  {
+    for (const double x : { tangent, -tangent, 1.0 / tangent })
+    {
+      double degrees[L::Count];
+      L::Store(ArcTangentDegrees<double>(L::All(x)), degrees);
+      worst = std::max(worst, std::abs(degrees[0] * kDegree - std::atan(x)));
+    }
+  }
+  EXPECT_LE(worst, kArcTangentError);
+  EXPECT_GT(worst, 0.1 * kArcTangentError); // the bound says something
 }
 
 TEST(Horizon, BruteForceOnAdversarialFields)

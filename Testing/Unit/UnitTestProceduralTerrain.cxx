@@ -204,7 +204,9 @@ TEST(ProceduralTerrain, PeriodicCosineIsNearTheCosine)
   for (int k = -300; k < 300; ++k)
   {
     const float x = 0.01F * static_cast<float>(k);
-    EXPECT_NEAR(terrain::PeriodicCosine(x), std::cos(6.283185307F * x), 0.021F) << x;
+    EXPECT_NEAR(
+      terrain::PeriodicCosine(x), std::cos(6.283185307F * x), terrain::kPeriodicCosineError)
+      << x;
   }
 }
 

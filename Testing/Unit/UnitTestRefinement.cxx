@@ -30,59 +30,11 @@ StripMesh Refine(
   return mesh;
 }
 
-/// Height of the triangle's plane at (x, y) in cells, with heights of a mesh's vertices.
-double PlaneAt(const Triangle& t, const std::array<double, 3>& heights, double x, double y)
+/// Largest screen-space error of a triangle, in pixels.
+double ScreenError(const Raster& raster, const RefinementView& view, const Drawn& drawn)
 {
-  const auto area = static_cast<double>(Area2(t));
-  const auto weight = [&](int i)
-  {
-    const Sample& a = t[(i + 1) % 3];
-    const Sample& b = t[(i + 2) % 3];
-    return ((static_cast<double>(a[0]) - x) * (static_cast<double>(b[1]) - y) -
-             (static_cast<double>(a[1]) - y) * (static_cast<double>(b[0]) - x)) /
-      area;
-  };
-  return weight(0) * heights[0] + weight(1) * heights[1] + weight(2) * heights[2];
-}
-
-/// Largest screen-space error of a triangle, in pixels, over a grid of points finer than the
-/// samples, each with its own distance to the eye.
-double ScreenError(const Raster& raster, const RefinementView& view, const Triangle& t,
-  const std::array<double, 3>& heights)
-{
-  const terrain::GridGeometry geometry = MakeGeometry();
-  const auto [west, east] = std::minmax({ t[0][0], t[1][0], t[2][0] });
-  const auto [south, north] = std::minmax({ t[0][1], t[1][1], t[2][1] });
-  double error = 0.0;
-  double distance = std::numeric_limits<double>::infinity();
-  for (std::int64_t y2 = 2 * south; y2 <= 2 * north; ++y2)
-  {
-    for (std::int64_t x2 = 2 * west; x2 <= 2 * east; ++x2)
-    {
-      const double x = 0.5 * static_cast<double>(x2);
-      const double y = 0.5 * static_cast<double>(y2);
-      bool inside = true;
-      for (int i = 0; i < 3; ++i)
-      {
-        std::array<double, 3> one{ { 0.0, 0.0, 0.0 } };
-        one[i] = 1.0;
-        inside = inside && PlaneAt(t, one, x, y) >= -1e-12;
-      }
-      if (!inside)
-      {
-        continue;
-      }
-      const std::int64_t i = std::min<std::int64_t>(x2 / 2, raster.Width - 2);
-      const std::int64_t j = std::min<std::int64_t>(y2 / 2, raster.Height - 2);
-      const double u = x - static_cast<double>(i);
-      const double v = y - static_cast<double>(j);
-      const double h = (1 - u) * (1 - v) * raster.At(i, j) + u * (1 - v) * raster.At(i + 1, j) +
-        (1 - u) * v * raster.At(i, j + 1) + u * v * raster.At(i + 1, j + 1);
-      error = std::max(error, std::abs(h - PlaneAt(t, heights, x, y)));
-      distance = std::min(distance, glm::distance(view.Eye, geometry.ToModel({ x, y }, h)));
-    }
-  }
-  return error * view.PixelsPerUnit / distance;
+  const ErrorOfTriangle error = FindError(raster, view.Eye, drawn);
+  return error.Height * view.PixelsPerUnit / error.Nearest;
 }
 }
 
@@ -187,7 +139,7 @@ TEST(Refinement, DrawsNoHoleAndAtSmallToleranceEverythingElse)
           const std::array<double, 3> heights{ { raster.At(t[0][0], t[0][1]),
             raster.At(t[1][0], t[1][1]), raster.At(t[2][0], t[2][1]) } };
           EXPECT_TRUE(
-            std::isfinite(ScreenError(raster, MakeView(raster, 0.3, 0.2, 20.0), t, heights)));
+            std::isfinite(ScreenError(raster, MakeView(raster, 0.3, 0.2, 20.0), { t, heights })));
         }
         EXPECT_LE(area, 2 * raster.ValidCells());
         if (tolerance < 1.0e-3)
@@ -217,17 +169,10 @@ TEST(Refinement, KeepsEveryTriangleWithinTheTolerance)
           const StripMesh mesh = Refine(hierarchy, view, options);
           for (const auto& indices : IndexTriangles(mesh))
           {
-            Triangle t;
-            std::array<double, 3> heights{};
-            for (int i = 0; i < 3; ++i)
+            const Drawn drawn = DrawnOf(mesh, indices);
+            if (Area2(drawn.Corners) > 1)
             {
-              const terrain::StripVertex& vertex = mesh.Vertices[indices[i]];
-              t[i] = { { vertex.Column, vertex.Row } };
-              heights[i] = static_cast<double>(vertex.Height) + vertex.Displacement;
-            }
-            if (Area2(t) > 1)
-            {
-              EXPECT_LE(ScreenError(raster, view, t, heights), tolerance * (1.0 + 1.0e-5) + 1.0e-4)
+              EXPECT_LE(ScreenError(raster, view, drawn), tolerance * (1.0 + 1.0e-5) + 1.0e-4)
                 << size[0] << " x " << size[1] << " " << pattern << (morphing ? " morphing" : "");
             }
           }
@@ -433,14 +378,7 @@ std::vector<double> DrawnSurface(const Raster& raster, const StripMesh& mesh)
   std::vector<double> surface(raster.Heights.size(), 0.0);
   for (const auto& indices : IndexTriangles(mesh))
   {
-    Triangle triangle;
-    std::array<double, 3> heights{};
-    for (int i = 0; i < 3; ++i)
-    {
-      const terrain::StripVertex& vertex = mesh.Vertices[indices[i]];
-      triangle[i] = { { vertex.Column, vertex.Row } };
-      heights[i] = static_cast<double>(vertex.Height) + vertex.Displacement;
-    }
+    const auto [triangle, heights] = DrawnOf(mesh, indices);
     const auto [west, east] = std::minmax({ triangle[0][0], triangle[1][0], triangle[2][0] });
     const auto [south, north] = std::minmax({ triangle[0][1], triangle[1][1], triangle[2][1] });
     for (std::int64_t y = south; y <= north; ++y)

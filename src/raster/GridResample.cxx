@@ -12,8 +12,7 @@ namespace terrain
 namespace
 {
 constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
-// A point this far outside of a cell, in cells, counts as inside: neighbours meet.
-constexpr double kSlack = 1e-6;
+constexpr double kSlack = kGridResampleError;
 constexpr int kMostSteps = 12;
 
 /// Index of the interval that holds a coordinate, and the share of the way through it.

@@ -7,8 +7,8 @@
  *
  * Along unevenly spaced axes the result is the bilinear surface between the four samples around a
  * point. In a curvilinear grid it is the same of the cell that holds it, by inverse bilinear
- * mapping of longitude and latitude; the position found is within 1e-6 of a cell. Where one of the
- * four has no data, and outside of all cells, there is none.
+ * mapping of longitude and latitude; the position found is within kGridResampleError. Where one of
+ * the four has no data, and outside of all cells, there is none.
  */
 #ifndef vtkTerrain_raster_GridResample_h
 #define vtkTerrain_raster_GridResample_h
@@ -19,6 +19,10 @@
 
 namespace terrain
 {
+/// Largest error of a position in a cell, in cells. A point that lies outside of a cell by no more
+/// counts as inside, so that neighbours meet.
+constexpr double kGridResampleError = 1e-6;
+
 /// An even grid: GDAL's six numbers, from corners of cells, the first row in the north.
 struct EvenGrid
 {

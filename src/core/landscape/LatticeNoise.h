@@ -126,7 +126,11 @@ inline void NoiseRow(const LatticeAxis& axis, std::int64_t cellY, float offsetY,
   }
 }
 
-/// cos(2 pi x) within 0.021, of period 1 to the bit, for |x| < 2^31: a cubic of a triangle wave.
+/// Largest error of PeriodicCosine().
+constexpr float kPeriodicCosineError = 0.021F;
+
+/// cos(2 pi x) within kPeriodicCosineError, of period 1 to the bit, for |x| < 2^31: a cubic of a
+/// triangle wave.
 inline float PeriodicCosine(float x)
 {
   const float part =

@@ -14,8 +14,10 @@ namespace terrain
 {
 inline namespace TERRAIN_LANES_KIND
 {
-/// arctan in degrees. Source: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49:
-/// error 2e-8 radians.
+/// Largest error of ArcTangentDegrees() beside the rounding of Real, in radians.
+constexpr double kArcTangentError = 2e-8;
+
+/// arctan in degrees. Source: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions, 4.4.49.
 template <typename Real>
 TERRAIN_LANES_INLINE typename Lanes<Real>::Value ArcTangentDegrees(
   typename Lanes<Real>::Value tangent)

@@ -27,8 +27,7 @@
  * incremental error |h(v) - mean of the hypotenuse| is no bound of the surface's distance.
  * A border that is kept has errors above all others: refinement goes down to every one of its
  * samples that can be seen, and what is beside it with the same samples fits without a gap.
- * Heights are rounded to float, and errors computed in float: they are low by at most 1e-6 times
- * the largest height.
+ * Heights are rounded to float, and errors computed in float: see kHierarchyError.
  */
 #ifndef terrain_HierarchyBuild_h
 #define terrain_HierarchyBuild_h
@@ -42,6 +41,9 @@
 
 namespace terrain
 {
+/// What an error may be too low by, as a part of the largest absolute height.
+constexpr double kHierarchyError = 1e-6;
+
 /// Is told how much is done, 0 to 1; false stops the work.
 using BuildProgress = std::function<bool(double)>;
 
