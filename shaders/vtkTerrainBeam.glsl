@@ -1,19 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Beams: a safe common start for all rays of a tile of pixels. Twin, with the documentation of the
-// method and why it is conservative: src/core/rays/PyramidBeam.h. Needs vtkTerrainPyramid.glsl and
-// its uniforms; no further ones. Defines: TERRAIN_TILES as there. Constants: terrainBeamSteps,
-// terrainBeamMargin, terrainBeamReach (src/render/Features.h).
+// Beams: a safe common start for all rays of a tile of pixels. Needs vtkTerrainPyramid.glsl,
+// vtkTerrainView.glsl and their uniforms; no further ones. Defines: TERRAIN_TILES as in the former.
+// Constants: terrainBeamSteps, terrainBeamMargin, terrainBeamReach (src/render/Features.h).
+//
+// Twins in src/core/: rays/PyramidBeam.h, which documents the method and why it is conservative.
 
 struct TerrainBeam
 {
   TerrainRay ray; // in the middle of the tile
-  vec3 radius;    // all rays of the tile lie in ray(s) -+ (radius + s * growth)
-  vec3 growth;
+  vec3 radius;    // all rays of the tile lie in ray(s) -+ (radius + s * growth), both >= 0:
+  vec3 growth;    // cells, cells, height codes; growth per unit of s
 };
 
-// The edges of a beam's box, mirrored as the path: origin and change per unit of s.
+// The edges of a beam's box, mirrored as the path: origin and change per unit of s; cells, cells,
+// height codes.
 struct TerrainBeamEdges
 {
   vec3 low;
@@ -30,6 +32,16 @@ struct TerrainBeamStep
   bool stops;
 };
 
+// The beam of all pixels that lie within so many pixels of a position (gl_FragCoord.xy) both ways,
+// between two distances along the viewing direction.
+TerrainBeam terrainTileBeam(vec2 pixel, float pixels, float startDistance, float endDistance)
+{
+  vec3 growth = pixels * (abs(terrainDirectionGC[1]) + abs(terrainDirectionGC[2]));
+  vec3 radius = pixels * (abs(terrainOriginGC[1]) + abs(terrainOriginGC[2]));
+  return TerrainBeam(
+    terrainPixelRay(pixel, startDistance, endDistance), radius + startDistance * growth, growth);
+}
+
 // The edges of a beam's box over the distance, relative to the path's origin: its radius and
 // growth, and room for what float rounds, terrainBeamMargin of the numbers.
 TerrainBeamEdges terrainBeamEdges(TerrainPath path, TerrainBeam beam)
@@ -42,6 +54,9 @@ TerrainBeamEdges terrainBeamEdges(TerrainPath path, TerrainBeam beam)
 }
 
 // The distance, at least s, where the box reaches the grid along an axis; end if it never does.
+// ahead: cells at distance 0 from the box's far edge to the grid's near one, move: that edge's
+// cells a unit of distance; past, pastMove: likewise from the grid's far edge to the box's near
+// one.
 float terrainBeamReaches(float s, float end, float ahead, float move, float past, float pastMove)
 {
   float reached = move > 0.0 ? max(s, ahead / move) : (ahead > 0.0 ? end : s);
@@ -71,7 +86,7 @@ float terrainBeamEntry(TerrainPath path, TerrainBeamEdges edges)
   return clamp(s, path.sBegin, path.sEnd);
 }
 
-// The lowest level whose nodes are 4/3 as wide as the box.
+// The lowest level, 0 or more, whose nodes are at least 4/3 as wide as the box at a distance.
 int terrainBeamLevel(TerrainBeamEdges edges, float s)
 {
   vec2 width = edges.high.xy - edges.low.xy + (edges.highMove.xy - edges.lowMove.xy) * s;
@@ -91,7 +106,8 @@ float terrainBeamLeaves(TerrainPath path, TerrainBeamEdges edges, ivec2 first, i
   return s;
 }
 
-// Highest and lowest code of the nodes (block.x + 0..1, block.y + 0..1) of a level, mirrored.
+// Highest and lowest code, less the path's anchorCode, of the nodes (block.x + 0..1,
+// block.y + 0..1) of a level, mirrored.
 vec2 terrainBlockBounds(TerrainPath path, ivec2 block, int level)
 {
   ivec2 near = max(block ^ path.mirror, ivec2(0));

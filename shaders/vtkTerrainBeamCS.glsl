@@ -2,24 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compute shader: one texel for each tile of TERRAIN_BEAM_PIXELS x TERRAIN_BEAM_PIXELS pixels of a
-// viewport: the distance along the viewing direction before which none of the tile's rays meets the
-// surface. Needs vtkTerrainBeam.glsl and vtkTerrainView.glsl.
+// viewport: the distance along the viewing direction, in world units, before which none of the
+// tile's rays meets the surface. Needs vtkTerrainBeam.glsl and vtkTerrainView.glsl.
 
 layout(local_size_x = TERRAIN_GROUP_SIZE, local_size_y = TERRAIN_GROUP_SIZE) in;
-layout(r32f, binding = 0) writeonly uniform image2D terrainBeamImage;
+layout(r32f, binding = 0) writeonly uniform image2D terrainBeamImage; // a texel a tile
 
-// Of a distance: what is taken off for what float rounds where rays begin.
+// Part of a distance that is taken off for what float rounds where rays begin.
 const float terrainBeamSlack = 1e-6;
-
-// The beam of all pixels that lie within some pixels of a position both ways, from a distance on.
-// Twin: MakeTileBeam() in src/core/rays/PyramidBeam.h.
-TerrainBeam terrainTileBeam(vec2 pixel, float pixels, float startDistance, float endDistance)
-{
-  vec3 growth = pixels * (abs(terrainDirectionGC[1]) + abs(terrainDirectionGC[2]));
-  vec3 radius = pixels * (abs(terrainOriginGC[1]) + abs(terrainOriginGC[2]));
-  return TerrainBeam(
-    terrainPixelRay(pixel, startDistance, endDistance), radius + startDistance * growth, growth);
-}
 
 void main()
 {

@@ -236,7 +236,7 @@ struct Twin
     terrain::PixelRays coded = rays;
     coded.OriginGC[0].z -= this->Coded.Codes.Offset;
     const terrain::TerrainHit hit = this->Coded.Coded.TracePyramid(
-      terrain::MakePixelRay(coded, { x + 0.5, y + 0.5 }, rays.Near, rays.Far));
+      terrain::PixelRay(coded, { x + 0.5, y + 0.5 }, rays.Near, rays.Far));
     return hit.found ? rays.Near + static_cast<double>(hit.s)
                      : std::numeric_limits<double>::quiet_NaN();
   }

@@ -22,7 +22,6 @@
 
 namespace
 {
-using terrain::TerrainBeam;
 using terrain::TerrainHit;
 using terrain::TerrainRay;
 using vtkTerrainTesting::Beams;
@@ -36,8 +35,8 @@ std::string declarations(terrain::Features features)
   features.Within = true;
   return features.Defines() + terrain::Features::Constants() + vtkTerrainTesting::CountVisits() +
     ReadShader("vtkTerrainHeights") + ReadShader("vtkTerrainColumns") +
-    ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainPyramid") + ReadShader("vtkTerrainBeam") +
-    vtkTerrainTesting::InputRay();
+    ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView") + ReadShader("vtkTerrainPyramid") +
+    ReadShader("vtkTerrainBeam") + vtkTerrainTesting::InputRay();
 }
 
 /// Traces the rays of beams on the GPU and compares them with the twin. Tolerance: see
@@ -67,33 +66,10 @@ void comparePaths(
 template <typename Texel, typename Textures>
 void compareBeams(vtkRenderWindow* window, Textures& textures, const Beams& beams)
 {
-  const auto starts = vtkTerrainTesting::RunBeams(window, declarations(textures.GetFeatures()),
-    "result = vec4(terrainBeamStart(TerrainBeam(inputRay(input0, input1, input2), input3.xyz,"
-    "input4.xyz)));",
-    beams, [&](vtkShaderProgram* program) { textures.SetUniforms(program); });
-  ASSERT_EQ(starts.size(), beams.Items.size());
-  const bool exact = vtkTerrainTesting::CalculatesAsTwin(window);
-  for (std::size_t k = 0; k < starts.size(); ++k)
-  {
-    const auto start = [&](const TerrainRay& ray)
-    {
-      TerrainBeam beam = beams.Items[k];
-      beam.ray = ray;
-      int steps = 0;
-      TerrainHit hit;
-      hit.found = true;
-      hit.s = terrain::PyramidBeam<Texel>(textures.Coded).BeamStart(beam, steps);
-      return hit;
-    };
-    const TerrainRay& ray = beams.Items[k].ray;
-    TerrainHit drawn;
-    drawn.found = true;
-    drawn.s = starts[k].x;
-    EXPECT_TRUE(exact
-        ? drawn.s == start(ray).s
-        : vtkTerrainTesting::IsOfARayNearby(drawn, ray, textures.Coded.heights.maximumCode, start))
-      << k << ": " << drawn.s << " for " << start(ray).s;
-  }
+  const terrain::PyramidBeam<Texel> finder(textures.Coded);
+  vtkTerrainTesting::ExpectSameStarts(window, declarations(textures.GetFeatures()),
+    textures.Coded.heights.maximumCode, beams, finder,
+    [&](vtkShaderProgram* program) { textures.SetUniforms(program); });
 }
 
 template <typename Texel>

@@ -36,7 +36,7 @@ TEST_P(TerrainShaderTwinsShading, RaysOfPixels)
     const Points points(rays);
     const auto ray = [&](std::size_t k)
     {
-      return terrain::MakePixelRay(
+      return terrain::PixelRay(
         rays, points.Pixels[k], points.Distances[k], points.Distances[k] + 100.0);
     };
     const std::string trace =

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// shaders/vtkTerrainTiles.glsl and vtkTerrainTileTrace.glsl against their twins in src/core/:
-// fields in tiles of which some are missing, with holes and without, as floats and as integers.
+// shaders/vtkTerrainTiles.glsl, vtkTerrainTileTrace.glsl and, over tiles, vtkTerrainBeam.glsl
+// against their twins in src/core/: fields in tiles of which some are missing, with holes and
+// without, as floats and as integers.
 #include "vtkTerrainTestTiles.h"
 #include "vtkTerrainTestTwins.h"
 #include "vtkTerrainTesting.h"
@@ -26,6 +27,7 @@ using terrain::TerrainRay;
 using terrain::TestField;
 using terrain::TiledField;
 using vtkTerrainTesting::Beams;
+using vtkTerrainTesting::ReadShader;
 using vtkTerrainTesting::TileArrays;
 
 constexpr int kCells = 2000;
@@ -53,6 +55,18 @@ int compareTraces(vtkRenderWindow* window, const TiledField& field, const TileAr
       [&](glm::ivec2 node, int level, bool) { vtkTerrainTesting::AddVisit(visits, node, level); });
   };
   return vtkTerrainTesting::ExpectSamePaths(window, paths, beams);
+}
+
+/// Finds the starts of beams by both; returns how many get on.
+int compareBeams(
+  vtkRenderWindow* window, const TiledField& field, const TileArrays& arrays, unsigned seed)
+{
+  const float maximum = field.Rays.heights.maximumCode;
+  const Beams beams(field.Rays.heights.size, maximum, seed);
+  const terrain::PyramidBeam<terrain::TiledTexel> finder(field.Rays);
+  return vtkTerrainTesting::ExpectSameStarts(window,
+    arrays.Declarations() + ReadShader("vtkTerrainView") + ReadShader("vtkTerrainBeam"), maximum,
+    beams, finder, [&](vtkShaderProgram* program) { arrays.SetUniforms(program); });
 }
 
 /// Reads slots, codes, bounds and heights of random cells by both.
@@ -118,6 +132,7 @@ TEST(TerrainShaderTwinsTiles, TakeTheSamePath)
   scene.Window->Render();
   unsigned seed = 0;
   int hits = 0;
+  int advanced = 0;
   for (const TestField& test : terrain::AdversarialFields())
   {
     SCOPED_TRACE(test.Name);
@@ -132,7 +147,9 @@ TEST(TerrainShaderTwinsTiles, TakeTheSamePath)
     const TileArrays arrays(scene.Window, field);
     hits += compareTraces(scene.Window, field, arrays, seed, false);
     hits += compareTraces(scene.Window, field, arrays, seed, true);
+    advanced += compareBeams(scene.Window, field, arrays, seed);
     compareReads(scene.Window, field, arrays, seed);
   }
   EXPECT_GT(hits, 1000);
+  EXPECT_GT(advanced, 1000);
 }

@@ -4,11 +4,13 @@
 // Where rays begin and end, what they bring home, and slopes: functions of
 // shaders/vtkTerrainView.glsl, vtkTerrainCast.glsl, vtkTerrainSighting.glsl and
 // vtkTerrainGradient.glsl against their twins in src/core/.
+#include "vtkTerrainTestItems.h"
 #include "vtkTerrainTestPoints.h"
 #include "vtkTerrainTesting.h"
 
 #include "../Unit/UnitTestFields.h"
 #include "core/rays/PixelRays.h"
+#include "core/rays/PyramidBeam.h"
 #include "core/rays/Sighting.h"
 #include "core/rays/SurfaceShading.h"
 #include "core/surface/Cutting.h"
@@ -33,11 +35,12 @@
 
 namespace
 {
+constexpr int Count = vtkTerrainTesting::NumberOfItems;
+using vtkTerrainTesting::Items;
+using vtkTerrainTesting::Numbers;
 using vtkTerrainTesting::RaysOf;
 using vtkTerrainTesting::ReadShader;
 using vtkTerrainTesting::SetRays;
-
-constexpr int Count = 2000;
 
 /// Rays of pixels, with what else all programs begin with.
 std::string readView()
@@ -56,57 +59,6 @@ std::string readCast(const terrain::Features& features)
     ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView") + ReadShader("vtkTerrainPyramid") +
     ReadShader("vtkTerrainTrace") + ReadShader("vtkTerrainSighting") + ReadShader("vtkTerrainCast");
 }
-
-/// Random numbers of a range.
-class Numbers
-{
-public:
-  float operator()(double low, double high)
-  {
-    return static_cast<float>(std::uniform_real_distribution<double>(low, high)(this->Generator));
-  }
-
-private:
-  std::mt19937 Generator{ 7 };
-};
-
-/// Inputs of 4 numbers each, and how many of the results differ.
-struct Items
-{
-  std::vector<glm::vec4> Inputs[2];
-  std::vector<glm::vec4> Expected;
-
-  void Add(const glm::vec4& first, const glm::vec4& second, const glm::vec4& expected)
-  {
-    this->Inputs[0].push_back(first);
-    this->Inputs[1].push_back(second);
-    this->Expected.push_back(expected);
-  }
-
-  /// Runs a shader over the items, and counts the results off by more than a tolerance, relative
-  /// above 1.
-  int CountDifferent(vtkRenderWindow* window, const std::string& declarations,
-    const std::string& body, float tolerance,
-    const std::function<void(vtkShaderProgram*)>& setUniforms) const
-  {
-    std::vector<std::vector<float>> inputs;
-    for (const std::vector<glm::vec4>& input : this->Inputs)
-    {
-      inputs.emplace_back(&input[0][0], &input[0][0] + 4 * input.size());
-    }
-    const std::vector<float> results =
-      vtkTerrainTesting::RunShader(window, declarations, body, inputs, setUniforms);
-    EXPECT_EQ(results.size(), 4 * this->Expected.size());
-    int different = results.empty() ? Count : 0;
-    for (std::size_t k = 0; k < results.size(); ++k)
-    {
-      const float expected = this->Expected[k / 4][static_cast<int>(k % 4)];
-      const float allowed = tolerance * std::max(std::abs(expected), 1.0f);
-      different += std::abs(results[k] - expected) <= allowed ? 0 : 1;
-    }
-    return different;
-  }
-};
 
 /// One window for all tests.
 class TerrainShaderTwinsView : public testing::Test
@@ -200,6 +152,41 @@ TEST_F(TerrainShaderTwinsView, AreClippedAlike)
   EXPECT_EQ(different, 0);
 }
 
+// Of all pixels within four of a position.
+TEST_F(TerrainShaderTwinsView, HaveTheSameBeamsOfTiles)
+{
+  for (const bool parallel : { false, true })
+  {
+    SCOPED_TRACE(parallel);
+    const terrain::PixelRays rays = RaysOf(parallel);
+    Numbers number;
+    Items radii;
+    Items growths;
+    for (int k = 0; k < Count; ++k)
+    {
+      const glm::vec2 pixel(number(0.0, 200.0), number(0.0, 100.0));
+      const float start = number(0.0, 100.0);
+      const terrain::TerrainBeam beam = terrain::TileBeam(rays, pixel, 4.0, start, 300.0);
+      radii.Add({ pixel, start, 4.0f }, glm::vec4(0.0f), { beam.radius, beam.ray.sEnd });
+      growths.Add({ pixel, start, 4.0f }, glm::vec4(0.0f),
+        { beam.growth, beam.ray.originGC.z + beam.ray.originLow });
+    }
+    const auto set = [&](vtkShaderProgram* program) { SetRays(program, rays); };
+    terrain::Features features;
+    features.Way = terrain::Features::Ways::Pyramid;
+    const std::string needed = readCast(features) + ReadShader("vtkTerrainBeam");
+    const std::string beam =
+      "TerrainBeam beam = terrainTileBeam(input0.xy, input0.w, input0.z, 300.0);";
+    EXPECT_EQ(radii.CountDifferent(Scene->Window, needed,
+                beam + "result = vec4(beam.radius, beam.ray.sEnd);", 2e-6f, set),
+      0);
+    EXPECT_EQ(
+      growths.CountDifferent(Scene->Window, needed,
+        beam + "result = vec4(beam.growth, beam.ray.originGC.z + beam.ray.originLow);", 2e-6f, set),
+      0);
+  }
+}
+
 // From above and from below; with a tolerance, hits lie before the surface.
 TEST_F(TerrainShaderTwinsView, SeeTheSameSide)
 {
@@ -262,7 +249,7 @@ TEST_F(TerrainShaderTwinsView, AreWithinTheSameBlocks)
   {
     const glm::vec2 pixel(number(0.0, 200.0), number(0.0, 100.0));
     const float distance = number(40.0, 140.0);
-    const terrain::TerrainRay ray = terrain::MakePixelRay(rays, pixel, distance, distance);
+    const terrain::TerrainRay ray = terrain::PixelRay(rays, pixel, distance, distance);
     glm::vec2 fraction;
     const glm::ivec2 cell = terrain::CellAt(ray, field.Coded.heights.size, fraction);
     const glm::vec4 codes = field.Coded.heights.CellCodes(cell);

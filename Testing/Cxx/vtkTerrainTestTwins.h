@@ -202,6 +202,44 @@ inline int ExpectSamePaths(vtkRenderWindow* window, const Paths& traced, const B
   EXPECT_EQ(differentPlaces, 0);
   return hits;
 }
+
+/// Finds the starts of beams by a shader and by a PyramidBeam, and expects the same: to the bit
+/// where the driver calculates as the twin, else those of the beam or of one nearby. Returns how
+/// many beams get on by more than a cell.
+template <typename Finder>
+int ExpectSameStarts(vtkRenderWindow* window, const std::string& declarations, float maximumCode,
+  const Beams& beams, const Finder& finder,
+  const std::function<void(vtkShaderProgram*)>& setUniforms)
+{
+  const auto starts = RunBeams(window, declarations,
+    "result = vec4(terrainBeamStart(TerrainBeam(inputRay(input0, input1, input2), input3.xyz,"
+    "input4.xyz)));",
+    beams, setUniforms);
+  EXPECT_EQ(starts.size(), beams.Items.size());
+  const bool exact = CalculatesAsTwin(window);
+  int advanced = 0;
+  for (std::size_t k = 0; k < starts.size(); ++k)
+  {
+    const auto start = [&](const terrain::TerrainRay& ray)
+    {
+      terrain::TerrainBeam beam = beams.Items[k];
+      beam.ray = ray;
+      int steps = 0;
+      terrain::TerrainHit hit;
+      hit.found = true;
+      hit.s = finder.BeamStart(beam, steps);
+      return hit;
+    };
+    const terrain::TerrainRay& ray = beams.Items[k].ray;
+    terrain::TerrainHit drawn;
+    drawn.found = true;
+    drawn.s = starts[k].x;
+    EXPECT_TRUE(exact ? drawn.s == start(ray).s : IsOfARayNearby(drawn, ray, maximumCode, start))
+      << k << ": " << drawn.s << " for " << start(ray).s;
+    advanced += (drawn.s - ray.sBegin) * glm::length(glm::vec2(ray.directionGC)) > 1.0f ? 1 : 0;
+  }
+  return advanced;
+}
 }
 
 #endif

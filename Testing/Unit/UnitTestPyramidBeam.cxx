@@ -78,7 +78,7 @@ TEST(PyramidBeam, HoldsTheRaysOfItsTile)
     glm::dvec3(0.0, 0.01, 0.07) };
   const glm::dvec2 middle(12.0, 20.0);
   constexpr double start = 3.0;
-  const TerrainBeam beam = terrain::MakeTileBeam(rays, middle, 4.0, start, 90.0);
+  const TerrainBeam beam = terrain::TileBeam(rays, middle, 4.0, start, 90.0);
   for (const double s : { 0.0, 10.0, 80.0 })
   {
     const auto at = [&rays, s](const glm::dvec2& pixel)

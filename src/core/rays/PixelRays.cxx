@@ -72,7 +72,7 @@ PixelRays MakePixelRays(
   return rays;
 }
 
-TerrainRay MakePixelRay(const PixelRays& rays, const glm::dvec2& pixel, double start, double end)
+TerrainRay PixelRay(const PixelRays& rays, const glm::dvec2& pixel, double start, double end)
 {
   const glm::dvec3 direction = AtPixel(rays.DirectionGC, pixel);
   const glm::dvec3 position = AtPixel(rays.OriginGC, pixel) + start * direction;

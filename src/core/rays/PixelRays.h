@@ -60,7 +60,7 @@ PixelRays MakePixelRays(
 /// Twin of terrainPixelRay(): the ray of a pixel from the start distance to the end distance,
 /// stored relative to the cell where it starts. The shader cuts the origin's height where this
 /// rounds it: its sum with originLow is the same.
-TerrainRay MakePixelRay(const PixelRays& rays, const glm::dvec2& pixel, double start, double end);
+TerrainRay PixelRay(const PixelRays& rays, const glm::dvec2& pixel, double start, double end);
 
 /// Twin of terrainEnterBox(): the part of the distances [range.x, range.y] of a pixel's ray within
 /// a box in grid coordinates, a little widened; range.x >= range.y if there is none. Axes along

@@ -49,13 +49,13 @@ struct TerrainBeam
 
 /// The beam of all pixels that lie within some pixels of a position both ways, between two
 /// distances along the viewing direction.
-inline TerrainBeam MakeTileBeam(
+inline TerrainBeam TileBeam(
   const PixelRays& rays, const glm::dvec2& pixel, double pixels, double start, double end)
 {
   const auto reach = [pixels](const PixelVector& vector)
   { return pixels * (glm::abs(vector[1]) + glm::abs(vector[2])); };
   TerrainBeam beam;
-  beam.ray = MakePixelRay(rays, pixel, start, end);
+  beam.ray = PixelRay(rays, pixel, start, end);
   beam.growth = glm::vec3(reach(rays.DirectionGC));
   beam.radius = glm::vec3(reach(rays.OriginGC) + start * reach(rays.DirectionGC));
   return beam;

@@ -265,7 +265,7 @@ float RayPackets::TileStart(
   const Tile& tile, const glm::dvec2& middle, double pixels, double begin) const
 {
   int steps = 0;
-  const TerrainBeam beam = MakeTileBeam(tile.Rays, middle, pixels, begin, tile.Far);
+  const TerrainBeam beam = TileBeam(tile.Rays, middle, pixels, begin, tile.Far);
   return this->Grid.FloatSamples ? PyramidBeam<float>(tile.Floats).BeamStart(beam, steps)
                                  : PyramidBeam<std::uint16_t>(tile.Codes).BeamStart(beam, steps);
 }

@@ -66,11 +66,14 @@ struct TiledLevels
   {
     return this->tiles->PyramidTop();
   }
-  /// Of a node whose tile is there.
+  /// Of a node; of the finest one over it whose tile is there. A tile at the border is not full.
   PyramidNode<float> At(glm::ivec2 node, int level) const
   {
-    const glm::vec2 bounds =
-      this->tiles->SlotBounds(node, level, this->tiles->TileSlot(node, level));
+    const TileLayout& layout = this->tiles->GetPages().GetLayout();
+    const glm::ivec2 cell =
+      glm::min(node << level, glm::ivec2(glm::i64vec2(layout.Width, layout.Height)) - 2);
+    const int slot = this->tiles->FinestSlot(cell, level);
+    const glm::vec2 bounds = this->tiles->SlotBounds(cell >> level, level, slot);
     return { bounds.x, bounds.y };
   }
 };
