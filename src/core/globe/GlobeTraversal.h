@@ -51,6 +51,26 @@ constexpr double kGlobeAngleError = 1e-8;
 /// In radians: 2.5 degrees.
 constexpr double kGlobeCellAngle = 0.0436;
 
+/// atan(x), which the shader takes to kGlobeAngleError from its series for the small angles of a cell.
+template <typename Real>
+Real GlobeAngle(Real x)
+{
+  return std::atan(x);
+}
+
+/// How a path meets a cell: the first root of a parabola through its differences in height.
+template <typename Real>
+struct GlobeMeeting
+{
+  Real Begin = 0;       ///< t where the path comes into the cell
+  Real Length = 0;      ///< t from there to where it leaves
+  Real A = 0;           ///< of the parabola A p^2 + B p + C, metres; p: part of the way, 0 to 1
+  Real B = 0;           ///< likewise
+  Real Part = -1;       ///< its first root, < 0 for none
+  bool Between = false; ///< on the line where the path comes in
+  bool Front = true;    ///< seen from above
+};
+
 template <typename Real, typename Texel>
 struct GlobeTraversal
 {
@@ -61,6 +81,7 @@ struct GlobeTraversal
   using Step = GlobeStep<Real>;
   using Span = GlobeSpan<Real>;
   using Hit = GlobeHit<Real>;
+  using Meeting = GlobeMeeting<Real>;
 
   const GlobeLines<Real>* lines = nullptr;
   CodedHeights<Texel> heights;
@@ -105,6 +126,16 @@ struct GlobeTraversal
   /// Distance from t on at which a path crosses a parallel to the north or south.
   Real RowCrossing(const Path& path, const Vec4& row, Real t, bool north) const;
   GlobeFence Fence(const Step& at) const;
+  /// The coarsest level that is stepped through.
+  int Top() const
+  {
+    return std::min(this->lines->Top, this->pyramid->LevelCount());
+  }
+  /// True for nodes, and for what lies outside of a partial raster.
+  static bool IsWide(const Step& at)
+  {
+    return at.Level > 0 || at.Node.x < 0 || at.Node.y < 0;
+  }
   Step FirstStep(const Path& path, Real t) const;
   Span NodeSpan(const Path& path, const Step& at, const GlobeFence& fence) const;
   Step Across(const Path& path, const Step& at, const Span& span, const GlobeFence& fence) const;
@@ -118,8 +149,11 @@ struct GlobeTraversal
   Real Difference(
     const Path& path, glm::ivec2 cell, const glm::vec4& codes, Real t, Vec2& fraction) const;
   /// side: the sign of the difference where the path left the cell before, 0 if not known.
-  bool MeetCell(const Path& path, const Step& at, Real end, Real& side, Hit& hit) const;
-  void TracePart(const Path& path, Hit& hit) const;
+  Meeting MeetCell(const Path& path, const Step& at, Real end, Real& side) const;
+  /// The hit where a path meets a cell, its root refined.
+  Hit Refine(const Path& path, glm::ivec2 cell, const Meeting& meeting) const;
+  /// The first point of the surface on a part of a ray that is within the shells.
+  Hit TracePart(const Path& path) const;
   /// The first point of the surface on a ray.
   Hit Trace(const GlobeRay<Real>& ray) const;
 };
@@ -221,7 +255,7 @@ template <typename Real, typename Texel>
 GlobeStep<Real> GlobeTraversal<Real, Texel>::FirstStep(const Path& path, Real t) const
 {
   const GlobeLines<Real>& grid = *this->lines;
-  Step at{ { -1, -1 }, std::min(grid.Top, this->pyramid->LevelCount()), t };
+  Step at{ { -1, -1 }, this->Top(), t };
   const Real angle =
     std::atan2(path.Origin.y + t * path.Direction.y, path.Origin.x + t * path.Direction.x);
   Real column = grid.AnchorFraction + angle * grid.PerStep + Real(grid.AnchorCell);
@@ -310,9 +344,7 @@ GlobeStep<Real> GlobeTraversal<Real, Texel>::Across(
     const bool border = inside && line == (north ? grid.Cells.y : 0);
     next.Node.y = border ? (north ? -2 : -1) : (north ? line : line - 1) >> at.Level;
   }
-  const bool up =
-    ((line >> at.Level) & 1) == 0 && at.Level < std::min(grid.Top, this->pyramid->LevelCount());
-  if (up)
+  if (((line >> at.Level) & 1) == 0 && at.Level < this->Top())
   {
     next.Node = { next.Node.x < 0 ? next.Node.x : next.Node.x >> 1,
       next.Node.y < 0 ? next.Node.y : next.Node.y >> 1 };
@@ -408,7 +440,7 @@ Real GlobeTraversal<Real, Texel>::Difference(
   Real d = 0;
   for (int i = 0; i < 3; ++i)
   {
-    d = std::atan((north - move.x) / (radius - move.y));
+    d = GlobeAngle((north - move.x) / (radius - move.y));
     move = { d * d * (curve.y * (Real(0.5) - Real(0.125) * d * d) + curve.z * d * Real(1.0 / 6.0)),
       -d * d * d * (curve.y * Real(1.0 / 3.0) + curve.z * d * Real(0.125)) };
   }
@@ -417,7 +449,7 @@ Real GlobeTraversal<Real, Texel>::Difference(
     above - move.y + foot.x * foot.x / (std::sqrt(foot.x * foot.x + foot.y * foot.y) + foot.y);
   const Vec2 east = this->East(path, grid.Columns[static_cast<std::size_t>(cell.x)], t);
   fraction =
-    glm::clamp(Vec2(std::atan(east.x / std::max(east.y, Real(1e-20))) * grid.PerStep, d * curve.w),
+    glm::clamp(Vec2(GlobeAngle(east.x / std::max(east.y, Real(1e-20))) * grid.PerStep, d * curve.w),
       Real(0), Real(1));
   const Real south = Real(codes.x) * (1 - fraction.x) + Real(codes.y) * fraction.x;
   const Real northern = Real(codes.z) * (1 - fraction.x) + Real(codes.w) * fraction.x;
@@ -442,50 +474,60 @@ Real FirstGlobeRoot(Real c, Real e, Real a)
 }
 
 template <typename Real, typename Texel>
-bool GlobeTraversal<Real, Texel>::MeetCell(
-  const Path& path, const Step& at, Real end, Real& side, Hit& hit) const
+GlobeMeeting<Real> GlobeTraversal<Real, Texel>::MeetCell(
+  const Path& path, const Step& at, Real end, Real& side) const
 {
+  Meeting meeting;
   const glm::vec4 raw = this->heights.CellCodes(at.Node);
   if (!glm::all(glm::greaterThanEqual(raw, glm::vec4(0.0f))))
   {
     side = 0;
-    return false;
+    return meeting;
   }
   const glm::vec4 codes = raw - this->anchorCode;
-  const Real length = end - at.T;
+  meeting.Begin = at.T;
+  meeting.Length = end - at.T;
   Vec2 fraction;
   const Real last = this->Difference(path, at.Node, codes, end, fraction);
-  const Real middle = this->Difference(path, at.Node, codes, at.T + Real(0.5) * length, fraction);
+  const Real middle =
+    this->Difference(path, at.Node, codes, at.T + Real(0.5) * meeting.Length, fraction);
   const Real first = this->Difference(path, at.Node, codes, at.T, fraction);
   // a change of sign on the line between two cells is a hit on it
-  const bool between = side * first < 0;
-  const Real a = 2 * (first + last - 2 * middle);
-  const Real b = last - first - a;
-  const bool above = side != 0 ? side > 0 : first > 0 || (first == 0 && b <= 0);
-  Real t = between ? Real(0) : FirstGlobeRoot(first, last, a);
+  meeting.Between = side * first < 0;
+  meeting.A = 2 * (first + last - 2 * middle);
+  meeting.B = last - first - meeting.A;
+  meeting.Front = side != 0 ? side > 0 : first > 0 || (first == 0 && meeting.B <= 0);
+  meeting.Part = meeting.Between ? Real(0) : FirstGlobeRoot(first, last, meeting.A);
   side = last > 0 ? Real(1) : (last < 0 ? Real(-1) : Real(0));
-  if (t < 0)
-  {
-    return false;
-  }
-  for (int i = 0; i < 2 && !between; ++i)
-  {
-    const Real slope = b + 2 * a * t;
-    const Real off = this->Difference(path, at.Node, codes, at.T + t * length, fraction);
-    t = std::clamp(std::abs(slope) > std::abs(off) ? t - off / slope : t, Real(0), Real(1));
-  }
-  hit.Found = true;
-  hit.T = at.T + t * length;
-  hit.Cell = at.Node;
-  this->Difference(path, at.Node, codes, hit.T, fraction);
-  hit.Fraction = fraction;
-  hit.Front = above;
-  return true;
+  return meeting;
 }
 
 template <typename Real, typename Texel>
-void GlobeTraversal<Real, Texel>::TracePart(const Path& path, Hit& hit) const
+GlobeHit<Real> GlobeTraversal<Real, Texel>::Refine(
+  const Path& path, glm::ivec2 cell, const Meeting& meeting) const
 {
+  const glm::vec4 codes = this->heights.CellCodes(cell) - this->anchorCode;
+  Hit hit;
+  Real t = meeting.Part;
+  for (int i = 0; i < 2 && !meeting.Between; ++i)
+  {
+    const Real slope = meeting.B + 2 * meeting.A * t;
+    const Real off =
+      this->Difference(path, cell, codes, meeting.Begin + t * meeting.Length, hit.Fraction);
+    t = std::clamp(std::abs(slope) > std::abs(off) ? t - off / slope : t, Real(0), Real(1));
+  }
+  hit.Found = true;
+  hit.T = meeting.Begin + t * meeting.Length;
+  hit.Cell = cell;
+  hit.Front = meeting.Front;
+  this->Difference(path, cell, codes, hit.T, hit.Fraction);
+  return hit;
+}
+
+template <typename Real, typename Texel>
+GlobeHit<Real> GlobeTraversal<Real, Texel>::TracePart(const Path& path) const
+{
+  Hit hit;
   Step at = this->FirstStep(path, path.Begin);
   // Lines ahead are crossed once at each level, and a level is gone down for each crossed.
   const int most = 8 * (this->lines->Cells.x + this->lines->Cells.y) + 64;
@@ -497,24 +539,25 @@ void GlobeTraversal<Real, Texel>::TracePart(const Path& path, Hit& hit) const
     ++crossings;
     const GlobeFence fence = this->Fence(at);
     const Span span = this->NodeSpan(path, at, fence);
-    const bool outside = at.Node.x < 0 || at.Node.y < 0;
     Real from = at.T;
     bool down = false;
-    if (outside || at.Level > 0)
+    if (IsWide(at))
     {
-      const int row = outside ? 0 : (fence.First.y + fence.Last.y) >> 1;
-      down = !outside && this->VisitNode(path, at, span, row, from, side);
+      down = at.Node.x >= 0 && at.Node.y >= 0 &&
+        this->VisitNode(path, at, span, (fence.First.y + fence.Last.y) >> 1, from, side);
       // down in the node the ray is where it left the last cell, or above or below all of it
       side = down ? side : Real(0);
     }
     else
     {
-      this->MeetCell(path, at, span.T, side, hit);
+      const Meeting meeting = this->MeetCell(path, at, span.T, side);
+      hit = meeting.Part >= 0 ? this->Refine(path, at.Node, meeting) : Hit();
     }
     ended = hit.Found || (span.Ends && !down);
     at = down ? this->Down(path, at, from) : this->Across(path, at, span, fence);
   }
-  hit.Crossings += crossings;
+  hit.Crossings = crossings;
+  return hit;
 }
 
 template <typename Real, typename Texel>
@@ -535,13 +578,15 @@ GlobeHit<Real> GlobeTraversal<Real, Texel>::Trace(const GlobeRay<Real>& ray) con
   part.End = std::min(whole.End, dives ? inner.x : outer.y);
   if (part.Begin < part.End)
   {
-    this->TracePart(part, hit);
+    hit = this->TracePart(part);
   }
   part.Begin = std::max(std::max(whole.Begin, outer.x), inner.y);
   part.End = std::min(whole.End, outer.y);
   if (!hit.Found && dives && part.Begin < part.End)
   {
-    this->TracePart(part, hit);
+    const int before = hit.Crossings;
+    hit = this->TracePart(part);
+    hit.Crossings += before;
   }
   return hit;
 }

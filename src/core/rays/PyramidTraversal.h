@@ -150,6 +150,12 @@ struct CodedPyramid
     bool& down, bool& small) const;
   glm::vec2 CellFraction(const Path& path, glm::ivec2 cell, float s, int line, float side) const;
   TerrainHit MeetCell(const Path& path, const Step& at, const Span& span) const;
+  /// Where a path enters the box of a node that is small enough.
+  TerrainHit MeetBox(const Path& path, const Step& at) const
+  {
+    return { true, at.s, at.cell ^ path.mirror,
+      this->CellFraction(path, at.cell, at.s, at.line, 0.0f), 0 };
+  }
 
   /// The first point of the surface on a ray. The search may end at a node of the pyramid that, in
   /// cells and in height codes, is no larger than tolerance.xy + s * tolerance.zw: the hit is then
@@ -363,8 +369,7 @@ TerrainHit CodedPyramid<Texel>::TracePyramidWithin(
       ended = (span.ends && !down) || small;
       if (small)
       {
-        hit = { true, at.s, at.cell ^ path.mirror,
-          this->CellFraction(path, at.cell, at.s, at.line, 0.0f), 0 };
+        hit = this->MeetBox(path, at);
       }
     }
     else
