@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much of each light a point of the surface sees over the surface. Twin of discs and ends:
-// src/core/rays/SurfaceShading.h. Needs vtkTerrainView.glsl; to cast rays, vtkTerrainOutlook.glsl,
-// on a globe vtkTerrainGlobeTrace.glsl; in a fragment shader, vtkTerrainSurface.glsl.
+// How much of each light a point of the surface sees over the surface. Needs vtkTerrainView.glsl
+// and vtkTerrainSurface.glsl; to cast rays, vtkTerrainOutlook.glsl, on a globe
+// vtkTerrainGlobeTrace.glsl.
 // Defines: TERRAIN_SHADOWS, how many lights cast shadows; TERRAIN_SHADOW_BOUNDS if there are bounds
 // of one's rays (vtkTerrainOutlook.glsl); TERRAIN_CLIP_PLANES and TERRAIN_COLUMNS as in
 // vtkTerrainCast.glsl; TERRAIN_READ_LIGHTS if a compute shader has cast the rays
@@ -14,13 +14,25 @@
 // beyond a chord: (acos(x) - x sqrt(1 - x^2)) / pi for a chord at x radii from the centre, by the
 // area of a circular segment. The horizon is that of the sun's azimuth, taken to be level across
 // the disc.
+//
+// Twins in src/core/: rays/ShadedSurface.h; of discs and ends, rays/SurfaceShading.h.
 
-#ifdef TERRAIN_READ_LIGHTS
-uniform sampler2D terrainLightShares; // one texel a pixel: terrainPackShares()
-
-void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERRAIN_SHADOWS])
+// A texel of shares of lights: two in each channel, in order, each in terrainShareSteps steps from
+// 0 to 1; the second of a channel counts terrainShareSteps times as much.
+vec4 terrainPackShares(float shares[TERRAIN_SHADOWS])
 {
-  vec4 texel = texelFetch(terrainLightShares, ivec2(pixel) - terrainViewportOrigin, 0);
+  vec4 texel = vec4(0.0);
+  for (int i = 0; i < TERRAIN_SHADOWS; ++i)
+  {
+    float steps = floor(shares[i] * (terrainShareSteps - 1.0) + 0.5);
+    texel[i >> 1] += (i & 1) == 0 ? steps : steps * terrainShareSteps;
+  }
+  return texel;
+}
+
+// The shares, 0..1, that a texel of terrainPackShares() holds, to half a step.
+void terrainUnpackShares(vec4 texel, out float shares[TERRAIN_SHADOWS])
+{
   for (int i = 0; i < TERRAIN_SHADOWS; ++i)
   {
     float pair = texel[i >> 1];
@@ -28,14 +40,25 @@ void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERR
     shares[i] = ((i & 1) == 0 ? pair - high * terrainShareSteps : high) / (terrainShareSteps - 1.0);
   }
 }
+
+#ifdef TERRAIN_READ_LIGHTS
+uniform sampler2D terrainLightShares; // one texel a pixel of the viewport: terrainPackShares()
+
+// The shares, 0..1, of all lights that cast shadows which a compute shader has found for a pixel
+// (gl_FragCoord.xy); surface: not needed here.
+void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERRAIN_SHADOWS])
+{
+  terrainUnpackShares(
+    texelFetch(terrainLightShares, ivec2(pixel) - terrainViewportOrigin, 0), shares);
+}
 #else
 // Sun: direction in cells, of length 1 or, at the zenith, 0; tangents of the disc's lower and upper
-// edge.
+// edge, codes per cell.
 uniform vec4 terrainLightsGC[TERRAIN_SHADOWS];
 // Sun: the same way in view coordinates, w = 0; lamp: position, w = 1.
 uniform vec4 terrainLightsVC[TERRAIN_SHADOWS];
 // Altitude and radius of the disc, radians; tangent in the model over that in codes per cell; share
-// of the light that a shadow takes away.
+// of the light that a shadow takes away, 0..1.
 uniform vec4 terrainLightDiscs[TERRAIN_SHADOWS];
 
 #ifdef TERRAIN_GLOBE
@@ -89,15 +112,16 @@ void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERR
 uniform int terrainBoundedLight; // whose rays terrainShadowBounds is for
 #endif
 
-// The share of a sun's disc above a horizon; disc: terrainLightDiscs.
+// The share, 0..1, of a sun's disc above a horizon, whose tangent is in codes per cell; disc: its
+// terrainLightDiscs.
 float terrainDiscShare(vec4 disc, float tangent)
 {
   float x = clamp((atan(tangent * disc.z) - disc.x) / max(disc.y, 1e-6), -1.0, 1.0);
   return (acos(x) - x * sqrt(1.0 - x * x)) / 3.14159265;
 }
 
-// Distance along a way of directionVC a unit at which the first clipping plane ends it. Twin, as of
-// terrainDiscShare(): src/core/rays/SurfaceShading.h.
+// Distance along a way from a position at which the first clipping plane ends it, end at most, in
+// units of directionVC's length.
 float terrainPlaneEnd(vec3 positionVC, vec3 directionVC, float end)
 {
 #ifdef TERRAIN_CLIP_PLANES
@@ -111,8 +135,9 @@ float terrainPlaneEnd(vec3 positionVC, vec3 directionVC, float end)
   return end;
 }
 
-// The share of a light that a point sees; outlook: of the point, its way still to be set. None is
-// looked for where the light is behind the normal.
+// The share, 0..1, of a light (its number among those that cast shadows) that a point sees;
+// outlook: of the point, its way still to be set. None is looked for where the light is behind the
+// normal.
 float terrainLightShare(int light, TerrainOutlook outlook, vec3 positionVC, vec3 normalVC)
 {
   vec4 wayGC = terrainLightsGC[light];
@@ -144,7 +169,8 @@ float terrainLightShare(int light, TerrainOutlook outlook, vec3 positionVC, vec3
   return 1.0 - terrainLightDiscs[light].w * (1.0 - share);
 }
 
-// The shares that a point of the surface sees of all lights that cast shadows, in a pixel. Those
+// The shares, 0..1, that a point of the surface sees of all lights that cast shadows, in a pixel
+// (gl_FragCoord.xy). Those
 // behind a block's cut faces, where nothing is left, and those of the underside are whole: VTK's
 // own light.
 void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERRAIN_SHADOWS])

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compute shader: the shares of the lights that the points of all sightings of a viewport see.
-// Needs vtkTerrainSighting.glsl, vtkTerrainSurface.glsl and vtkTerrainLight.glsl.
-// Constant: terrainShareSteps, see vtkTerrainLight.glsl.
+// Needs vtkTerrainSighting.glsl, vtkTerrainSurface.glsl and vtkTerrainLight.glsl, whose functions
+// and constants it uses; of its own it has no twins.
 
 layout(local_size_x = TERRAIN_GROUP_SIZE, local_size_y = TERRAIN_GROUP_SIZE) in;
+// A texel a pixel: terrainPackShares(), or 0 where nothing is seen.
 layout(rgba32f, binding = 0) writeonly uniform image2D terrainLightImage;
 
-// The point of a sighting. Its position comes from its distance, which tells it to a part of a
-// pixel; the position in the texel is coarser.
+// The point of a sighting in a pixel (gl_FragCoord.xy). Its position comes from its distance, which
+// tells it to a part of a pixel; the position in the texel is coarser.
 TerrainSurface terrainSightedPoint(vec2 pixel, TerrainSighting sighting)
 {
   TerrainRay ray = terrainPixelRay(pixel, sighting.distanceVC, sighting.distanceVC);
@@ -17,18 +18,6 @@ TerrainSurface terrainSightedPoint(vec2 pixel, TerrainSighting sighting)
   vec2 fraction = clamp(ray.originGC.xy + vec2(ray.anchorCell - cell), 0.0, 1.0);
   return TerrainSurface(true, terrainPositionVC(pixel, sighting.distanceVC), vec3(0.0),
     sighting.front, sighting.wall >= 0, cell, fraction, 0.0, vec2(0.0), 0);
-}
-
-// Two shares in each channel.
-vec4 terrainPackShares(float shares[TERRAIN_SHADOWS])
-{
-  vec4 texel = vec4(0.0);
-  for (int i = 0; i < TERRAIN_SHADOWS; ++i)
-  {
-    float steps = floor(shares[i] * (terrainShareSteps - 1.0) + 0.5);
-    texel[i >> 1] += (i & 1) == 0 ? steps : steps * terrainShareSteps;
-  }
-  return texel;
 }
 
 void main()

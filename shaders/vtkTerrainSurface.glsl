@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The point of the surface that a fragment shows: what VTK's lights and colours work on. Twin of
-// its depth, sides and numbers: src/core/rays/SurfaceShading.h.
+// The point of the surface that a fragment shows: what VTK's lights and colours work on.
 // Needs vtkTerrainHeights.glsl, vtkTerrainView.glsl, vtkTerrainGradient.glsl and, for rays,
 // vtkTerrainSighting.glsl and vtkTerrainCast.glsl; for columns, vtkTerrainColumns.glsl.
 // Defines: TERRAIN_CAST for rays, TERRAIN_MESH for meshes; TERRAIN_BELOW_BOX if rays begin at the
@@ -10,6 +9,8 @@
 // TERRAIN_BLOCK if the surface covers a block that clipping planes cut; TERRAIN_CLIP_PLANES if
 // there are such; TERRAIN_READ_SIGHTINGS if a compute shader has cast the rays
 // (vtkTerrainSighting.glsl).
+//
+// Twins in src/core/: rays/ShadedSurface.h; of depths, sides and numbers, rays/SurfaceShading.h.
 
 uniform int terrainFlat; // 1 for the normals of single patches, not of differences across them
 uniform int terrainRowsFromNorth; // 1 if the image's first row is the last one here
@@ -28,7 +29,9 @@ struct TerrainSurface
   int crossings;   // work done, see TerrainHit
 };
 
-// Codes: of the cell's corners.
+// The surface at a position in a cell, 0 <= fraction <= 1, with the normal of what its pixel
+// covers, seen from above (front) or below. Codes: of the cell's corners; positionVC: the same
+// place, as the pixel has it.
 TerrainSurface terrainSurfaceAt(
   ivec2 cell, vec2 fraction, vec4 codes, vec4 positionVC, bool front)
 {
@@ -43,7 +46,7 @@ TerrainSurface terrainSurfaceAt(
 }
 
 #ifdef TERRAIN_TILES
-uniform int terrainArrayLevel; // of the tiles, of which the heights' own arrays are
+uniform int terrainArrayLevel; // level of the tiles of which the heights' own arrays are
 #endif
 
 // The cell of the heights' own arrays, without detail, and the position in it, 0..1.
@@ -107,8 +110,9 @@ layout(depth_greater) out float gl_FragDepth; // the hit lies behind the proxy
 #endif
 #endif
 
-// Distance at which the ray of a fragment of the proxy begins. On the box that is a little before
-// the fragment, by what interpolation rounds.
+// Distance along the viewing direction, in world units, at which the ray of a fragment of the proxy
+// begins; proxyVC: the fragment's position. On the box that is a little before the fragment, by
+// what interpolation rounds.
 float terrainEntry(vec4 proxyVC)
 {
 #ifdef TERRAIN_BELOW_BOX
@@ -118,7 +122,7 @@ float terrainEntry(vec4 proxyVC)
 #endif
 }
 
-// Depth of a hit. Early depth tests with depth_greater need it behind the fragment, rounding
+// Depth, 0..1, of a hit. Early depth tests with depth_greater need it behind the fragment, rounding
 // included.
 float terrainFragmentDepth(vec4 positionVC, float fragmentDepth)
 {
@@ -129,7 +133,8 @@ float terrainFragmentDepth(vec4 positionVC, float fragmentDepth)
 #endif
 }
 
-// The point of the surface on the ray of a pixel.
+// The point of the surface on the ray of a pixel (gl_FragCoord.xy), that of a fragment of the proxy
+// at proxyVC; of one that meets nothing only found and crossings are set.
 TerrainSurface terrainSeen(vec2 pixel, vec4 proxyVC)
 {
 #ifdef TERRAIN_READ_SIGHTINGS
@@ -164,7 +169,8 @@ TerrainSurface terrainSeen(vec2 pixel, vec4 proxyVC)
 }
 #endif
 
-// Difference of depth from a pixel to the next on the surface.
+// Difference of depth, 0 to 1, from a pixel to the next on the surface, in the direction in which
+// it is greatest.
 float terrainDepthSlope(vec2 pixel, TerrainSurface surface)
 {
   float s = -surface.positionVC.z;
@@ -196,27 +202,35 @@ bool terrainIsClipped(vec4 positionVC)
   return clipped;
 }
 
-uniform int terrainMirrored;    // 1 if triangles turn round on their way to the view
+uniform int terrainMirrored; // 1 if triangles turn round on their way to the view
 
-// A normal of the surface, on the viewer's side. A mesh can be seen over a ridge where the surface
-// below it falls away from the viewer already, whose normals would be lit from behind the ridge:
-// there it turns to that of the mesh's face.
+// A normal of the surface, on the viewer's side; all are of length 1, towardsVC points to the
+// viewer. A mesh can be seen over a ridge where the surface below it falls away from the viewer
+// already, whose normals would be lit from behind the ridge: there it turns to that of the mesh's
+// face.
 vec3 terrainFacingNormal(vec3 normalVC, vec3 faceVC, vec3 towardsVC)
 {
   float facing = min(dot(normalVC, towardsVC), 0.0);
   return normalize(mix(normalVC - facing * towardsVC, faceVC, min(-4.0 * facing, 1.0)));
 }
 
-// The point of the surface below a point of a mesh, of which the front or the back is seen.
-TerrainSurface terrainBelow(vec4 positionVC, bool front)
+// The point of the surface below a point of a mesh, of which the front or the back is seen. faceVC:
+// normal of the mesh's face on the viewer's side, of length 1; pixel: gl_FragCoord.xy.
+TerrainSurface terrainPointBelow(vec4 positionVC, vec3 faceVC, vec2 pixel, bool front)
 {
-  vec3 face = cross(dFdx(positionVC.xyz), dFdy(positionVC.xyz));
   vec2 positionGC = (terrainViewToGrid * positionVC).xy;
   ivec2 cell = clamp(ivec2(floor(positionGC)), ivec2(0), terrainSize - 2);
   TerrainSurface surface = terrainSurfaceAt(cell, clamp(positionGC - vec2(cell), 0.0, 1.0),
     terrainCellCodes(cell), positionVC, front != (terrainMirrored == 1));
   surface.normalVC = terrainFacingNormal(
-    surface.normalVC, normalize(face), -normalize(terrainDirectionAt(gl_FragCoord.xy)));
+    surface.normalVC, faceVC, -normalize(terrainDirectionAt(pixel)));
   return surface;
+}
+
+// The same of a fragment of a mesh, whose face it tells from the fragments beside it.
+TerrainSurface terrainBelow(vec4 positionVC, bool front)
+{
+  vec3 face = cross(dFdx(positionVC.xyz), dFdy(positionVC.xyz));
+  return terrainPointBelow(positionVC, normalize(face), gl_FragCoord.xy, front);
 }
 #endif

@@ -83,15 +83,15 @@ struct Shown
     }
   }
 
-  /// Moves the pixels and distances to where a perspective view has the points.
-  template <typename CodesOf>
-  void Project(const CodesOf& codesOf)
+  /// Moves the pixels and distances to where a perspective view has the points, codeOf() high.
+  template <typename CodeOf>
+  void Project(const CodeOf& codeOf)
   {
     const glm::dmat4 view = vtkTerrainTesting::ViewOf();
     for (std::size_t k = 0; k < this->Points.size(); ++k)
     {
       const ShadedSurface& point = this->Points[k];
-      const double code = terrain::PatchCode(codesOf(point.Cell), point.Fraction);
+      const double code = codeOf(point);
       const glm::dvec2 at = glm::dvec2(point.Cell) + glm::dvec2(point.Fraction);
       const glm::dvec4 positionVC = view * glm::dvec4(at, code, 1.0);
       const glm::dvec4 display = glm::perspective(0.6, 2.0, 1.0, 300.0) * positionVC;
@@ -123,7 +123,7 @@ std::string declarations(terrain::Features features)
   features.Way = terrain::Features::Ways::Mesh;
   std::string text = features.Defines() + terrain::Features::Constants();
   text += features.Tiles ? ReadShader("vtkTerrainTiles") : "";
-  for (const char* name : { "Heights", "Ray", "View", "Gradient", "Surface", "Sky" })
+  for (const char* name : { "Heights", "Columns", "Ray", "View", "Gradient", "Surface", "Sky" })
   {
     text += ReadShader(std::string("vtkTerrain") + name);
   }
@@ -131,10 +131,6 @@ std::string declarations(terrain::Features features)
   {
     text += ReadShader("vtkTerrainPyramid") + ReadShader("vtkTerrainOutlook") +
       ReadShader("vtkTerrainLight");
-    // the packing alone, of a shader that has a main()
-    const std::string compute = ReadShader("vtkTerrainLightCS");
-    const std::size_t begin = compute.find("// Two shares in each channel.");
-    text += compute.substr(begin, compute.find("void main()") - begin);
   }
   return text;
 }
@@ -282,15 +278,16 @@ void SetLights(vtkShaderProgram* program, const std::vector<terrain::ShadowLight
 /// may turn with what float rounds of the point's place.
 template <typename Shares>
 glm::vec2 SharesAround(const Shares& shares, const std::vector<terrain::ShadowLight>& lights,
-  std::size_t light, const ShadedSurface& surface, float distance)
+  std::size_t light, const ShadedSurface& surface, const terrain::PixelRays& rays,
+  const glm::vec2& pixel)
 {
   glm::vec2 range(2.0f, -1.0f);
   for (int side = 0; side < 7; ++side)
   {
     ShadedSurface moved = surface;
-    const float step = 2e-5f * distance;
+    const float step = -2e-5f * surface.PositionVC.z;
     moved.PositionVC[side % 3] += side == 6 ? 0.0f : (side < 3 ? step : -step);
-    const float share = shares.FindShares(lights, moved)[light];
+    const float share = shares.FindShares(lights, moved, rays, glm::dvec2(pixel))[light];
     range = { std::min(range.x, share), std::max(range.y, share) };
   }
   return range;
@@ -323,7 +320,7 @@ ShareCounts CountShares(const Shown& shown, const terrain::PixelRays& rays, cons
       drawn[4 * k + 3] == terrain::PackShares(found, terrain::kShareSteps).x ? 0 : 1;
     for (std::size_t light = 0; light < lights.size(); ++light)
     {
-      const glm::vec2 range = SharesAround(shares, lights, light, surface, shown.Distances[k]);
+      const glm::vec2 range = SharesAround(shares, lights, light, surface, rays, shown.Pixels[k]);
       counts.Different +=
         found[light] >= range.x - 1e-3f && found[light] <= range.y + 1e-3f ? 0 : 1;
       counts.Between += found[light] > 0.15f && found[light] < 0.95f ? 1 : 0;
@@ -444,49 +441,112 @@ TEST_F(TerrainShaderTwinsSurface, HaveTheSameLightOfTheSky)
   texture->Deactivate();
 }
 
-// Lights before planes that cut the land.
+// Lights before planes that cut the land; of patches, and of columns on their tops.
 TEST_F(TerrainShaderTwinsSurface, SeeTheSameSharesOfLights)
 {
-  const terrain::CodedField<float> field(wideField());
-  const auto& heights = field.Coded.heights;
-  vtkTerrainTesting::FieldTextures<float> textures(this->Scene.Window, field, true);
-  const terrain::PixelRays rays = RaysOf(false);
-  const glm::dmat4 view = vtkTerrainTesting::ViewOf();
-  const std::vector<terrain::ShadowLight> lights = MakeLights(view);
-  const terrain::OutlookSearch<terrain::CodedPyramid<float>> search{ field.Coded };
-  terrain::LightShares<terrain::CodedPyramid<float>> shares{ search,
-    glm::mat3(glm::inverse(glm::dmat3(view))),
-    { glm::vec4(1.0f, 0.0f, 0.0f, 90.0f), glm::vec4(0.0f, 0.0f, 1.0f, 400.0f) } };
-  const auto codesOf = [&](const glm::ivec2& cell) { return heights.CellCodes(cell); };
-  Shown shown(heights.size, codesOf, 2.0);
-  shown.Project(codesOf);
-  terrain::Features features = textures.GetFeatures();
-  features.ShadowMask = 7;
-  features.ClipPlanes = 2;
-  const std::vector<float> drawn =
-    vtkTerrainTesting::RunShader(this->Scene.Window, declarations(features),
-      kSurfaceAt +
-        "float found[TERRAIN_SHADOWS]; terrainFindShares(input1.xy, surface, found);"
-        "result = vec4(found[0], found[1], found[2], terrainPackShares(found).x);",
-      shown.Inputs,
-      [&](vtkShaderProgram* program)
-      {
-        vtkTerrainTesting::SetRays(program, rays);
-        textures.SetUniforms(program);
-        program->SetUniformi("terrainFlat", 1);
-        glm::mat4 toGrid(glm::inverse(view));
-        program->SetUniformMatrix4x4("terrainViewToGrid", &toGrid[0][0]);
-        program->SetUniformi("terrainClipPlaneCount", 2);
-        program->SetUniform4fv("terrainClipPlanesVC", 2, &shares.PlanesVC[0][0]);
-        SetLights(program, lights);
-      });
-  ASSERT_EQ(drawn.size(), 4 * shown.Points.size());
-  const ShareCounts counts = CountShares(shown, rays, heights, shares, lights, drawn);
-  EXPECT_EQ(counts.Different, 0);
-  EXPECT_GT(counts.Between, 50);
-  for (std::size_t light = 0; light < lights.size(); ++light)
+  for (const bool columns : { false, true })
   {
-    EXPECT_GT(counts.Lit[light], 200) << light;
-    EXPECT_GT(counts.Dark[light], 50) << light;
+    SCOPED_TRACE(columns);
+    terrain::CodedField<float> field(wideField());
+    field.Coded.columns = columns;
+    const auto& heights = field.Coded.heights;
+    vtkTerrainTesting::FieldTextures<float> textures(this->Scene.Window, field, true);
+    const terrain::PixelRays rays = RaysOf(false);
+    const glm::dmat4 view = vtkTerrainTesting::ViewOf();
+    const std::vector<terrain::ShadowLight> lights = MakeLights(view);
+    const terrain::OutlookSearch<terrain::CodedPyramid<float>> search{ field.Coded };
+    terrain::LightShares<terrain::CodedPyramid<float>> shares{ search,
+      glm::mat3(glm::inverse(glm::dmat3(view))),
+      { glm::vec4(1.0f, 0.0f, 0.0f, 90.0f), glm::vec4(0.0f, 0.0f, 1.0f, 400.0f) } };
+    Shown shown(
+      heights.size, [&](const glm::ivec2& cell) { return heights.CellCodes(cell); }, 2.0);
+    shown.Project(
+      [&](const ShadedSurface& point)
+      {
+        const glm::vec4 codes = heights.CellCodes(point.Cell);
+        return columns
+          ? terrain::ColumnCode(codes, glm::greaterThanEqual(point.Fraction, glm::vec2(0.5f)))
+          : terrain::PatchCode(codes, point.Fraction);
+      });
+    terrain::Features features = textures.GetFeatures();
+    features.ShadowMask = 7;
+    features.ClipPlanes = 2;
+    const std::vector<float> drawn =
+      vtkTerrainTesting::RunShader(this->Scene.Window, declarations(features),
+        kSurfaceAt +
+          "float found[TERRAIN_SHADOWS]; terrainFindShares(input1.xy, surface, found);"
+          "result = vec4(found[0], found[1], found[2], terrainPackShares(found).x);",
+        shown.Inputs,
+        [&](vtkShaderProgram* program)
+        {
+          vtkTerrainTesting::SetRays(program, rays);
+          textures.SetUniforms(program);
+          program->SetUniformi("terrainFlat", 1);
+          glm::mat4 toGrid(glm::inverse(view));
+          program->SetUniformMatrix4x4("terrainViewToGrid", &toGrid[0][0]);
+          program->SetUniformi("terrainClipPlaneCount", 2);
+          program->SetUniform4fv("terrainClipPlanesVC", 2, &shares.PlanesVC[0][0]);
+          SetLights(program, lights);
+        });
+    ASSERT_EQ(drawn.size(), 4 * shown.Points.size());
+    const ShareCounts counts = CountShares(shown, rays, heights, shares, lights, drawn);
+    EXPECT_EQ(counts.Different, 0);
+    EXPECT_GT(counts.Between, 50);
+    for (std::size_t light = 0; light < lights.size(); ++light)
+    {
+      EXPECT_GT(counts.Lit[light], 200) << light;
+      EXPECT_GT(counts.Dark[light], 50) << light;
+    }
+  }
+}
+
+// What a compute shader has packed is read back to half a step, and as the twin reads it.
+TEST_F(TerrainShaderTwinsSurface, UnpackTheSameShares)
+{
+  constexpr std::size_t lights = 8; // two in each channel
+  std::minstd_rand random(3);
+  std::vector<std::vector<float>> inputs(2);
+  for (int k = 0; k < kPoints; ++k)
+  {
+    for (std::size_t light = 0; light < lights; ++light)
+    {
+      const float share = k % 3 == 0 ? static_cast<float>(random() % 2u)
+                                     : static_cast<float>(random() % 10001u) / 10000.0f;
+      inputs[light / 4].push_back(share);
+    }
+  }
+  terrain::Features features;
+  features.Gathers = terrain::Driver().Gathers;
+  features.ShadowMask = 255;
+  features.ReadsLights = true;
+  const std::string text = declarations(features);
+  const std::string read =
+    "float given[TERRAIN_SHADOWS]; float found[TERRAIN_SHADOWS]; for (int i = 0; i < 4; ++i)"
+    "{ given[i] = input0[i]; given[4 + i] = input1[i]; }"
+    "terrainUnpackShares(terrainPackShares(given), found);";
+  for (std::size_t half = 0; half < 2; ++half)
+  {
+    const std::string first = half == 0 ? "0" : "4";
+    const std::vector<float> drawn = vtkTerrainTesting::RunShader(this->Scene.Window, text,
+      read + "for (int i = 0; i < 4; ++i) { result[i] = found[" + first + " + i]; }", inputs,
+      nullptr);
+    ASSERT_EQ(drawn.size(), inputs[half].size());
+    int different = 0;
+    for (std::size_t k = 0; k < kPoints; ++k)
+    {
+      std::vector<float> given(&inputs[0][4 * k], &inputs[0][4 * k] + 4);
+      given.insert(given.end(), &inputs[1][4 * k], &inputs[1][4 * k] + 4);
+      const std::vector<float> back = terrain::UnpackShares(
+        terrain::PackShares(given, terrain::kShareSteps), lights, terrain::kShareSteps);
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        const float share = drawn[4 * k + i];
+        different += std::abs(share - given[4 * half + i]) <= 0.51f / (terrain::kShareSteps - 1) &&
+            std::abs(share - back[4 * half + i]) <= 1e-6f
+          ? 0
+          : 1;
+      }
+    }
+    EXPECT_EQ(different, 0);
   }
 }

@@ -51,6 +51,23 @@ ShadedSurface SurfaceAt(const PixelRays& rays, const Heights& heights, const Hei
   return surface;
 }
 
+/// The point of the surface below one of a mesh, whose face has a normal; pixel: the fragment's.
+template <typename Heights>
+ShadedSurface PointBelow(const PixelRays& rays, const Heights& heights, const HeightSlopes& slopes,
+  const glm::dmat4& viewToGrid, const glm::vec4& positionVC, const glm::vec3& faceVC,
+  const glm::dvec2& pixel, bool front, bool flat)
+{
+  const glm::dvec2 positionGC(viewToGrid * glm::dvec4(positionVC));
+  const glm::ivec2 cell =
+    glm::clamp(glm::ivec2(glm::floor(positionGC)), glm::ivec2(0), heights.size - 2);
+  const glm::vec2 fraction(glm::clamp(positionGC - glm::dvec2(cell), 0.0, 1.0));
+  ShadedSurface surface = SurfaceAt(
+    rays, heights, slopes, cell, fraction, heights.CellCodes(cell), positionVC, front, flat);
+  surface.NormalVC = FacingNormal(
+    surface.NormalVC, faceVC, -glm::normalize(glm::vec3(AtPixel(rays.DirectionVC, pixel))));
+  return surface;
+}
+
 /// The cell of the heights' own arrays, of which one has 2^level cells each way, and the position
 /// in it.
 inline glm::ivec2 ArrayCell(const ShadedPoint& point, int level, glm::vec2& fraction)
@@ -136,15 +153,24 @@ struct LightShares
     return static_cast<float>(1.0 - static_cast<double>(light.Disc.w) * (1.0 - share));
   }
 
-  /// Not of columns.
-  std::vector<float> FindShares(
-    const std::vector<ShadowLight>& lights, const ShadedSurface& surface) const
+  /// Pixel and rays: those of the surface's point, which columns need.
+  std::vector<float> FindShares(const std::vector<ShadowLight>& lights,
+    const ShadedSurface& surface, const PixelRays& rays, const glm::dvec2& pixel) const
   {
     Outlook outlook;
     outlook.cell = surface.Cell;
     outlook.fraction = surface.Fraction;
     outlook.codes = this->Search.CellCodes(surface.Cell);
     outlook.code = PatchCode(outlook.codes, surface.Fraction);
+    if (this->Search.rays.columns)
+    {
+      const glm::dvec3 way = AtPixel(rays.DirectionGC, pixel);
+      const ColumnFace face = FindColumnFace(outlook.codes, surface.Fraction, glm::vec3(way));
+      outlook.fraction =
+        glm::clamp(surface.Fraction - kColumnReach * glm::sign(glm::vec2(way)), 0.0F, 1.0F);
+      const double height = AtPixel(rays.OriginGC, pixel).z - surface.PositionVC.z * way.z;
+      outlook.code = face.normal.z > 0.0F ? face.code : static_cast<float>(height);
+    }
     std::vector<float> shares;
     for (const ShadowLight& light : lights)
     {
@@ -155,7 +181,8 @@ struct LightShares
   }
 };
 
-/// Two shares in each channel, of so many steps.
+///@{
+/// Two shares in each channel, of so many steps each.
 inline glm::vec4 PackShares(const std::vector<float>& shares, float shareSteps)
 {
   glm::vec4 texel(0.0F);
@@ -166,6 +193,18 @@ inline glm::vec4 PackShares(const std::vector<float>& shares, float shareSteps)
   }
   return texel;
 }
+inline std::vector<float> UnpackShares(const glm::vec4& texel, std::size_t count, float shareSteps)
+{
+  std::vector<float> shares;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const float pair = texel[static_cast<int>(i / 2)];
+    const float high = std::floor(pair / shareSteps);
+    shares.push_back((i % 2 == 0 ? pair - high * shareSteps : high) / (shareSteps - 1.0F));
+  }
+  return shares;
+}
+///@}
 }
 
 #endif

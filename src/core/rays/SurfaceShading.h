@@ -15,6 +15,7 @@
 #include "core/rays/PixelRays.h"
 #include "core/rays/Ray.h"
 #include "core/surface/CodedHeights.h"
+#include "core/surface/Columns.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
@@ -85,6 +86,22 @@ inline double ShiftedDepth(const PixelRays& rays, const glm::dvec2& pixel, const
   return Depth(rays, glm::dvec4(point.PositionVC)) + factor * DepthSlope(rays, pixel, point) +
     offset / 65000.0;
 }
+/// Where the ray of a fragment of the box begins.
+inline double Entry(const glm::dvec4& proxyVC)
+{
+  return -proxyVC.z - 1e-5 * std::abs(proxyVC.z);
+}
+/// Of a hit behind the box.
+inline double FragmentDepth(
+  const PixelRays& rays, const glm::dvec4& positionVC, double fragmentDepth)
+{
+  return std::max(Depth(rays, positionVC), fragmentDepth);
+}
+inline bool IsClipped(const std::vector<glm::vec4>& planesVC, const glm::dvec4& positionVC)
+{
+  return std::any_of(planesVC.begin(), planesVC.end(),
+    [&](const glm::dvec4& plane) { return glm::dot(plane, positionVC) < 0.0; });
+}
 inline glm::vec3 FacingNormal(
   const glm::vec3& normalVC, const glm::vec3& faceVC, const glm::vec3& towardsVC)
 {
@@ -114,10 +131,12 @@ inline glm::ivec2 CellAt(const TerrainRay& ray, const glm::ivec2& size, glm::vec
   return cell;
 }
 /// Codes: of that cell.
-inline bool IsWithinBlock(const TerrainRay& ray, const glm::vec2& fraction, const glm::vec4& codes)
+inline bool IsWithinBlock(
+  const TerrainRay& ray, const glm::vec2& fraction, const glm::vec4& codes, bool columns = false)
 {
-  return glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0F))) &&
-    ray.originGC.z <= PatchCode(codes, fraction);
+  const float top = columns ? ColumnCode(codes, glm::greaterThanEqual(fraction, glm::vec2(0.5F)))
+                            : PatchCode(codes, fraction);
+  return glm::all(glm::greaterThanEqual(codes, glm::vec4(0.0F))) && ray.originGC.z <= top;
 }
 ///@}
 
