@@ -59,20 +59,41 @@ for file in $glsl; do
     *) offence "$file: shader files are called vtkTerrain<Concept>.glsl" ;;
   esac
 done
-# A function of shaders has a twin of its name in core, or a reason why it has none.
-core_names=$(grep -rhoE '\b[A-Z][A-Za-z0-9]*\(' src/core | sort -u)
-# shellcheck disable=SC2086
-for function in $(sed -nE 's/^[a-z0-9A-Z]+ (terrain[A-Z][A-Za-z0-9]*)\(.*/\1/p' $glsl | sort -u); do
-  name=${function#terrain}
-  printf '%s\n' "$core_names" | grep -qxF -e "$name(" -e "${name#Globe}(" ||
-    grep -qx "$function" Testing/shaders-without-twin.txt ||
-    offence "$function: no function $name in src/core, nor in Testing/shaders-without-twin.txt"
+# A function of shaders has a twin of its name in the files that its shader's opening comment names
+# as twins, in a paragraph "Twins in src/core/: room/File.h ...", or a reason why it has none.
+# The files that a shader names, with their .cxx.
+twins_of()
+{
+  awk '!/^\/\// { exit } /^\/\/$/ { on = 0 } /^\/\/ Twins in src\/core\/:/ { on = 1 } on' "$1" |
+    grep -oE '\b[a-z]+/[A-Za-z]+\.h\b' | while read -r header; do
+    [ -f "src/core/$header" ] || echo "$1: no twin src/core/$header" >&2
+    ls "src/core/$header" "src/core/${header%.h}.cxx" 2>/dev/null || true
+  done
+}
+# Functions that files declare or define: a type comes before the name, and no call does.
+functions_in()
+{
+  cat "$@" /dev/null |
+    grep -E '^ *[A-Za-z][A-Za-z0-9_:<>, ]*[ &*>]([A-Za-z]+(<[A-Za-z, ]+>)?::)*[A-Z][A-Za-z0-9]*\(' |
+    grep -vE '^ *(return|else|new|throw|case) ' | grep -oE '^[^(]*\(' | grep -oE '[A-Za-z0-9]+\($'
+}
+reasons=Testing/shaders-without-twin.txt
+for file in $glsl; do
+  # shellcheck disable=SC2046
+  names=$(functions_in $(twins_of "$file") | sort -u)
+  for function in $(sed -nE 's/^[a-z0-9A-Z]+ (terrain[A-Z][A-Za-z0-9]*)\(.*/\1/p' "$file" | sort -u); do
+    name=${function#terrain}
+    if printf '%s\n' "$names" | grep -qxF -e "$name(" -e "${name#Globe}("; then
+      ! grep -qx "$function" "$reasons" || offence "$reasons: $function of $file has a twin"
+    else
+      grep -qx "$function" "$reasons" ||
+        offence "$file: no function $name in the twins it names, nor in $reasons"
+    fi
+  done
 done
-for function in $(grep '^terrain' Testing/shaders-without-twin.txt); do
+for function in $(grep '^terrain' "$reasons"); do
   # shellcheck disable=SC2086
-  grep -q "\b$function(" $glsl || offence "shaders-without-twin.txt: no function $function"
-  ! printf '%s\n' "$core_names" | grep -qxF "${function#terrain}(" ||
-    offence "shaders-without-twin.txt: $function has a twin"
+  grep -q "\b$function(" $glsl || offence "$reasons: no function $function"
 done
 # src/ itself has the public classes, a pair of files each; all else is in rooms.
 for file in $(git ls-files 'src/*.h' 'src/*.cxx' | grep -v '^src/.*/'); do

@@ -9,12 +9,16 @@
 // Defines: TERRAIN_COLUMNS for columns; TERRAIN_BEAM_PIXELS if starts of tiles of so many pixels
 // each way are there (vtkTerrainBeamCS.glsl); TERRAIN_CLIP_PLANES and TERRAIN_BLOCK for what cuts
 // rays; TERRAIN_WITHIN for a pixel tolerance.
+//
+// Pixels are those of gl_FragCoord.xy; distances are along the viewing direction, in world units.
+//
+// Twins in src/core/: rays/PixelCast.h, rays/SurfaceShading.h, surface/Cutting.h.
 
 uniform int terrainLayer;    // surfaces that the ray passes by
 uniform ivec2 terrainCulled; // 1 if hits from above, from below are passed by
 
 #ifdef TERRAIN_BEAM_PIXELS
-uniform sampler2D terrainBeamStarts;
+uniform sampler2D terrainBeamStarts; // a distance a tile of pixels: vtkTerrainBeamCS.glsl
 
 // Distance before which no ray of the pixel's tile meets the surface.
 float terrainSafeStart(vec2 pixel)
@@ -23,6 +27,7 @@ float terrainSafeStart(vec2 pixel)
     terrainBeamStarts, (ivec2(pixel) - terrainViewportOrigin) / TERRAIN_BEAM_PIXELS, 0).r;
 }
 #else
+// Likewise where no starts of tiles are known: where all rays begin.
 float terrainSafeStart(vec2 pixel)
 {
   return terrainBegin;
@@ -31,7 +36,7 @@ float terrainSafeStart(vec2 pixel)
 
 #ifdef TERRAIN_CLIP_PLANES
 // The part of the distances [range.x, range.y] of a pixel's ray that no clipping plane cuts off,
-// and the plane at which it begins, or -1. Twin: ClipRange() in src/core/surface/Cutting.h.
+// and the plane at which it begins, or -1. Nothing is left if range.x >= range.y.
 vec2 terrainClipRange(vec2 pixel, vec2 range, out int begin)
 {
   begin = -1;
@@ -52,10 +57,10 @@ vec2 terrainClipRange(vec2 pixel, vec2 range, out int begin)
 // farther is traced again from near the hit.
 const float terrainLongRay = 256.0;
 
-// True if a ray meets the surface of a cell from above. Where a tolerance has ended the search
-// before the surface, a ray above it does so, too; and so does one below it that falls more than
-// the surface: it has come in under the border of the grid or of a hole, and does not see the
-// underside.
+// True if a ray meets the surface of a cell, whose corners have these codes, from above. Where a
+// tolerance has ended the search before the surface, a ray above it does so, too; and so does one
+// below it that falls more than the surface: it has come in under the border of the grid or of a
+// hole, and does not see the underside.
 bool terrainSeesFront(TerrainRay ray, TerrainHit hit, vec4 codes)
 {
 #ifdef TERRAIN_COLUMNS
@@ -73,8 +78,9 @@ bool terrainSeesFront(TerrainRay ray, TerrainHit hit, vec4 codes)
 #endif
 }
 
-// The first hit of a pixel's ray between two distances, and the codes of its cell; hit.s counts
-// from range.x. The loop is there so that the trace stands in the program once.
+// The first hit of a pixel's ray between two distances, whether it is seen from above, and the
+// codes of its cell's corners; hit.s counts from range.x. The loop is there so that the trace
+// stands in the program once.
 TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front, out vec4 codes)
 {
 #ifdef TERRAIN_GLOBE
@@ -114,7 +120,8 @@ TerrainHit terrainTraceRange(vec2 pixel, vec2 range, out bool front, out vec4 co
 }
 
 #ifdef TERRAIN_BLOCK
-// True if a pixel's ray is below the surface at a distance: within the block.
+// True if a pixel's ray is below the surface at a distance: within the block. Cell, fraction (0..1)
+// and codes of the cell's corners are those of the place where it is.
 bool terrainIsWithinBlock(
   vec2 pixel, float distanceVC, out ivec2 cell, out vec2 fraction, out vec4 codes)
 {
@@ -132,7 +139,9 @@ bool terrainIsWithinBlock(
 }
 #endif
 
-// What the ray of a pixel sees from a distance on.
+// What the ray of a pixel sees between a distance, or terrainBegin or its tile's start where that
+// is more, and terrainFar: the surface behind terrainLayer others, without what is culled. Any
+// entryDistance will do, also one before the eye.
 TerrainSighting terrainCast(vec2 pixel, float entryDistance)
 {
   float start = max(max(entryDistance, terrainBegin), terrainSafeStart(pixel));

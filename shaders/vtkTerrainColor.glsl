@@ -7,7 +7,9 @@
 // colour; TERRAIN_DRAPE with the number of the picture's components; TERRAIN_TEXTURED for textures
 // of VTK. All else is chosen by uniforms: to build another program takes as long as several frames.
 // Constants: terrainNotANumber, terrainColorMapSize and the kinds of colours, terrainOfMaterial to
-// terrainOfCrossings (src/core/rays/PaintKinds.h). Twin: src/core/rays/SurfaceColors.h.
+// terrainOfCrossings (src/core/rays/PaintKinds.h).
+//
+// Twins in src/core/: rays/SurfaceColors.h, rays/SurfaceShading.h.
 
 // What the surface's colours make of the material's: add + keep * colour; opacity times alpha.
 struct TerrainPaint
@@ -44,7 +46,7 @@ vec2 terrainTexturePosition(TerrainSurface surface)
   return (vec2(surface.cell) + surface.fraction) / vec2(terrainSize - 1);
 }
 
-// How they change from a pixel to the next, in x, in y.
+// How texture coordinates change from a pixel to the next, in x, in y.
 mat2 terrainTextureFootprint(vec2 pixel, TerrainSurface surface)
 {
   mat2 footprint = terrainFootprint(pixel, surface);
@@ -64,7 +66,7 @@ uniform vec4 terrainSpecialColors[3]; // below the range, above it, not a number
 uniform vec2 terrainValueScale;       // value = x * the number that terrainMapColor() takes + y
 uniform vec2 terrainColorScale;       // position in the map, 0..1 = x * that number + y
 uniform int terrainColorLogarithm;    // 1 if it is x * logarithm of the value + y instead
-uniform float terrainMaximumShownCrossings;
+uniform float terrainMaximumShownCrossings; // work, see TerrainHit, that is red; > 0
 
 // Weight of a corner, 0 or 1 each way, in bilinear interpolation.
 float terrainCornerWeight(ivec2 corner, vec2 fraction)
@@ -73,7 +75,8 @@ float terrainCornerWeight(ivec2 corner, vec2 fraction)
   return weights.x * weights.y;
 }
 
-// Value or colour of an array of samples or cells; the value is not a number if a sample's is not.
+// Value, less the offset, and colour of an array of samples or cells at a point; terrainNotANumber
+// if one of the samples has no value.
 float terrainArrayValue(TerrainSurface surface, out vec4 color)
 {
   vec2 fraction;
@@ -96,7 +99,7 @@ float terrainArrayValue(TerrainSurface surface, out vec4 color)
   return value;
 }
 
-// Heights per unit of length along the gradient.
+// Heights per unit of length east and north, not exaggerated.
 vec2 terrainSteepness(TerrainSurface surface)
 {
 #ifdef TERRAIN_GLOBE
@@ -134,7 +137,8 @@ vec4 terrainMapColor(float value)
   return value < 0.5 * terrainNotANumber ? terrainSpecialColors[2] : color;
 }
 
-// Blue for no work over green to red for the largest number and above.
+// Colour of work (see TerrainHit), >= 0: blue for none over green to red for
+// terrainMaximumShownCrossings and above.
 vec4 terrainCrossingsColor(int crossings)
 {
   float work = clamp(float(crossings) / terrainMaximumShownCrossings, 0.0, 1.0);
@@ -142,7 +146,8 @@ vec4 terrainCrossingsColor(int crossings)
                       2.0 - abs(4.0 * work)), 0.0, 1.0), 1.0);
 }
 
-// The number that colours are made of, and the colour of an array of colours.
+// The number that colours are made of, as terrainMapColor() takes it, and the colour of an array of
+// colours.
 float terrainOwnValue(TerrainSurface surface, out vec4 arrayColor)
 {
   float arrayValue = terrainArrayValue(surface, arrayColor);
@@ -152,7 +157,7 @@ float terrainOwnValue(TerrainSurface surface, out vec4 arrayColor)
   return terrainColorKind == terrainOfValues ? arrayValue : value;
 }
 
-// The value that it stands for; NaN for none.
+// The value that this number stands for, in its own unit; NaN for none.
 float terrainShownValue(TerrainSurface surface)
 {
   vec4 arrayColor;
@@ -161,7 +166,7 @@ float terrainShownValue(TerrainSurface surface)
                                          : terrainValueScale.x * value + terrainValueScale.y;
 }
 
-// The surface's own colour; nothing is added to the material's.
+// The surface's own colour; of one that shows the material's, nothing: black, alpha 1.
 vec4 terrainOwnColor(TerrainSurface surface)
 {
   vec4 arrayColor;
@@ -220,8 +225,8 @@ uniform vec2 terrainContourScale;  // number of the contour = x * code + y
 uniform float terrainContourWidth; // pixels
 uniform vec4 terrainContourColor;  // alpha 0 for none
 
-// How much of a pixel contour lines cover. Lines closer than twice their width run into an even
-// grey, which fades where they are closer than their width: slopes that turn away have no dark
+// How much of a pixel, 0..1, contour lines cover. Lines closer than twice their width run into an
+// even grey, which fades where they are closer than their width: slopes that turn away have no dark
 // border.
 float terrainContourCoverage(vec2 pixel, TerrainSurface surface)
 {

@@ -3,9 +3,10 @@
 //
 // The surface of constant columns, one around each sample and as high as that: the nearest sample's
 // height, as Park and Oh's pyramid without bounding map draws it. A cell, which lies between
-// samples, shows a quarter of four columns. Twin: src/core/surface/Columns.h. Needs
-// vtkTerrainHeights.glsl. Constant: terrainColumnReach, cells by which a point on a wall is told
-// from one on a top.
+// samples, shows a quarter of four columns. Needs vtkTerrainHeights.glsl. Constant:
+// terrainColumnReach, cells by which a point on a wall is told from one on a top.
+//
+// Twins in src/core/: surface/Columns.h.
 
 // The face of a column that a ray meets.
 struct TerrainColumnFace
@@ -50,8 +51,8 @@ float terrainIntersectColumns(vec4 codes, vec3 begin, vec3 end)
   return above.x <= 0.0 ? 0.0 : t;
 }
 
-// The face that a ray of a direction meets at a position in a cell: a wall where columns of
-// different height meet there, else a top.
+// The face that a ray of a direction (cells, cells, codes) meets at a position in a cell: a wall
+// where columns of different height meet there, else a top.
 TerrainColumnFace terrainFindColumnFace(vec4 codes, vec2 fraction, vec3 direction)
 {
   vec2 reach = terrainColumnReach * sign(direction.xy);

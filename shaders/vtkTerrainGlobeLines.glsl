@@ -5,14 +5,25 @@
 // coordinates are metres in the axes of the anchor. Needs vtkTerrainHeights.glsl and
 // vtkTerrainView.glsl.
 //
-// Uniforms to set, see GlobeLines in src/core/globe/GlobeLines.h:
-//   terrainGlobeLines   buffer of the columns, then the rows, then the curves
-//   terrainGlobeScene   Radius, Axis, Height of the anchor; Curvature
-//   terrainGlobeOuter, terrainGlobeInner  the shells; w of the first: Spread
-//   terrainGlobeColumn  PerStep, Turn, AnchorFraction
-//   terrainGlobeGrid    AnchorCell, Top
+// Uniforms to set, with their names in GlobeLines in src/core/globe/GlobeLines.h:
+//   terrainGlobeLines   buffer of the columns, then the rows, then the curves: a texel each
+//   terrainGlobeScene   the anchor's distance from the axis (Radius), over the equator's plane
+//                       (Axis), above the ellipsoid (Height), metres; greatest second derivative of
+//                       heights along a line (Curvature), 1 / metres
+//   terrainGlobeOuter, terrainGlobeInner  shells above and below all heights: 1 / a^2, 1 / b^2 of
+//                       their semi-axes, 1 / square metres, and (r / a)^2 + (z / b)^2 - 1 at the
+//                       anchor; w of the first: relative difference of the ellipsoid's radii of
+//                       curvature (Spread)
+//   terrainGlobeColumn  cells a radian (PerStep), cells that go round (Turn), the anchor's position
+//                       in its cell, 0..1 (AnchorFraction)
+//   terrainGlobeGrid    the anchor's column of cells (AnchorCell), the level whose nodes are less
+//                       than a quarter turn wide (Top)
 //   terrainGlobeJoined  1 if the last column lies on the first
-//   terrainGlobeHeights codeScale, codeBase, anchorCode: GlobeTraversal::SetHeights()
+//   terrainGlobeHeights metres a code (codeScale); height of anchorCode less the anchor's, metres
+//                       (codeBase); the code that heights are relative to (anchorCode):
+//                       GlobeTraversal::SetHeights()
+//
+// Twins in src/core/: globe/GlobePixels.h.
 
 uniform samplerBuffer terrainGlobeLines;
 uniform vec4 terrainGlobeScene;
@@ -23,7 +34,7 @@ uniform ivec2 terrainGlobeGrid;
 uniform int terrainGlobeJoined;
 uniform vec4 terrainGlobeHeights;
 
-// The meridian, the parallel and its curve at a line of samples: src/core/globe/GlobeLines.h.
+// Sine and cosine of the longitude of a column of samples, from the anchor's.
 vec2 terrainGlobeColumnAt(int i)
 {
   return texelFetch(terrainGlobeLines, i).xy;
@@ -43,8 +54,9 @@ vec4 terrainGlobeCurveAt(int j)
   return texelFetch(terrainGlobeLines, terrainSize.x + terrainSize.y + j);
 }
 
-// The point that a pixel shows: from metres to cells and codes about it. Twin of its axes:
-// Ellipsoid::ToPosition().
+// Sets terrainGlobeLocal: from metres to cells and codes about the point that a pixel shows. Cell,
+// fraction (0..1) and codes of the cell's corners tell where it is on the grid, positionGC where it
+// is about the anchor, metres.
 void terrainGlobeSetLocal(ivec2 cell, vec2 fraction, vec4 codes, vec3 positionGC)
 {
   vec4 row = terrainGlobeRowAt(cell.y);

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exact ray casting at a globe. Twin, step for step: src/core/globe/GlobeTraversal.h, which
-// documents the method. Needs vtkTerrainGlobeLines.glsl and vtkTerrainPyramid.glsl.
+// Exact ray casting at a globe. Needs vtkTerrainGlobeLines.glsl and vtkTerrainPyramid.glsl.
+//
+// Twins in src/core/: globe/GlobeTraversal.h, step for step, which documents the method;
+// globe/GlobePixels.h.
 
-const float terrainGlobeNever = 1e30;
+const float terrainGlobeNever = 1e30; // a distance beyond any
 
 // A ray with what its lines share: metres in the axes of the anchor. Every t below is a distance
 // along it, in units of the direction's length.
@@ -62,7 +64,8 @@ TerrainGlobePath terrainGlobeMakePath(vec3 o, vec3 d, float begin, float end)
   return path;
 }
 
-// Distances at which a path meets a shell; x > y if it does not.
+// Distances t at which a path meets a shell, the xyz of terrainGlobeOuter or terrainGlobeInner;
+// x > y if it does not.
 vec2 terrainGlobeMeetShell(TerrainGlobePath path, vec3 shell)
 {
   float z = path.origin.z;
@@ -79,7 +82,7 @@ vec2 terrainGlobeMeetShell(TerrainGlobePath path, vec3 shell)
   return vec2(min(q / a, c / q), max(q / a, c / q));
 }
 
-// How much farther from the axis than the anchor.
+// How much farther from the axis than the anchor a path is at t, metres.
 float terrainGlobeOffAxis(TerrainGlobePath path, float t)
 {
   vec2 at = path.origin.xy + t * path.direction.xy;
@@ -101,14 +104,16 @@ float terrainGlobeAbove(TerrainGlobePath path, vec4 row, float t, float off)
   return row.w + (path.origin.z + t * path.direction.z) * row.x + off * row.y;
 }
 
-// Distance east of a meridian's plane, and along it from the axis, in metres.
+// Distance of a path at t east of a meridian's plane, and along it from the axis, in metres;
+// column: terrainGlobeColumnAt().
 vec2 terrainGlobeEast(TerrainGlobePath path, vec2 column, float t)
 {
   vec2 at = path.origin.xy + t * path.direction.xy;
   return vec2(at.y * column.y - at.x * column.x, at.x * column.y + at.y * column.x);
 }
 
-// Distance at which a path crosses a meridian in its own direction.
+// Distance t, of any sign, at which a path crosses a meridian in its own direction;
+// terrainGlobeNever if it does not. column: terrainGlobeColumnAt().
 float terrainGlobeColumnCrossing(TerrainGlobePath path, vec2 column)
 {
   float east = path.origin.y * column.y - path.origin.x * column.x;
@@ -116,8 +121,9 @@ float terrainGlobeColumnCrossing(TerrainGlobePath path, vec2 column)
   return (path.east ? change > 0.0 : change < 0.0) ? -east / change : terrainGlobeNever;
 }
 
-// Distance from t on at which a path crosses a parallel to the north or south; RowCrossing() in
-// src/core/globe/GlobeTraversal.h has the equation.
+// Distance, t or more, at which a path crosses a parallel to the north, or to the south;
+// terrainGlobeNever if it does not. row: terrainGlobeRowAt(). RowCrossing() of the twin has the
+// equation.
 float terrainGlobeRowCrossing(TerrainGlobePath path, vec4 row, float t, bool north)
 {
   float s = row.x;
@@ -265,7 +271,8 @@ TerrainGlobeStep terrainGlobeDown(TerrainGlobePath path, TerrainGlobeStep at, fl
   return next;
 }
 
-// Least and greatest height, less the anchor's, from the circle at a row; radius: of the circle.
+// Least and greatest height that a path may have at t, less the anchor's, metres, from the circle
+// at a row; line: terrainGlobeRowAt(), radius: of the circle, metres.
 vec2 terrainGlobeHeightNear(TerrainGlobePath path, vec4 line, float radius, float t)
 {
   float off = terrainGlobeOffAxis(path, t);
@@ -279,7 +286,8 @@ vec2 terrainGlobeHeightNear(TerrainGlobePath path, vec4 line, float radius, floa
   return vec2(above + drop - slack, above + drop + slack);
 }
 
-// True if a path may meet a node; then from is where from, and side as in terrainGlobeMeetCell().
+// True if a path may meet a node between at.t and span.t; then from is the t where from, and side as
+// in terrainGlobeMeetCell(). row: a row of samples in the node, from whose circle heights are taken.
 bool terrainGlobeVisitNode(
   TerrainGlobePath path, TerrainGlobeStep at, TerrainGlobeSpan span, int row, out float from,
   inout float side)
@@ -303,14 +311,16 @@ bool terrainGlobeVisitNode(
   return least <= bounds.x && max(begin.y, end.y) >= bounds.y;
 }
 
-// atan(x) of a cell's angles, in radians, to kGlobeAngleError (core/globe/GlobeTraversal.h).
+// atan(x), radians, of the angles in a cell, which are small: to kGlobeAngleError
+// (core/globe/GlobeTraversal.h) up to 2.5 degrees, and beyond as the driver has it.
 float terrainGlobeAngle(float x)
 {
   float x2 = x * x;
   return x2 < 2e-3 ? x * (1.0 - x2 * (1.0 / 3.0 - x2 * 0.2)) : atan(x);
 }
 
-// Height of a path in a cell less that of the surface, in metres, and the position in the cell.
+// Height of a path at t in a cell less that of the surface, in metres, and the position in the
+// cell, 0..1. Codes: of the cell's corners, less the anchor's.
 float terrainGlobeDifference(
   TerrainGlobePath path, ivec2 cell, vec4 codes, float t, out vec2 fraction)
 {
@@ -374,7 +384,7 @@ TerrainGlobeMeeting terrainGlobeMeetCell(
   return TerrainGlobeMeeting(at.t, length, a, b, valid ? t : -1.0, between, above);
 }
 
-// The hit where a path meets a cell, its root refined.
+// The hit where a path meets a cell, its root, 0 or more, refined.
 TerrainGlobeHit terrainGlobeRefine(TerrainGlobePath path, ivec2 cell, TerrainGlobeMeeting meeting)
 {
   vec4 codes = terrainCellCodes(cell) - terrainGlobeHeights.z;
@@ -391,14 +401,15 @@ TerrainGlobeHit terrainGlobeRefine(TerrainGlobePath path, ivec2 cell, TerrainGlo
     true, meeting.begin + t * meeting.length, cell, fraction, meeting.front, 0);
 }
 
-// True for nodes, and for what lies outside of a partial raster.
+// True for nodes, and for what lies outside of a partial raster: what is passed as a whole.
 bool terrainGlobeIsWide(TerrainGlobeStep at)
 {
   return at.level > 0 || at.node.x < 0 || at.node.y < 0;
 }
 
-// Two loops in turn, as in terrainTracePyramidWithin(): what a cell takes is not done for each
-// node.
+// The first point of the surface on a path between path.begin and path.end, all of it within the
+// shells. Two loops in turn, as in terrainTracePyramidWithin(): what a cell takes is not done for
+// each node.
 TerrainGlobeHit terrainGlobeTracePart(TerrainGlobePath path)
 {
   TerrainGlobeHit hit = TerrainGlobeHit(false, 0.0, ivec2(0), vec2(0.0), true, 0);
@@ -457,7 +468,8 @@ TerrainGlobeHit terrainGlobeTracePart(TerrainGlobePath path)
   return hit;
 }
 
-// The first point of the surface on a ray: origin relative to the anchor, t from begin to end.
+// The first point of the surface on a ray: origin relative to the anchor, metres; direction, metres
+// a unit of t; t from begin to end.
 TerrainGlobeHit terrainGlobeTrace(vec3 origin, vec3 direction, float begin, float end)
 {
   TerrainGlobeHit hit = TerrainGlobeHit(false, 0.0, ivec2(0), vec2(0.0), true, 0);
@@ -486,7 +498,9 @@ TerrainGlobeHit terrainGlobeTrace(vec3 origin, vec3 direction, float begin, floa
   return hit;
 }
 
-// As terrainTraceRange() in vtkTerrainCast.glsl. Far from the anchor a ray is taken from where it
+// The first hit of a pixel's ray between two distances along the viewing direction, whether it is
+// seen from above, and the codes of its cell's corners; hit.s counts from range.x
+// (terrainTraceRange() in vtkTerrainCast.glsl). Far from the anchor a ray is taken from where it
 // comes to the shell, in double precision.
 TerrainHit terrainGlobeTraceRange(vec2 pixel, vec2 range, out bool front, out vec4 codes)
 {

@@ -3,15 +3,16 @@
 //
 // The slope of the surface, for its normal: differences of heights over a cell, or over what a
 // pixel covers where that is more, so that distant ridges do not shimmer. Gradients are in codes
-// per cell. Needs vtkTerrainHeights.glsl and vtkTerrainView.glsl. Twin of what reads samples:
-// src/core/surface/HeightGradient.h. Constant: terrainFirstSlopeLevel, kFirstSlopeLevel in
-// src/core/surface/HeightSlopes.h.
+// per cell. Needs vtkTerrainHeights.glsl and vtkTerrainView.glsl. Constant: terrainFirstSlopeLevel,
+// kFirstSlopeLevel in src/core/surface/HeightSlopes.h.
+//
+// Twins in src/core/: surface/HeightGradient.h, surface/HeightSlopes.h, rays/SurfaceShading.h.
 
 uniform sampler2D terrainSlopes;   // of squares of cells: src/core/surface/HeightSlopes.h
 uniform float terrainSlopesScale; // codes per cell and unit of terrainSlopes
 
-// Code of the texels' surface at a position relative to a cell of texels; negative where there is
-// none.
+// Code of the texels' surface at a position in cells relative to a cell of texels; negative where
+// there is none.
 float terrainTexelHeight(ivec2 cell, vec2 position)
 {
   ivec2 at = clamp(cell + ivec2(floor(position)), ivec2(0), terrainTexelSize() - 2);
@@ -52,7 +53,7 @@ vec2 terrainWideGradient(ivec2 cell, vec2 fraction, vec4 codes, float width)
 }
 
 // The mean gradient over squares of 2^level cells of texels a side, level >=
-// terrainFirstSlopeLevel, at a position in cells.
+// terrainFirstSlopeLevel, at a position in cells of texels.
 vec2 terrainMeanGradient(vec2 position, float level)
 {
   vec2 cells = vec2(terrainTexelSize() - 1);
@@ -61,7 +62,9 @@ vec2 terrainMeanGradient(vec2 position, float level)
 }
 
 #ifdef TERRAIN_TILES
-// As below; the heights are those of the level that has cells of that size, or of the finest.
+// Gradient of the surface at a position in a cell of level 0, as the central difference over
+// 2^level cells; over one if level < 0. The heights are those of the tiles' level that has cells of
+// that size, or of the finest that is there. Codes: of the cell's corners.
 vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
 {
   int from = clamp(int(level), 0, terrainTileTop);
@@ -110,7 +113,8 @@ vec2 terrainTexelGradient(ivec2 cell, vec2 fraction, vec4 codes, float level)
 #endif
 
 #ifdef TERRAIN_DETAIL
-// Gradient of the detail over squares of 2^level of its cells a side, level >= 0.
+// Gradient of the detail at a position in a cell over squares of 2^level of its cells a side,
+// level >= 0.
 vec2 terrainDetailGradient(ivec2 cell, vec2 fraction, float level)
 {
   vec2 period = vec2(terrainDetailPeriod);
@@ -124,7 +128,7 @@ vec2 terrainDetailGradient(ivec2 cell, vec2 fraction, float level)
 }
 #endif
 
-// Cells that a pixel is wide at a distance along the viewing direction.
+// Cells that a pixel is wide at a distance along the viewing direction, on a plane across it.
 float terrainPixelCells(float distanceVC)
 {
 #ifdef TERRAIN_GLOBE

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reading the heightfield. Twin: CodedHeights in src/core/rays/Ray.h; codes:
-// src/core/grid/HeightCodes.h. Defines: TERRAIN_HEIGHTS_INTEGER if texels are 16-bit integers;
+// Reading the heightfield, whose codes src/core/grid/HeightCodes.h describes.
+// Defines: TERRAIN_HEIGHTS_INTEGER if texels are 16-bit integers;
 // TERRAIN_GATHER if textureGather() can be used (GLSL 4.00, or GL_ARB_texture_gather enabled): one
 // look-up a cell instead of four. TERRAIN_DETAIL if the heightfield is the sum of the texels, the
-// base, and of a repeated detail: all samples, cells and sizes are then those of the sum; twin:
-// src/core/surface/DetailHeights.h. TERRAIN_TILES if the texels are those of vtkTerrainTiles.glsl,
-// the finest that are there.
+// base, and of a repeated detail: all samples, cells and sizes are then those of the sum.
+// TERRAIN_TILES if the texels are those of vtkTerrainTiles.glsl, the finest that are there.
+//
+// Twins in src/core/: surface/CodedHeights.h; of sums, surface/DetailHeights.h.
 
 #ifndef TERRAIN_TILES
 #ifdef TERRAIN_HEIGHTS_INTEGER
@@ -87,8 +88,7 @@ uniform int terrainDetailLevel;    // 2^level detail cells along a cell of texel
 uniform float terrainDetailScale;  // height codes per code of the detail
 
 // index % period of 0 <= index < 2^22, more than there are cells: exact, although a quotient may be
-// off by one, and on processors that divide integers one by one a tenth of the work. Twin: Wrap()
-// in src/core/surface/DetailHeights.h.
+// off by one, and on processors that divide integers one by one a tenth of the work.
 ivec2 terrainWrap(ivec2 index, ivec2 period)
 {
   ivec2 rest = index - period * ivec2(vec2(index) / vec2(period));
@@ -115,7 +115,7 @@ vec4 terrainDetailCodes(ivec2 cell)
 }
 
 // The texels' codes at the corners of part (x, y) of 2^parts x 2^parts parts of a cell of texels,
-// cell = part >> parts; all negative where that has no surface.
+// cell = part >> parts, parts >= 0; all negative where that has no surface.
 vec4 terrainPartCodes(ivec2 part, int parts)
 {
   ivec2 cell = part >> parts;

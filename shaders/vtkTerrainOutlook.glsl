@@ -11,7 +11,9 @@
 // that the patch has in the direction: the tangent there is b + a s, in which h(0) does not appear.
 // No distance and no height is added to get off the surface. Beyond, the ray that runs at the
 // horizon so far goes through the pyramid as in vtkTerrainPyramid.glsl, and rises where it meets
-// something higher.
+// something higher. Tangents are in height codes per cell.
+//
+// Twins in src/core/: rays/Outlook.h, node for node; of bounds, rays/ShadowBounds.h.
 
 // A way over the grid from a point of the surface.
 struct TerrainOutlook
@@ -19,7 +21,7 @@ struct TerrainOutlook
   ivec2 cell;
   vec2 fraction;   // position in the cell, 0..1
   vec4 codes;      // of the cell's corners
-  float code;      // height of the point
+  float code;      // height code of the point
   vec2 direction;  // of length 1, in cells
   float low;       // tangents, codes per cell: lower horizons count as this
   float high;      // the search ends where the horizon is higher
@@ -30,21 +32,22 @@ struct TerrainOutlook
 #ifdef TERRAIN_SHADOW_BOUNDS
 // Bounds of what stands before rays of one direction: src/core/rays/ShadowBounds.h, which documents
 // all. Constant: terrainShadowMargin, kShadowMargin there.
-uniform sampler2D terrainShadowBounds;
-uniform vec4 terrainBoundsAxes;  // Major, Minor
+uniform sampler2D terrainShadowBounds; // a texel a node: columns along the rays, rows of strips
+uniform vec4 terrainBoundsAxes;  // Major, Minor: the axes along and across, in cells
 uniform vec4 terrainBoundsPlace; // MajorStart, Slope, FirstStrip; nodes a cell
-uniform vec2 terrainBoundsRises; // LowRise, HighRise
-uniform int terrainBoundsLevel;
+uniform vec2 terrainBoundsRises; // LowRise, HighRise: codes per cell
+uniform int terrainBoundsLevel;  // Level: rays ask the bounds in nodes of this level and above
 
 // A ray among the bounds.
 struct TerrainShadowStrip
 {
   int strip;
-  float column;   // where it starts
+  float column;   // where it starts, in columns
   float pace;     // columns a cell
   vec2 codes;     // its own numbers with both rises
 };
 
+// Where the ray of an outlook runs among the bounds of its direction.
 TerrainShadowStrip terrainFindShadowStrip(TerrainOutlook outlook)
 {
   vec2 position = vec2(outlook.cell) + outlook.fraction;
@@ -64,7 +67,7 @@ bool terrainIsHidden(TerrainShadowStrip strip)
     strip.codes.y < texelFetch(terrainShadowBounds, ivec2(column, strip.strip), 0).y;
 }
 
-// True if the ray meets nothing from a distance on.
+// True if the ray meets nothing from a distance in cells on.
 bool terrainIsFree(TerrainShadowStrip strip, float s)
 {
   ivec2 size = textureSize(terrainShadowBounds, 0);
@@ -73,8 +76,9 @@ bool terrainIsFree(TerrainShadowStrip strip, float s)
 }
 #endif
 
-// The highest tangent to three points of the surface, height over distance, that lie above the ray
-// of a tangent by more than rounding; else that tangent.
+// The highest tangent to three points of the surface, height over distance (codes above the ray's
+// origin, cells), that lie above the ray of a tangent by more than rounding, codes; else that
+// tangent.
 float terrainRaise(float tangent, vec3 heights, vec3 distances, float rounding)
 {
   vec3 tangents = mix(vec3(tangent), heights / max(distances, vec3(1e-9)),
@@ -84,7 +88,8 @@ float terrainRaise(float tangent, vec3 heights, vec3 distances, float rounding)
 
 #ifdef TERRAIN_COLUMNS
 // The tangent of a ray that has passed the columns of a cell, which are level: each is highest at
-// its near end if it stands above the ray's origin, else at its far end.
+// its near end if it stands above the ray's origin, else at its far end. Arguments: as of the
+// function of patches below.
 float terrainPassCell(
   float tangent, vec4 codes, float originCode, vec2 begin, vec2 end, vec2 span, float rounding)
 {
@@ -103,9 +108,11 @@ float terrainPassCell(
 }
 #else
 // The tangent of a ray that has passed the patch of a cell between two positions in it, as
-// fractions, and two distances. Over the ray the height is c + b u + a u^2 for u = 0..1, and the
-// tangent to it highest at an end or, if a < 0, where a L u^2 + 2 a s u + b s - L c = 0, with the
-// distance s + L u.
+// fractions 0..1, and two distances in cells (span). Codes are those of the cell's corners and of
+// the ray's origin; rounding: codes by which heights may be off.
+//
+// Over the ray the height is c + b u + a u^2 for u = 0..1, and the tangent to it highest at an end
+// or, if a < 0, where a L u^2 + 2 a s u + b s - L c = 0, with the distance s + L u.
 float terrainPassCell(
   float tangent, vec4 codes, float originCode, vec2 begin, vec2 end, vec2 span, float rounding)
 {
@@ -123,7 +130,8 @@ float terrainPassCell(
 }
 #endif
 
-// The path of a ray at the tangent: the heights on it have their origin at the point's own.
+// Turns a path, and the height of the step on it, to a tangent: the heights on it have their origin
+// at the point's own.
 void terrainAim(inout TerrainPath path, inout TerrainStep at, float tangent)
 {
   path.direction.z = tangent;
@@ -203,8 +211,8 @@ float terrainPassNode(
   return valid ? passed : tangent;
 }
 
-// The step after a node whose highest code is given: down if the ray meets that. Ended: the ray
-// ends.
+// The step after a node whose highest code is given: down if the ray meets that, from where it
+// does.
 TerrainStep terrainPassTop(
   TerrainPath path, TerrainStep at, TerrainSpan span, float topCode, out bool down)
 {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exact ray casting through the min-max pyramid. Twin, node for node:
-// src/core/rays/PyramidTraversal.h, which documents the method. Needs vtkTerrainHeights.glsl and
+// Exact ray casting through the min-max pyramid. Needs vtkTerrainHeights.glsl and
 // vtkTerrainRay.glsl.
 //
 // Uniforms to set:
@@ -23,8 +22,10 @@
 //   TERRAIN_WITHIN    optional: tolerances count; without, terrainTracePyramidWithin() is exact
 //   TERRAIN_VISIT(node, level)  optional: run for every node visited, which counts from the
 //                     south-west
-//   TERRAIN_DETAIL    see vtkTerrainHeights.glsl; twin of its part:
-//                     src/core/surface/DetailHeights.h, with the uniforms declared below
+//   TERRAIN_DETAIL    see vtkTerrainHeights.glsl; with the uniforms declared below
+//
+// Twins in src/core/: rays/PyramidTraversal.h, node for node, which documents the method; of what
+// reads nodes, surface/MinMaxPyramid.h and surface/DetailHeights.h.
 
 #ifdef TERRAIN_TILES
 // terrainSlotBounds() in vtkTerrainTiles.glsl in its place
@@ -86,8 +87,8 @@ struct TerrainSpan
 uniform ivec2 terrainPyramidLayout;
 uniform int terrainPyramidLevels;
 
-// Where the nodes of a level begin in a buffer; parts: Quarters and Halves. Twin:
-// PyramidLayout::Begin() in src/core/surface/MinMaxPyramid.h.
+// Where the nodes of a level, 1..levels, begin in a buffer, in nodes; parts and levels: Quarters
+// and Halves, and Top of terrain::PyramidLayout. Twin: PyramidLayout::Begin().
 int terrainLevelBegin(ivec2 parts, int levels, int level)
 {
   return (parts.x >> (2 * level - 2)) + (parts.y >> (level - 1)) + 2 * (levels - level);
@@ -117,16 +118,16 @@ vec2 terrainTexelExtremes(ivec2 node, int level)
 #ifdef TERRAIN_DETAIL
 #ifdef TERRAIN_PYRAMID_BUFFER
 uniform usamplerBuffer terrainDetailPyramid; // of one period, as terrainPyramid
-uniform ivec2 terrainDetailLayout;
+uniform ivec2 terrainDetailLayout; // as terrainPyramidLayout and terrainPyramidLevels
 uniform int terrainDetailLevels;
 #else
 uniform usampler2D terrainDetailPyramid;
 #endif
 uniform int terrainDetailTop;       // highest level whose nodes divide the period
 uniform float terrainDetailUnit;    // height codes per unit of the nodes
-uniform float terrainDetailMaximum; // scaled
+uniform float terrainDetailMaximum; // largest code of the detail, scaled: height codes
 
-// Highest and lowest code of the base in a node.
+// Highest and lowest code of the base in a node of the sum; level >= 1.
 vec2 terrainBaseExtremes(ivec2 node, int level)
 {
   int above = level - terrainDetailLevel;
@@ -139,7 +140,7 @@ vec2 terrainBaseExtremes(ivec2 node, int level)
     min(min(codes.x, codes.y), min(codes.z, codes.w)));
 }
 
-// Highest and lowest code of the detail in a node.
+// Highest and lowest code of the detail, scaled, in a node of the sum; level >= 1.
 vec2 terrainDetailExtremes(ivec2 node, int level)
 {
   ivec2 nodes = max(terrainDetailPeriod >> level, ivec2(1));
@@ -195,7 +196,7 @@ TerrainPath terrainMirrorRay(TerrainRay ray)
   return path;
 }
 
-// Clips to the grid's rectangle and to the codes; empty if sBegin > sEnd.
+// Clips a path to the grid's rectangle and to the codes; empty if sBegin > sEnd.
 TerrainPath terrainClipPath(TerrainPath path)
 {
   bvec2 still = equal(path.direction.xy, vec2(0.0));

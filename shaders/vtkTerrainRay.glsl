@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays and hits. Twin with the documentation of every member: src/core/rays/Ray.h.
+// Rays and hits.
+//
+// Twins in src/core/: rays/Ray.h, which documents every member.
 
 struct TerrainRay
 {

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Searches for the first point of the surface on a ray, by steps where the min-max pyramid lets it
-// be. Twin: src/core/rays/HeightSearch.h, which documents the method and its parameters. Needs
-// vtkTerrainPyramid.glsl and its uniforms.
+// be. Needs vtkTerrainPyramid.glsl and its uniforms.
 // Defines: TERRAIN_LINEAR, TERRAIN_EXPONENTIAL or, else, the equidistant search.
+//
+// Twins in src/core/: rays/HeightSearch.h, which documents the method and its parameters.
 
 uniform int terrainSteps;          // all, or the short ones of an equidistant search
 uniform int terrainLongSteps;      // further steps of double length of an equidistant search
@@ -35,7 +36,7 @@ struct TerrainMarch
   int crossings;      // nodes visited and samples taken
 };
 
-// Distance of one step of terrainStepLength cells.
+// Distance of one step of terrainStepLength cells along a path.
 float terrainStepDistance(TerrainPath path)
 {
   return terrainStepLength /
@@ -57,7 +58,8 @@ TerrainSample terrainSamplePath(TerrainPath path, ivec2 firstCell, ivec2 lastCel
     path.direction.z - dot(terrainPatchGradient(codes, fraction), move));
 }
 
-// Where the line through two samples meets the surface's height, between them.
+// Distance where the line through two samples meets the surface's height, between them; weights, 0
+// to 1, of their heights above it: of regula falsi, which halves that of an end that stays.
 float terrainSecant(TerrainSample a, TerrainSample b, float weightA, float weightB)
 {
   float above = a.above * weightA;
@@ -95,7 +97,7 @@ TerrainSpan terrainStepSpan(TerrainPath path, TerrainStep at)
   return span;
 }
 
-// Where the next step ends.
+// Distance where the next step ends.
 float terrainNextSample(TerrainPath path, TerrainMarch march)
 {
 #if defined(TERRAIN_LINEAR)

@@ -3,14 +3,15 @@
 //
 // What the ray of a pixel sees first, and how it is kept in a texel from a compute shader
 // (vtkTerrainSightingCS.glsl) to the fragment shader. Needs vtkTerrainHeights.glsl and
-// vtkTerrainView.glsl. Twin: src/core/rays/Sighting.h. Defines: TERRAIN_READ_SIGHTINGS for the
-// texture of all pixels of a viewport.
+// vtkTerrainView.glsl. Defines: TERRAIN_READ_SIGHTINGS for the texture of all pixels of a viewport.
+//
+// Twins in src/core/: rays/Sighting.h.
 
 // The first point of the surface on a pixel's ray.
 struct TerrainSighting
 {
   bool found;
-  float distanceVC;  // along the viewing direction
+  float distanceVC;  // along the viewing direction, world units
   ivec2 cell;
   vec2 fraction;     // position in the cell, 0..1
   bool front;        // seen from above

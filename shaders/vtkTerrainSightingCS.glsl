@@ -5,7 +5,7 @@
 // texels vtkTerrainSighting.glsl describes. Needs vtkTerrainCast.glsl.
 
 layout(local_size_x = TERRAIN_GROUP_SIZE, local_size_y = TERRAIN_GROUP_SIZE) in;
-layout(rgba32f, binding = 0) writeonly uniform image2D terrainSightingImage;
+layout(rgba32f, binding = 0) writeonly uniform image2D terrainSightingImage; // a texel a pixel
 
 void main()
 {

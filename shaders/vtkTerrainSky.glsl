@@ -3,12 +3,15 @@
 //
 // The light of an evenly bright sky: the share of it that a point of the surface sees. Needs
 // vtkTerrainSurface.glsl. Defines: TERRAIN_SKY if there is such light.
+//
+// Twins in src/core/: rays/ShadedSurface.h.
 
-uniform sampler2D terrainSky;   // share over the heights' own arrays: src/render/SkyTexture.h
+uniform sampler2D terrainSky;   // shares, 0..1, over the heights' arrays: src/render/SkyTexture.h
 uniform vec2 terrainSkyScale;   // texture coordinates a sample
 uniform float terrainSkyLight;  // what the whole sky gives, over a light of intensity 1
 
-// The light of the sky at a point: on faces that cut a block that of half the sky, none from below.
+// The light of the sky at a point, over a light of intensity 1: on faces that cut a block that of
+// half the sky, none from below.
 float terrainSkyShare(TerrainSurface surface)
 {
   vec2 fraction;

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ray casting through tiles, some of which may be missing. Twin, node for node:
-// src/core/rays/TileTraversal.h, which documents the method. Needs vtkTerrainTiles.glsl and
+// Ray casting through tiles, some of which may be missing. Needs vtkTerrainTiles.glsl and
 // vtkTerrainPyramid.glsl.
+//
+// Twins in src/core/: rays/TileTraversal.h, node for node, which documents the method.
 
 uniform int terrainHoles; // 1 if some samples have no height
 
@@ -29,7 +30,8 @@ vec2 terrainNodeFraction(
   return mix(fraction, 1.0 - fraction, notEqual(path.mirror, ivec2(0)));
 }
 
-// Passes a node, or a cell at level 0, by its patch; codes: of the patch.
+// Passes a node, or a cell at level 0, by its patch, coming from a side as in TerrainPassage;
+// codes: of the patch's corners.
 TerrainPassage terrainPassPatch(
   TerrainPath path, TerrainStep at, TerrainSpan span, float side, vec4 codes)
 {
@@ -59,7 +61,8 @@ TerrainHit terrainHitInNode(TerrainPath path, TerrainStep at, TerrainPassage pas
 }
 
 // The side on which a ray passes a node by its bounds, or the part of it before s, where it goes
-// down.
+// down: as in TerrainPassage. Bounds: highest and lowest code, less the path's anchorCode; side: on
+// which the ray comes.
 float terrainPassBounds(TerrainPath path, TerrainStep at, TerrainSpan span, vec2 bounds, bool down,
   float s, float side)
 {
@@ -77,7 +80,9 @@ struct TerrainDescent
   TerrainStep next;
 };
 
-// Slot: of the node.
+// Takes a ray that comes from a side (as in TerrainPassage) over a node above level 0 whose tile is
+// in a slot, or down into it where it comes within the bounds; tolerance: see
+// terrainTracePyramidWithin().
 TerrainDescent terrainDescend(
   TerrainPath path, TerrainStep at, TerrainSpan span, float side, vec4 tolerance, int slot)
 {
@@ -103,6 +108,7 @@ struct TerrainTileStep
   int slot;
 };
 
+// A step of a path with the slot of its node.
 TerrainTileStep terrainTileStep(TerrainPath path, TerrainStep step)
 {
   return TerrainTileStep(

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Heights and their bounds in tiles of several levels, some of which may be missing:
-// src/core/surface/TileSource.h. Twin: TileSlots in src/core/surface/TileSlots.h. Comes before
-// vtkTerrainHeights.glsl, whose texels it is.
+// src/core/surface/TileSource.h. Comes before vtkTerrainHeights.glsl, whose texels it is.
 // Defines: TERRAIN_TILES; TERRAIN_HEIGHTS_INTEGER and TERRAIN_GATHER as there.
+//
+// Twins in src/core/: surface/TileSlots.h.
 
 #ifdef TERRAIN_HEIGHTS_INTEGER
 uniform usampler2DArray terrainTileHeights; // layer: slot; samples, one more than the cells
@@ -48,7 +49,7 @@ vec4 terrainSlotCodes(ivec2 cell, int slot)
 #endif
 }
 
-// Highest and lowest code of a cell of a level, level >= 1, from a slot.
+// Highest and lowest code of a cell of a level, level >= 1, from its slot, 0 or more.
 vec2 terrainSlotBounds(ivec2 cell, int level, int slot)
 {
   int side = 1 << terrainTileLevel;
@@ -58,7 +59,8 @@ vec2 terrainSlotBounds(ivec2 cell, int level, int slot)
   return vec2(texelFetch(terrainTileBounds, at, 0).rg) - terrainTileBias;
 }
 
-// The slot over a cell of level 0 at the finest level that is there and not finer than one.
+// The slot over a cell of level 0 at the finest level that is there and not finer than a level,
+// which becomes that one.
 int terrainFinestSlot(ivec2 cell, inout int level)
 {
   int slot = terrainTileSlot(cell >> level, level);
@@ -88,7 +90,8 @@ vec4 terrainTileCellCodes(ivec2 cell)
 }
 
 // Code of the surface of a level, or of the finest coarser one that is there, at a position
-// relative to a cell of level 0; negative where there is none.
+// in cells of level 0 relative to one; negative where there is none. size: of the heightfield, in
+// samples of level 0; positions beyond it count as in the cell at its border.
 float terrainTileHeight(ivec2 cell, vec2 position, int level, ivec2 size)
 {
   ivec2 at = clamp(cell + ivec2(floor(position)), ivec2(0), size - 2);

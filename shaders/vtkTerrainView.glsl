@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the pixel to its ray and back to the view. Twins: src/core/rays/PixelRays.h and
-// SurfaceShading.h. Needs vtkTerrainRay.glsl. Defines: TERRAIN_CLIP_PLANES, the most clipping
-// planes, if there are any. Uses double precision where ARB_gpu_shader_fp64 exists: the ray's start
-// is then exact to 1e-9 of a cell at any distance; else to 1e-7 of the distance.
+// From the pixel to its ray and back to the view. Needs vtkTerrainRay.glsl. Defines:
+// TERRAIN_CLIP_PLANES, the most clipping planes, if there are any. Uses double precision where
+// ARB_gpu_shader_fp64 exists: the ray's start is then exact to 1e-9 of a cell at any distance; else
+// to 1e-7 of the distance. Pixels are those of gl_FragCoord.xy; distances are in world units.
+//
+// Twins in src/core/: rays/PixelRays.h, rays/SurfaceShading.h.
 
 // Vectors that depend on the pixel: times (1, x, y); Low holds what float cuts off.
 uniform mat3 terrainOriginGC;
@@ -52,8 +54,7 @@ vec2 terrainSplit(float number)
 }
 #endif
 
-// A vector that depends on the pixel (gl_FragCoord.xy), from its leading bits and what those cut
-// off. Twin: AtPixel().
+// A vector that depends on the pixel, from its leading bits and what those cut off.
 terrainReal3 terrainAtPixel(mat3 leading, mat3 low, vec2 pixel)
 {
   return (terrainReal3x3(leading) + terrainReal3x3(low)) * terrainReal3(1.0, pixel);
@@ -167,7 +168,8 @@ vec4 terrainPositionVC(vec2 pixel, float distanceVC)
     terrainOriginVC * vec3(1.0, pixel) + distanceVC * terrainDirectionAt(pixel), 1.0);
 }
 
-// Depth, 0..1, of a position in view coordinates; 0 before the near plane.
+// Depth, 0 to 1 between the near and the far plane, of a position in view coordinates; 0 before the
+// near plane.
 float terrainDepth(vec4 positionVC)
 {
   float weight = max(dot(terrainWeightRow, positionVC), 1e-30);
