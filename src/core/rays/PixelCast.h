@@ -3,8 +3,8 @@
 /**
  * @file
  * What the ray of a pixel sees of a heightfield: twin of shaders/vtkTerrainCast.glsl, whose
- * uniforms are members here. Pixels are in double precision, the trace is that of PyramidTraversal.h. For
- * tests: nothing is drawn by it.
+ * uniforms are members here. Pixels are in double precision, the trace is that of
+ * PyramidTraversal.h. For tests: nothing is drawn by it.
  */
 #ifndef terrain_PixelCast_h
 #define terrain_PixelCast_h

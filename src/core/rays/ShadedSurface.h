@@ -4,8 +4,8 @@
  * @file
  * The point of a surface that a pixel shows, with its normal, and the light that it gets: of the
  * sky and of lights that cast shadows. Twins of functions of shaders/vtkTerrainSurface.glsl,
- * vtkTerrainLight.glsl, vtkTerrainLightCS.glsl and vtkTerrainSky.glsl, which have the prefix
- * terrain and document them; uniforms are arguments here. For tests: nothing is drawn by it.
+ * vtkTerrainLight.glsl and vtkTerrainSky.glsl, which have the prefix terrain and document them;
+ * uniforms are arguments here. For tests: nothing is drawn by it.
  */
 #ifndef terrain_ShadedSurface_h
 #define terrain_ShadedSurface_h
