@@ -286,8 +286,9 @@ vec2 terrainGlobeHeightNear(TerrainGlobePath path, vec4 line, float radius, floa
   return vec2(above + drop - slack, above + drop + slack);
 }
 
-// True if a path may meet a node between at.t and span.t; then from is the t where from, and side as
-// in terrainGlobeMeetCell(). row: a row of samples in the node, from whose circle heights are taken.
+// True if a path may meet a node between at.t and span.t; then from is the t where from, and side
+// as in terrainGlobeMeetCell(). row: a row of samples in the node, from whose circle heights are
+// taken.
 bool terrainGlobeVisitNode(
   TerrainGlobePath path, TerrainGlobeStep at, TerrainGlobeSpan span, int row, out float from,
   inout float side)

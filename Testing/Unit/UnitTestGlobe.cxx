@@ -115,7 +115,8 @@ TEST(Globe, IsWatertight)
 }
 
 // Flat ground, as the sea of global rasters is: the box of a node has no height there, and float,
-// which counts from an anchor far away, rounds the place where a ray comes to it to below the ground.
+// which counts from an anchor far away, rounds the place where a ray comes to it to below the
+// ground.
 TEST(Globe, HasNoHolesInFlatGround)
 {
   const double step = 360.0 / 2048.0;

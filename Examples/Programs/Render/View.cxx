@@ -160,7 +160,8 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
   }
   else
   {
-    LookAtAll(camera, terrain.Framed, heights, static_cast<double>(options.Size[0]) / options.Size[1]);
+    LookAtAll(
+      camera, terrain.Framed, heights, static_cast<double>(options.Size[0]) / options.Size[1]);
   }
   SetClippingRange(camera, box, heights);
   SetBackground(renderer, options);

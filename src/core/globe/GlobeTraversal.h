@@ -51,7 +51,8 @@ constexpr double kGlobeAngleError = 1e-8;
 /// In radians: 2.5 degrees.
 constexpr double kGlobeCellAngle = 0.0436;
 
-/// atan(x), which the shader takes to kGlobeAngleError from its series for the small angles of a cell.
+/// atan(x), which the shader takes to kGlobeAngleError from its series for the small angles of a
+/// cell.
 template <typename Real>
 Real GlobeAngle(Real x)
 {
