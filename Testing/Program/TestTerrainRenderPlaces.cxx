@@ -329,7 +329,7 @@ TEST_F(TerrainRenderPlaces, PartOfAGlobeFillsThePicture)
   for (const double north : { 4.5, 54.5, -70.0 })
   {
     part.GeoTransform = { 100.0, 0.1, 0.0, north, 0.0, -0.1 };
-    this->ExpectDrawn(this->Draw(this->WriteRaster("part.tif", part)), 3000);
+    this->ExpectDrawn(this->Draw(this->WriteRaster("part.tif", part)), 2000);
   }
 }
 
