@@ -37,9 +37,9 @@
  * from several threads, allows input and output to be the same array, and returns false if
  * GetWhyNot has a reason. Points without image are NaN.
  *
- * Error: places and back within 1 mm up to 1,000 km from the origin (terrain::kSceneFrameError is
- * what is tested). Cost, for Local and Plane: about 30 ns a point and core to the scene, 100 ns
- * back; other CRSs add what PROJ takes, 250 to 700 ns.
+ * Error: places and back to PlaceError up to 1,000 km from the origin. Cost, for Local and Plane:
+ * about 30 ns a point and core to the scene, 100 ns back; other CRSs add what PROJ takes, 250 to
+ * 700 ns.
  *
  * @code
  *   vtkNew<vtkTerrainGeoreference> place;
@@ -69,6 +69,9 @@ public:
   static vtkTerrainGeoreference* New();
   vtkTypeMacro(vtkTerrainGeoreference, vtkObject)
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Largest error of a place in the scene and back, in metres.
+  static constexpr double PlaceError = 1e-3;
 
   /// Kind of the scene's coordinates (class comment).
   enum class FrameType
@@ -119,9 +122,12 @@ public:
   void SetFromHeights(vtkImageData* heights);
 
   /// The frame that suits heights where nobody chooses one: Grid where their own grid is in metres
-  /// and true to scale in its middle (within 1 %), and where nothing is known of it, or where they
-  /// reach so far that no flat frame is of use (the earth falls by more than 200 km); else Plane.
+  /// and true to scale in its middle (within ScaleError), and where nothing is known of it, or
+  /// where they reach so far that no flat frame is of use (the earth falls by more than 200 km);
+  /// else Plane.
   static FrameType SuggestFrame(vtkImageData* heights);
+  /// What the scale of a grid may be off by, as a part of it, where SuggestFrame calls it true.
+  static constexpr double ScaleError = 0.01;
 
   ///@{
   /// Frame of the scene; default Plane.

@@ -17,7 +17,7 @@
  * Method: GDAL's warper (bilinear, averaging where it reduces) with a transformation of our own, by
  * way of longitude and latitude. In the round frame Local each pixel is taken from where the
  * vertical line of the scene meets the terrain, so that the picture stays on its summits. In flat
- * frames the transformation is interpolated with an error below 0.05 pixel of the picture.
+ * frames the transformation is interpolated, to InterpolationError.
  *
  * Errors: one sentence in GetErrorMessage and an empty output: no file, no CRS, no overlap.
  *
@@ -41,6 +41,10 @@ public:
   static vtkTerrainImageWarp* New();
   vtkTypeMacro(vtkTerrainImageWarp, vtkImageAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Largest error of the place that a pixel is taken from in flat frames, in pixels of the
+  /// picture.
+  static constexpr double InterpolationError = 0.05;
 
   ///@{
   /// The picture.

@@ -20,7 +20,8 @@
  *     files do not.
  *   - A raster without georeference has spacing 1. The south-western sample of the file lies at the
  *     origin.
- *   - Rotated and sheared rasters are refused.
+ *   - Rotated and sheared rasters, by a hundredth of a cell or more over their length, are
+ *     resampled in memory, up to 2^27 samples.
  *
  * Place, unit, sense and holes are found from all that the raster says: CRS, geotransform,
  * variables of coordinates (CF), attributes, masks, names of bands. Coordinates that are unevenly

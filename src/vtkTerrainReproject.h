@@ -28,7 +28,7 @@
  * Samples are taken from the bilinear surface, or by cubic convolution (smoother; where a
  * neighbour has no data it falls back to the surface). Heights are not averaged: where the spacing
  * is much wider than the input's, reduce the input first (vtkTerrainRasterReader::MaximumSize).
- * Registration error: below 0.01 cell of the input. A raster that goes round the earth is closed
+ * Samples lie where they should to RegistrationError. A raster that goes round the earth is closed
  * between its last and its first column.
  *
  * Runs on the threads of vtkSMPTools, in blocks, with progress and abort. Cost: 0.1 to 0.3
@@ -57,6 +57,8 @@ public:
   vtkTypeMacro(vtkTerrainReproject, vtkImageAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Largest error of the place that a sample is taken from, in cells of the input.
+  static constexpr double RegistrationError = 0.01;
   /// Largest vertical error of the search in Local frames, in metres.
   static constexpr double VerticalTolerance = 1e-3;
 

@@ -4,7 +4,10 @@
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainTesting.h"
 
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 
 #include <GeographicLib/Geocentric.hpp>
 #include <GeographicLib/LocalCartesian.hpp>
@@ -14,6 +17,7 @@
 
 #include <cmath>
 #include <random>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,8 +26,7 @@ namespace
 {
 using Frame = vtkTerrainGeoreference::FrameType;
 
-// What the class promises of places and back, in metres.
-constexpr double kRoundTrip = 1e-3;
+constexpr double kRoundTrip = vtkTerrainGeoreference::PlaceError;
 // What it promises against GDAL's own transform, in cells.
 constexpr double kAgainstGDAL = 0.01;
 
@@ -419,6 +422,30 @@ TEST(TerrainGeoreference, AntimeridianAndPole)
   double upsPole[3] = { 2000000.0, 2000000.0, 0.0 };
   ASSERT_TRUE(ups->FileToScene(upsPole, scene, 1));
   EXPECT_NEAR(std::hypot(scene[0], scene[1]), 0.0, 1e-6);
+}
+
+// A grid of 10 m cells at the middle of a transverse Mercator projection, where its scale is k.
+TEST(TerrainGeoreference, SuggestsTheOwnGridWhereItsScaleIsTrue)
+{
+  for (const double off : { 0.0, 0.99, -0.99, 1.01, -1.01 })
+  {
+    std::ostringstream system;
+    system.precision(12);
+    system << "+proj=tmerc +lat_0=46 +lon_0=8 +x_0=0 +y_0=0 +ellps=GRS80 +units=m +k="
+           << 1.0 / (1.0 + off * vtkTerrainGeoreference::ScaleError);
+    vtkNew<vtkImageData> heights;
+    heights->SetDimensions(11, 11, 1);
+    heights->SetOrigin(-50.0, -50.0, 0.0);
+    heights->SetSpacing(10.0, 10.0, 1.0);
+    heights->AllocateScalars(VTK_FLOAT, 1);
+    vtkNew<vtkStringArray> name;
+    name->SetName("CRS");
+    name->InsertNextValue(system.str());
+    heights->GetFieldData()->AddArray(name);
+    EXPECT_EQ(vtkTerrainGeoreference::SuggestFrame(heights),
+      std::abs(off) < 1.0 ? Frame::Grid : Frame::Plane)
+      << system.str();
+  }
 }
 
 TEST(TerrainGeoreference, ManyThreadsAgree)

@@ -186,56 +186,105 @@ RedBand ReadRed(const std::string& picture)
 }
 }
 
+namespace
+{
+// High above the sea, where verticals that lean by 0.1 degrees matter by 15 m.
+constexpr double kSceneHeight = 9000.0;
+
+/// Warps a picture onto a scene and gives all opaque pixels, but those beside the picture's border,
+/// with the column and row of the picture where GDAL alone places them; returns how many.
+int ForEveryPixel(const std::string& path, Frame frame,
+  const std::function<void(const unsigned char* color, double column, double row)>& body)
+{
+  vtkNew<vtkTerrainReproject> scene;
+  scene->GetGeoreference()->SetOrigin(86.7, 27.9, 0.0);
+  MakeScene(scene, frame, kSceneHeight);
+  vtkNew<vtkTerrainImageWarp> warp;
+  warp->SetInputConnection(scene->GetOutputPort());
+  warp->SetGeoreference(scene->GetGeoreference());
+  warp->SetFileName(path);
+  warp->Update();
+  EXPECT_EQ(warp->GetErrorMessage(), "");
+  vtkImageData* image = warp->GetOutput();
+  EXPECT_NEAR(image->GetSpacing()[0], kPixel, 0.05 * kPixel);
+  OGRCoordinateTransformationH toPicture = PlacesTo("EPSG:32645");
+  int seen = 0;
+  for (int j = 0; j < image->GetDimensions()[1]; ++j)
+  {
+    for (int i = 0; i < image->GetDimensions()[0]; ++i)
+    {
+      const unsigned char* color = Pixel(image, i, j);
+      if (color[3] < 255)
+      {
+        continue;
+      }
+      const double x = image->GetOrigin()[0] + i * image->GetSpacing()[0];
+      const double y = image->GetOrigin()[1] + j * image->GetSpacing()[1];
+      const double fall = frame == Frame::Local ? -(x * x + y * y) / (2.0 * 6.37e6) : 0.0;
+      const std::array<double, 2> metres =
+        PixelByGDAL(scene->GetGeoreference(), x, y, kSceneHeight + fall, toPicture);
+      const double column = (metres[0] - kWest) / kPixel - 0.5;
+      const double row = (kNorth - metres[1]) / kPixel - 0.5;
+      if (column > 1.0 && column < kWidth - 2.0 && row > 1.0 && row < kHeight - 2.0)
+      {
+        body(color, column, row);
+        ++seen;
+      }
+    }
+  }
+  OCTDestroyCoordinateTransformation(toPicture);
+  return seen;
+}
+}
+
 TEST(TerrainImageWarp, EveryPixelInItsPlace)
 {
   const std::string path = Write("warp-position.tif", 3, GDT_Byte, Position);
-  OGRCoordinateTransformationH toPicture = PlacesTo("EPSG:32645");
   for (Frame frame : { Frame::Plane, Frame::Zone, Frame::Local })
   {
-    // High above the sea, where verticals that lean by 0.1 degrees matter by 15 m.
-    const double height = 9000.0;
-    vtkNew<vtkTerrainReproject> scene;
-    scene->GetGeoreference()->SetOrigin(86.7, 27.9, 0.0);
-    MakeScene(scene, frame, height);
-    vtkNew<vtkTerrainImageWarp> warp;
-    warp->SetInputConnection(scene->GetOutputPort());
-    warp->SetGeoreference(scene->GetGeoreference());
-    warp->SetFileName(path);
-    warp->Update();
-    ASSERT_EQ(warp->GetErrorMessage(), "");
-    vtkImageData* image = warp->GetOutput();
-    EXPECT_NEAR(image->GetSpacing()[0], kPixel, 0.05 * kPixel);
-    int seen = 0;
-    for (int j = 0; j < image->GetDimensions()[1]; ++j)
-    {
-      for (int i = 0; i < image->GetDimensions()[0]; ++i)
+    SCOPED_TRACE(static_cast<int>(frame));
+    const int seen = ForEveryPixel(path, frame,
+      [](const unsigned char* color, double column, double row)
       {
-        const unsigned char* color = Pixel(image, i, j);
-        if (color[3] < 255)
-        {
-          continue;
-        }
-        const double x = image->GetOrigin()[0] + i * image->GetSpacing()[0];
-        const double y = image->GetOrigin()[1] + j * image->GetSpacing()[1];
-        const double fall = frame == Frame::Local ? -(x * x + y * y) / (2.0 * 6.37e6) : 0.0;
-        const std::array<double, 2> metres =
-          PixelByGDAL(scene->GetGeoreference(), x, y, height + fall, toPicture);
-        const double column = (metres[0] - kWest) / kPixel - 0.5;
-        const double row = (kNorth - metres[1]) / kPixel - 0.5;
-        if (column > 1.0 && column < kWidth - 2.0 && row > 1.0 && row < kHeight - 2.0)
-        {
-          // Half a step of rounding, and what the warper rounds itself.
-          EXPECT_NEAR(color[0], column, 0.7)
-            << static_cast<int>(frame) << " pixel " << i << " " << j;
-          EXPECT_NEAR(color[1], row, 0.7);
-          EXPECT_EQ(color[2], 77);
-          ++seen;
-        }
-      }
-    }
+        // Half a step of rounding, and what the warper rounds itself.
+        EXPECT_NEAR(color[0], column, 0.7);
+        EXPECT_NEAR(color[1], row, 0.7);
+        EXPECT_EQ(color[2], 77);
+      });
     EXPECT_GT(seen, 3000);
   }
-  OCTDestroyCoordinateTransformation(toPicture);
+}
+
+// Ramps of four pixels, so steep that a step of colour is a 60th of a pixel.
+TEST(TerrainImageWarp, InterpolatesPlacesInFlatFrames)
+{
+  constexpr double step = 60.0;
+  constexpr int ramp = 4;
+  const std::string path = Write("warp-ramps.tif", 3, GDT_Byte,
+    [](int band, int column, int row)
+    { return band == 3 ? 77.0 : step * ((band == 1 ? column : row) % ramp); });
+  for (Frame frame : { Frame::Plane, Frame::Zone })
+  {
+    SCOPED_TRACE(static_cast<int>(frame));
+    int compared = 0;
+    const auto compare = [&compared](unsigned char color, double place)
+    {
+      const double margin = vtkTerrainImageWarp::InterpolationError;
+      const double on = std::fmod(place, ramp);
+      if (on > margin && on < ramp - 1 - margin) // between the first and the last of a ramp
+      {
+        EXPECT_NEAR(color / step, on, vtkTerrainImageWarp::InterpolationError + 1.0 / step);
+        ++compared;
+      }
+    };
+    ForEveryPixel(path, frame,
+      [&compare](const unsigned char* color, double column, double row)
+      {
+        compare(color[0], column);
+        compare(color[1], row);
+      });
+    EXPECT_GT(compared, 3000);
+  }
 }
 
 TEST(TerrainImageWarp, NoDataAlphaGreyAndPalette)

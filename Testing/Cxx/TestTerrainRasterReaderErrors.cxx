@@ -4,15 +4,20 @@
 #include "vtkTerrainRasterReader.h"
 #include "vtkTerrainTestRaster.h"
 
+#include "raster/RasterFile.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 #include "vtkTestErrorObserver.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -185,6 +190,37 @@ TEST_F(TerrainRasterReaderErrors, RowsAlongColumns)
   RasterFile file = MakeSquare(4);
   file.GeoTransform = { 0.0, 10.0, 20.0, 0.0, 3.0, 6.0 };
   this->ExpectError(file.Write("flat.tif"), "its georeference is degenerate");
+}
+
+// Rows that leave the east by less than kShearTolerance cells over the raster are taken as they
+// are; from there on they are resampled.
+TEST_F(TerrainRasterReaderErrors, RowsThatDoNotQuiteRunEast)
+{
+  constexpr int size = 20;
+  constexpr double cell = 10.0;
+  for (const bool turned : { false, true })
+  {
+    for (const double part : { -0.99, 0.99, -1.01, 1.01 })
+    {
+      const double shear = part * terrain::kShearTolerance * cell / size;
+      RasterFile file = MakeSquare(size);
+      file.EPSG = 32631;
+      file.GeoTransform = { 5e5, cell, turned ? 0.0 : shear, 5e6, turned ? shear : 0.0, -cell };
+      this->Reader->SetFileName(file.Write("shear.tif"));
+      this->Reader->Modified();
+      this->Reader->Update();
+      EXPECT_STREQ(this->Reader->GetErrorMessage(), "");
+      auto* record = vtkStringArray::SafeDownCast(
+        this->Reader->GetOutput()->GetFieldData()->GetAbstractArray("Record"));
+      ASSERT_NE(record, nullptr);
+      bool isResampled = false;
+      for (vtkIdType i = 0; i < record->GetNumberOfValues(); ++i)
+      {
+        isResampled = isResampled || record->GetValue(i).find("resampled") != std::string::npos;
+      }
+      EXPECT_EQ(isResampled, std::abs(part) > 1.0) << part;
+    }
+  }
 }
 
 TEST_F(TerrainRasterReaderErrors, ColourImage)

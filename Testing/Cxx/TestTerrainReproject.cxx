@@ -28,9 +28,6 @@ namespace
 {
 using Frame = vtkTerrainGeoreference::FrameType;
 
-// What the class promises, in cells of the input.
-constexpr double kRegistration = 0.01;
-
 struct Grid
 {
   const char* System;
@@ -150,7 +147,8 @@ TEST(TerrainReproject, RegistrationInEveryFrame)
           double file[2] = { place[0], place[1] };
           ToSystemByGDAL(grid.System, file[0], file[1]);
           const double expected = (file[axis] - (axis == 0 ? grid.X : grid.Y)) / grid.Cell;
-          EXPECT_NEAR(place[2], expected, kRegistration) << grid.System << " sample " << i;
+          EXPECT_NEAR(place[2], expected, vtkTerrainReproject::RegistrationError)
+            << grid.System << " sample " << i;
         }
       }
     }

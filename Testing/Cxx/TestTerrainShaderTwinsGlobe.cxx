@@ -389,3 +389,25 @@ TEST(TerrainShaderTwinsGlobe, TracesAsInCxx)
     compareRays(scene.Window, globes[k], static_cast<int>(k) % GlobeRays::Count);
   }
 }
+
+TEST(TerrainShaderTwinsGlobe, AnglesAreThoseOfTheLibrary)
+{
+  const vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(8, 8);
+  scene.Window->Render();
+  constexpr int count = 4000;
+  const double largest = std::tan(terrain::kGlobeCellAngle);
+  std::vector<std::vector<float>> inputs(1);
+  for (int k = -count; k <= count; ++k)
+  {
+    inputs[0].insert(
+      inputs[0].end(), { static_cast<float>(largest * k / count), 0.0f, 0.0f, 0.0f });
+  }
+  const std::vector<float> drawn = vtkTerrainTesting::RunShader(scene.Window,
+    declarations(terrain::Features()), "result = vec4(terrainGlobeAngle(input0.x));", inputs);
+  ASSERT_EQ(drawn.size(), inputs[0].size());
+  for (std::size_t k = 0; k < drawn.size(); k += 4)
+  {
+    const auto tangent = static_cast<double>(inputs[0][k]);
+    ASSERT_NEAR(drawn[k], std::atan(tangent), terrain::kGlobeAngleError) << tangent;
+  }
+}

@@ -112,8 +112,7 @@ void vtkTerrainGeoreference::SetFromHeights(vtkImageData* heights)
 
 vtkTerrainGeoreference::FrameType vtkTerrainGeoreference::SuggestFrame(vtkImageData* heights)
 {
-  // How far the scale of an own grid may be from 1, and the largest drop for a flat frame, metres.
-  constexpr double kScaleError = 0.01;
+  // The largest drop for a flat frame, metres.
   constexpr double kDeepestDrop = 200e3;
   const vtkNew<vtkTerrainGeoreference> ground;
   ground->SetFromHeights(heights);
@@ -133,7 +132,7 @@ vtkTerrainGeoreference::FrameType vtkTerrainGeoreference::SuggestFrame(vtkImageD
     ground->FileToScene(p, p, 3);
     const double area = std::abs((p[3] - p[0]) * (p[7] - p[1]) - (p[4] - p[1]) * (p[6] - p[0]));
     if (dims[0] < 2 || dims[1] < 2 ||
-      !(std::abs(std::sqrt(area / (spacing[0] * spacing[1])) - 1.0) >= kScaleError))
+      !(std::abs(std::sqrt(area / (spacing[0] * spacing[1])) - 1.0) >= ScaleError))
     {
       return FrameType::Grid;
     }

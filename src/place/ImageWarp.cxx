@@ -21,8 +21,6 @@ using Frame = vtkTerrainGeoreference::FrameType;
 
 // Points along each side of the picture by which it is found in the scene.
 constexpr int kOutlinePoints = 65;
-// Pixels of the picture by which an interpolated transformation may be wrong.
-constexpr double kApproximation = 0.05;
 
 ImageWarp::Dataset Own(GDALDatasetH dataset)
 {
@@ -408,7 +406,7 @@ std::string ImageWarp::Warp(unsigned char* rgba)
   options->pTransformerArg = this;
   if (this->Scene->GetFrame() != Frame::Local)
   {
-    approximate = GDALCreateApproxTransformer(ImageWarp::Transform, this, kApproximation);
+    approximate = GDALCreateApproxTransformer(ImageWarp::Transform, this, kInterpolationError);
     options->pfnTransformer = GDALApproxTransform;
     options->pTransformerArg = approximate;
   }

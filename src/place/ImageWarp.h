@@ -22,6 +22,9 @@
 
 namespace terrain
 {
+/// vtkTerrainImageWarp::InterpolationError.
+constexpr double kInterpolationError = 0.05;
+
 /// A picture on its way into a scene.
 class ImageWarp
 {

@@ -40,6 +40,9 @@ namespace terrain
 class RasterArray;
 struct EvenGrid;
 
+/// A raster sheared by less than this many cells over its whole length is not sheared.
+constexpr double kShearTolerance = 0.01;
+
 /// Pixels of a raster file: columns from its first, rows from its first (as a rule the
 /// northernmost).
 struct RasterWindow

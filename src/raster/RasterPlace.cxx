@@ -23,8 +23,6 @@ namespace terrain
 {
 namespace
 {
-// A raster sheared by less than this many cells over its whole length is not sheared.
-constexpr double kShearTolerance = 0.01;
 // Samples of a sheared raster, which is resampled in memory.
 constexpr std::int64_t kMostSheared = std::int64_t{ 1 } << 27;
 // Metres per degree of longitude are never less than this share of those at the equator.
