@@ -24,6 +24,8 @@ class vtkTerrainImageWarp::vtkInternals : public terrain::ImageWarp
 {
 };
 
+static_assert(vtkTerrainImageWarp::InterpolationError == terrain::kInterpolationError);
+
 vtkStandardNewMacro(vtkTerrainImageWarp);
 
 vtkTerrainImageWarp::vtkTerrainImageWarp()
