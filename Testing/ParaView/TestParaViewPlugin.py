@@ -430,6 +430,20 @@ class TestPlugin(unittest.TestCase):
         self.assertEqual(display.TerrainTechnique, "Equidistant")
         self.assertEqual(display.TerrainVerticalExaggeration, 2.0)
 
+    def test_states_of_before_name_the_reader_otherwise(self):
+        simple.TerrainRasterReader(FileName=write_hill("paraview-state.asc"), MaximumSize=32)
+        path = pathlib.Path(vtkTerrainTesting.output_path("state-before.pvsm"))
+        simple.SaveState(str(path))
+        text = path.read_text(encoding="utf-8")
+        self.assertIn('type="DEMRasterReader"', text)
+        path.write_text(text.replace('type="DEMRasterReader"', 'type="TerrainRasterReader"'), encoding="utf-8")
+        delete_all()
+        simple.LoadState(str(path))
+        reader = next(source for source in simple.GetSources().values()
+                      if source.GetXMLName() == "TerrainRasterReader")
+        reader.UpdatePipeline()
+        self.assertEqual(reader.GetDataInformation().GetExtent()[1], 31)
+
 
 if __name__ == "__main__":
     sys.argv[1:] = []
