@@ -223,6 +223,7 @@ float terrainHillshade(TerrainSurface surface)
 
 uniform vec2 terrainContourScale;  // number of the contour = x * code + y
 uniform float terrainContourWidth; // pixels
+uniform float terrainContourIndex; // every line of a number that is a multiple is twice as wide; 0 for none
 uniform vec4 terrainContourColor;  // alpha 0 for none
 
 // How much of a pixel, 0..1, contour lines cover. Lines closer than twice their width run into an
@@ -234,8 +235,13 @@ float terrainContourCoverage(vec2 pixel, TerrainSurface surface)
   float change = terrainContourScale.x *
     length(vec2(dot(surface.gradient, footprint[0]), dot(surface.gradient, footprint[1])));
   float number = terrainContourScale.x * surface.code + terrainContourScale.y;
-  float distancePixels = abs(number - floor(number + 0.5)) / max(change, 1e-6);
-  float line = clamp(0.5 * terrainContourWidth + 0.5 - distancePixels, 0.0, 1.0);
+  float nearest = floor(number + 0.5);
+  float distancePixels = abs(number - nearest) / max(change, 1e-6);
+  float group = floor(nearest / max(terrainContourIndex, 1.0) + 0.5);
+  float width = abs(nearest - terrainContourIndex * group) < 0.5 && terrainContourIndex > 0.0
+    ? 2.0 * terrainContourWidth
+    : terrainContourWidth;
+  float line = clamp(0.5 * width + 0.5 - distancePixels, 0.0, 1.0);
   float even = terrainContourWidth * change;
   float grey = even / (1.0 + even * even);
   return change < 1e-6 ? 0.0 : mix(line, grey, clamp(2.0 * even - 1.0, 0.0, 1.0));

@@ -97,6 +97,7 @@ vtkTerrainLookMacro(Drape, vtkImageData*);
 vtkTerrainLookMacro(Contours, bool);
 vtkTerrainLookMacro(ContourInterval, double);
 vtkTerrainLookMacro(ContourWidth, double);
+vtkTerrainLookMacro(ContourIndex, int);
 vtkTerrainLookMacro(Hillshade, bool);
 vtkTerrainLookMacro(HillshadeAzimuth, double);
 vtkTerrainLookMacro(HillshadeAltitude, double);
@@ -115,7 +116,6 @@ void vtkOpenGLTerrainMapper::PictureModified()
   this->InvokeEvent(vtkCommand::ModifiedEvent);
 }
 
-//------------------------------------------------------------------------------
 vtkMTimeType vtkOpenGLTerrainMapper::GetLookTime()
 {
   return this->PictureTime.GetMTime();

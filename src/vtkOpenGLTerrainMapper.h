@@ -263,6 +263,8 @@ public:
   double GetContourInterval() const;
   void SetContourWidth(double pixels);
   double GetContourWidth() const;
+  void SetContourIndex(int every);
+  int GetContourIndex() const;
   void SetContourColor(double red, double green, double blue, double opacity = 1.0)
   {
     this->Look->SetContourColor(red, green, blue, opacity);

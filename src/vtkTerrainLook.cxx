@@ -62,6 +62,7 @@ void vtkTerrainLook::PrintSelf(ostream& os, vtkIndent indent)
   vtkTerrainPrintMacro(Contours);
   vtkTerrainPrintMacro(ContourInterval);
   vtkTerrainPrintMacro(ContourWidth);
+  vtkTerrainPrintMacro(ContourIndex);
   vtkTerrainPrintMacro(ContourColor);
   vtkTerrainPrintMacro(Hillshade);
   vtkTerrainPrintMacro(HillshadeAzimuth);
@@ -129,6 +130,7 @@ vtkTerrainAnyMacro(ColorSource, vtkTerrainLook::ColorSources);
 vtkTerrainAnyMacro(Contours, bool);
 vtkTerrainDemandMacro(ContourInterval, double, value > 0.0, "above 0, not " << value);
 vtkTerrainDemandMacro(ContourWidth, double, value >= 0.0, "0 or more, not " << value);
+vtkTerrainDemandMacro(ContourIndex, int, value >= 0, "0 or more, not " << value);
 vtkTerrainAnyMacro(Hillshade, bool);
 vtkTerrainDemandMacro(HillshadeAzimuth, double, std::isfinite(value), "a number");
 vtkTerrainDemandMacro(HillshadeAltitude, double, std::isfinite(value), "a number");

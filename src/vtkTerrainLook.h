@@ -199,14 +199,17 @@ public:
   ///@{
   /// Draw contour lines: at multiples of an interval in the unit of heights, > 0 (default 100), of
   /// a width in pixels, >= 0 (default 1.5), with smooth edges, in a colour of parts 0..1 (default
-  /// opaque black). Lines closer than their width run into a grey that fades as they come closer
-  /// still. Default off.
+  /// opaque black). Of an index n, every nth line, counted from height 0, is twice as wide; default
+  /// 0: none. Lines closer than their width run into a grey that fades as they come closer still.
+  /// Default off.
   void SetContours(bool show);
   bool GetContours() const;
   void SetContourInterval(double heights);
   double GetContourInterval() const;
   void SetContourWidth(double pixels);
   double GetContourWidth() const;
+  void SetContourIndex(int every);
+  int GetContourIndex() const;
   void SetContourColor(double red, double green, double blue, double opacity = 1.0);
   void GetContourColor(double rgba[4]) const;
   ///@}
@@ -312,6 +315,7 @@ private:
     bool Contours = false;
     double ContourInterval = 100.0;
     double ContourWidth = 1.5;
+    int ContourIndex = 0;
     std::array<double, 4> ContourColor{ 0.0, 0.0, 0.0, 1.0 };
     bool Hillshade = false;
     double HillshadeAzimuth = 315.0;

@@ -54,6 +54,7 @@ void setAll(Settings* look, vtkImageData* drape)
   look->SetContours(true);
   look->SetContourInterval(20.0);
   look->SetContourWidth(3.0);
+  look->SetContourIndex(5);
   look->SetContourColor(0.1, 0.2, 0.3, 0.4);
   look->SetHillshade(true);
   look->SetHillshadeAzimuth(100.0);
@@ -92,7 +93,7 @@ TEST(TerrainLook, SetsAndCopiesEverySetting)
   setAll(look.Get(), drape);
   const std::vector<std::string> defaults = linesOf(plain);
   const std::vector<std::string> changed = linesOf(look);
-  ASSERT_EQ(defaults.size(), 31U); // a new setting is to be set above, too
+  ASSERT_EQ(defaults.size(), 32U); // a new setting is to be set above, too
   ASSERT_EQ(changed.size(), defaults.size());
   for (std::size_t k = 0; k < defaults.size(); ++k)
   {
@@ -190,6 +191,7 @@ TEST(TerrainLook, RefusesWhatIsNone)
   refuses([&] { look->SetMaximumShownCrossings(0); });
   refuses([&] { look->SetContourInterval(0.0); });
   refuses([&] { look->SetContourWidth(-1.0); });
+  refuses([&] { look->SetContourIndex(-1); });
   refuses([&] { look->SetHillshadeAzimuth(HUGE_VAL); });
   refuses([&] { look->SetHillshadeAltitude(std::nan("")); });
   refuses([&] { look->SetBlockBase(std::nan("")); });

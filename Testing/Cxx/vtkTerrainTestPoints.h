@@ -88,6 +88,7 @@ inline terrain::SurfaceColors MakeColors()
   colors.ShadeStrength = 0.8f;
   colors.ContourScale = { 0.25, 0.3 };
   colors.ContourWidth = 1.5;
+  colors.ContourIndex = 3.0;
   colors.ContourColor = { 0.9f, 0.8f, 0.1f, 0.6f };
   return colors;
 }
@@ -304,6 +305,7 @@ private:
     const glm::vec2 contours(colors.ContourScale);
     program->SetUniform2f("terrainContourScale", &contours[0]);
     program->SetUniformf("terrainContourWidth", static_cast<float>(colors.ContourWidth));
+    program->SetUniformf("terrainContourIndex", static_cast<float>(colors.ContourIndex));
     program->SetUniform4f("terrainContourColor", &colors.ContourColor[0]);
   }
 

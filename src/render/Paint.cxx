@@ -522,12 +522,15 @@ void Paint::SetLineUniforms(Uniforms& uniforms, const HeightCodes& codes,
   uniforms.Set("terrainShadeStrength", look->GetHillshade() && shown ? 1.0f : 0.0f);
 
   const double interval = look->GetContourInterval();
-  const double number = codes.Offset / interval; // of which only the fraction counts
+  // of the number of a line only what is left of whole groups counts
+  const double group = std::max(look->GetContourIndex(), 1);
+  const double number = codes.Offset / interval;
   std::array<double, 4> color{};
   look->GetContourColor(color.data());
   color[3] = look->GetContours() && shown ? color[3] : 0.0;
-  uniforms.Set(
-    "terrainContourScale", glm::vec2(codes.Scale / interval, number - std::floor(number)));
+  uniforms.Set("terrainContourScale",
+    glm::vec2(codes.Scale / interval, number - group * std::floor(number / group)));
+  uniforms.Set("terrainContourIndex", static_cast<float>(look->GetContourIndex()));
   uniforms.Set("terrainContourWidth", static_cast<float>(look->GetContourWidth()));
   uniforms.Set("terrainContourColor", glm::vec4(color[0], color[1], color[2], color[3]));
 }

@@ -75,6 +75,7 @@ struct SurfaceColors
   float ShadeStrength = 0.0F;
   glm::dvec2 ContourScale{ 1.0, 0.0 };
   double ContourWidth = 1.0;
+  double ContourIndex = 0.0;
   glm::vec4 ContourColor{ 0.0F, 0.0F, 0.0F, 0.0F };
 
   ///@{
@@ -216,8 +217,13 @@ struct SurfaceColors
     const double change = this->ContourScale.x *
       std::hypot(glm::dot(gradient, footprint[0]), glm::dot(gradient, footprint[1]));
     const double number = this->ContourScale.x * point.Code + this->ContourScale.y;
-    const double distance = std::abs(number - std::floor(number + 0.5)) / std::max(change, 1e-6);
-    const double line = glm::clamp(0.5 * this->ContourWidth + 0.5 - distance, 0.0, 1.0);
+    const double nearest = std::floor(number + 0.5);
+    const double distance = std::abs(number - nearest) / std::max(change, 1e-6);
+    const double group = std::floor(nearest / std::max(this->ContourIndex, 1.0) + 0.5);
+    const bool isIndex =
+      std::abs(nearest - this->ContourIndex * group) < 0.5 && this->ContourIndex > 0.0;
+    const double width = isIndex ? 2.0 * this->ContourWidth : this->ContourWidth;
+    const double line = glm::clamp(0.5 * width + 0.5 - distance, 0.0, 1.0);
     const double even = this->ContourWidth * change;
     const double grey = even / (1.0 + even * even);
     return change < 1e-6 ? 0.0 : glm::mix(line, grey, glm::clamp(2.0 * even - 1.0, 0.0, 1.0));
