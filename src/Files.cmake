@@ -29,6 +29,7 @@ set(classes
   vtkTerrainScaleBar
   vtkTerrainSource
   vtkTerrainStrips
+  vtkTerrainValues
   vtkTerrainViewpoint
   vtkTerrainViewshed
 )
@@ -47,11 +48,13 @@ set(private_sources
   parts/ActorRelief
   parts/ActorSurface
   parts/AssemblyPart
+  parts/ColorsOfRaster
   parts/RasterReaderLevels
   place/GeoreferencePrepare
   place/GlobeHeights
   place/GroundPlaces
   place/ImageWarp
+  place/PlacedRaster
   place/ReprojectPlan
   raster/CoordinateSystem
   raster/FolderFiles
@@ -159,6 +162,7 @@ set(shaders
 set(core
   colors/ColorFile
   colors/ColorScheme
+  colors/ColorText
   files/OutputFile
   globe/GlobeAnchor
   globe/GlobeGrid

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainColors.h"
 
-#include "core/colors/ColorFile.h"
 #include "data/ColorDocument.h"
+#include "parts/ColorsInternals.h"
 
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
 
 #include "vtksys/SystemTools.hxx"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -16,16 +19,11 @@
 
 vtkStandardNewMacro(vtkTerrainColors);
 
-class vtkTerrainColors::vtkInternals
-{
-public:
-  terrain::ColorScheme Scheme = *terrain::FindColorScheme("relief");
-};
-
 namespace
 {
 /// Part of the range that lies below 0 from which on there is a sea.
 constexpr double kLeastSea = 0.1;
+constexpr double kNoDataGrey = 0.82;
 /// Colour files are small; whatever is larger is something else.
 constexpr std::streamoff kMostBytes = 16 << 20;
 
@@ -66,6 +64,10 @@ terrain::ColorFileResult ReadByName(const std::string& suffix, const std::string
   if (suffix == ".xml")
   {
     return terrain::ReadColorMapDocument(text);
+  }
+  if (suffix == ".csv")
+  {
+    return terrain::ReadClassTable(text);
   }
   const bool isMap = suffix == ".clr" || text.find("INTERPOLATION:") != std::string::npos;
   return isMap ? terrain::ReadColorMapText(text) : terrain::ReadColorReliefText(text);
@@ -119,9 +121,9 @@ bool vtkTerrainColors::ReadFile(const std::string& path)
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(path));
   std::string text;
   if (suffix != ".cpt" && suffix != ".txt" && suffix != ".clr" && suffix != ".qml" &&
-    suffix != ".xml")
+    suffix != ".xml" && suffix != ".csv")
   {
-    this->ErrorMessage = "'" + path + "' is no colour file: .cpt, .txt, .clr, .qml or .xml";
+    this->ErrorMessage = "'" + path + "' is no colour file: .cpt, .txt, .clr, .qml, .xml or .csv";
   }
   else if (!ReadText(path, text))
   {
@@ -201,7 +203,8 @@ vtkSmartPointer<vtkColorTransferFunction> vtkTerrainColors::MakeTable(double low
       use(color->r, color->g, color->b);
     }
   };
-  set(scheme.None, [&](double r, double g, double b) { table->SetNanColor(r, g, b); });
+  set(scheme.None.value_or(terrain::Color(kNoDataGrey)),
+    [&](double r, double g, double b) { table->SetNanColor(r, g, b); });
   set(scheme.Below,
     [&](double r, double g, double b)
     {
@@ -235,6 +238,37 @@ double vtkTerrainColors::GetCategoryValue(int index) const
   return index >= 0 && index < this->GetNumberOfCategories()
     ? this->Internals->Scheme.Classes[index].Value
     : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainColors::GetCategoryColor(int index, double rgb[3]) const
+{
+  const double value = this->GetCategoryValue(index);
+  const terrain::Color color = terrain::ColorOf(this->Internals->Scheme, value);
+  std::copy_n(&color[0], 3, rgb);
+}
+
+bool vtkTerrainColors::IsDiscrete() const
+{
+  return terrain::IsDiscrete(this->Internals->Scheme);
+}
+
+vtkSmartPointer<vtkFloatArray> vtkTerrainColors::FindCategories(vtkDataArray* values) const
+{
+  std::vector<double> numbers(static_cast<std::size_t>(values->GetNumberOfTuples()));
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+  {
+    numbers[k] = values->GetComponent(static_cast<vtkIdType>(k), 0);
+  }
+  auto categories = vtkSmartPointer<vtkFloatArray>::New();
+  categories->SetNumberOfValues(values->GetNumberOfTuples());
+  vtkIdType at = 0;
+  for (const int found : terrain::ClassesOf(this->Internals->Scheme, numbers))
+  {
+    categories->SetValue(
+      at++, found < 0 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(found));
+  }
+  return categories;
 }
 
 //------------------------------------------------------------------------------

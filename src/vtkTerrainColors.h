@@ -6,7 +6,8 @@
  *
  * Schemes: "relief" (the default: green, brown, white, and blue below sea level), "oleron" and
  * "bukavu" (hypsometric, with a sea), "viridis", "cividis", "inferno", "batlow", "lapaz", "davos",
- * "oslo" (perceptually even) and "grey". Sources: core/colors/ColorScheme.h.
+ * "oslo" (perceptually even), "twilight" (which ends as it begins, for directions) and "grey".
+ * Sources: core/colors/ColorScheme.h.
  *
  * Files:
  *
@@ -17,6 +18,7 @@
  * | .clr   | a colour map of ESRI or QGIS                                                      |
  * | .qml   | the colour ramp of a single-band raster in a QGIS style                           |
  * | .xml   | a ParaView colour map; its values are shares of the range, as ParaView takes them |
+ * | .csv   | classes: value, colour and name a line                                            |
  *
  * Colours are mixed in RGB. Where a file has two colours for one value it is a step: the value
  * itself has the upper colour (matplotlib and GMT agree; vtkColorTransferFunction drops one of the
@@ -47,6 +49,9 @@
 #include <memory> // For internals
 #include <string> // For names
 
+class vtkDataArray;
+class vtkFloatArray;
+
 class VTKTERRAIN_EXPORT vtkTerrainColors : public vtkObject
 {
 public:
@@ -69,6 +74,11 @@ public:
 
   /// Takes the colours of a file. False, with GetErrorMessage(), if it cannot be read.
   bool ReadFile(VTK_FILEPATH const std::string& path);
+
+  /// Takes the colour table of a band of a raster, as classes with the names that the file has for
+  /// them, in names of categories or in an attribute table; colours of that table where there is no
+  /// other. False, with GetErrorMessage(), if it has none.
+  bool ReadRaster(VTK_FILEPATH const std::string& path, int band = 1);
 
   /// A scheme if there is one of that name, else a file.
   bool SetSchemeOrFile(const std::string& nameOrPath);
@@ -103,17 +113,25 @@ public:
   }
   ///@}
 
-  /// The table for data from lowest to highest; colours of no data, below and above are set where
-  /// the file has them.
+  /// The table for data from lowest to highest; colours below and above are set where the file has
+  /// them. No data are light grey where the file has no colour for them.
   vtkSmartPointer<vtkColorTransferFunction> MakeTable(double lowest, double highest);
 
   ///@{
-  /// Names of the file's classes, with the value at which each begins, 0 <= index <
-  /// GetNumberOfCategories().
+  /// Names of the file's classes, with the value at which each begins, or is, and with its colour,
+  /// 0 <= index < GetNumberOfCategories(). A class that begins nowhere has minus infinity.
   int GetNumberOfCategories() const;
   std::string GetCategoryName(int index) const;
   double GetCategoryValue(int index) const;
+  void GetCategoryColor(int index, double rgb[3]) const;
   ///@}
+
+  /// Whether the colours are those of classes: none is mixed of two others.
+  bool IsDiscrete() const;
+
+  /// Index of the file's class that each of some values belongs to, as floats; NaN for values of no
+  /// class. Of the first component.
+  vtkSmartPointer<vtkFloatArray> FindCategories(vtkDataArray* values) const;
 
   /// Why the last call failed, one sentence that names the file or scheme; empty after success.
   const std::string& GetErrorMessage() const

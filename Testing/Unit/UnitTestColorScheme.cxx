@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -195,4 +196,56 @@ TEST(ColorFile, RefusesWithTheLine)
   EXPECT_NE(ReadColorReliefText("0% red\n10 blue\n").WhyNot.find("mixed"), std::string::npos);
   EXPECT_NE(ReadColorMapText("INTERPOLATION:CUBIC\n0,1,2,3,255,a\n").WhyNot.find("cubic"),
     std::string::npos);
+}
+
+//--------------------------------------------------------------------------------------------------
+TEST(ColorFile, ReadsTablesOfClasses)
+{
+  const ColorFileResult plain =
+    ReadClassTable("1,#FF0000,rock\n2,green,\"grass, wet\"\n4,0 0 255\n");
+  ASSERT_EQ(plain.WhyNot, "");
+  EXPECT_TRUE(IsDiscrete(plain.Scheme));
+  ExpectColor(plain.Scheme, 1.4, { 255, 0, 0 });
+  ExpectColor(plain.Scheme, 2.0, { 0, 255, 0 });
+  ExpectColor(plain.Scheme, 3.5, { 0, 0, 255 });
+  ASSERT_EQ(plain.Scheme.Classes.size(), 3U);
+  EXPECT_EQ(plain.Scheme.Classes[1].Name, "grass, wet");
+  EXPECT_EQ(plain.Scheme.Classes[2].Name, "");
+  const ColorFileResult named =
+    ReadClassTable("# of a survey\nname;note;colour;value\nrock;x;red;7\nlake;y;#0000ff;3\n");
+  ASSERT_EQ(named.WhyNot, "");
+  ExpectColor(named.Scheme, 3.0, { 0, 0, 255 });
+  ExpectColor(named.Scheme, 7.0, { 255, 0, 0 });
+  EXPECT_EQ(named.Scheme.Classes[0].Name, "rock");
+  EXPECT_EQ(ReadClassTable("").WhyNot, "there are no colours in it");
+  EXPECT_NE(ReadClassTable("1,#FF00,rock\n").WhyNot.find("line 1"), std::string::npos);
+  EXPECT_NE(ReadClassTable("1,red,a\n2\n").WhyNot.find("line 2"), std::string::npos);
+  EXPECT_NE(ReadClassTable("a,b,c\n1,red,a\n").WhyNot.find("line 1"), std::string::npos);
+  EXPECT_NE(
+    ReadClassTable("1,red,a\n1,blue,b\n").WhyNot.find("1 is there twice"), std::string::npos);
+}
+
+TEST(ColorScheme, FindsClasses)
+{
+  using Numbers = std::vector<int>;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const ColorScheme keys = ReadClassTable("5,red,five\n1,green,one\n").Scheme;
+  EXPECT_EQ(
+    ClassesOf(keys, { 1.0, 2.9, 3.1, 5.0, 90.0, -90.0, nan }), (Numbers{ 1, 1, 0, 0, 0, 1, -1 }));
+  // up to 10, up to 20, and the rest; a class begins where the one below it ends
+  const ColorScheme zones = ReadColorMapText("INTERPOLATION:DISCRETE\n10,255,0,0,255,low\n"
+                                             "20,0,255,0,255,high\ninf,0,0,255,255,rest\n")
+                              .Scheme;
+  ASSERT_EQ(zones.Classes.size(), 3U);
+  EXPECT_EQ(zones.Classes[2].Name, "rest");
+  EXPECT_EQ(zones.Classes[1].Value, 10.0);
+  EXPECT_EQ(ClassesOf(zones, { -1e9, 9.0, 11.0, 19.0, 1e9 }), (Numbers{ 0, 0, 1, 1, 2 }));
+  const ColorScheme slices =
+    ReadColorPaletteTable("0 red 10 red ;low\n10 blue 20 blue ;high\n").Scheme;
+  EXPECT_TRUE(IsDiscrete(slices));
+  EXPECT_EQ(ClassesOf(slices, { 0.0, 9.9, 10.0, 20.0 }), (Numbers{ 0, 0, 1, 1 }));
+  EXPECT_FALSE(IsDiscrete(*FindColorScheme("relief")));
+  EXPECT_FALSE(IsDiscrete(ReadColorPaletteTable("0 red 10 blue\n").Scheme));
+  EXPECT_TRUE(ClassesOf({}, {}).empty());
+  EXPECT_EQ(ClassesOf({}, { 1.0 }), (Numbers{ -1 }));
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "data/ColorDocument.h"
 
+#include "core/colors/ColorText.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkXMLDataElement.h"
@@ -101,7 +103,7 @@ ColorFileResult ReadShader(vtkXMLDataElement* shader)
       return Refused("item " + std::to_string(k + 1) + " needs a value and a colour #RRGGBB");
     }
     scheme.Stops.push_back({ value, *color });
-    if (!isInfinite)
+    if (!isInfinite || TextOf(shader, "colorRampType") == "DISCRETE")
     {
       scheme.Classes.push_back({ value, TextOf(item, "label") });
     }
@@ -112,6 +114,10 @@ ColorFileResult ReadShader(vtkXMLDataElement* shader)
   if (kind == "DISCRETE" || kind == "EXACT")
   {
     scheme.Stops = kind == "EXACT" ? ExactStops(scheme.Stops) : DiscreteStops(scheme.Stops);
+    if (kind == "DISCRETE")
+    {
+      BeginClasses(scheme.Classes);
+    }
   }
   else if (!scheme.Stops.empty() && std::isinf(scheme.Stops.back().Value))
   {

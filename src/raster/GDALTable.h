@@ -48,6 +48,7 @@
   ENTRY(CPLSPrintf)                                                                                \
   ENTRY(CPLSetConfigOption)                                                                        \
   ENTRY(CSLAddString)                                                                              \
+  ENTRY(CSLCount)                                                                                  \
   ENTRY(CSLDestroy)                                                                                \
   ENTRY(CSLFetchNameValue)                                                                         \
   ENTRY(CSLSetNameValue)                                                                           \
@@ -82,9 +83,12 @@
   ENTRY(GDALFlushRasterCache)                                                                      \
   ENTRY(GDALGCPsToGeoTransform)                                                                    \
   ENTRY(GDALGetBlockSize)                                                                          \
+  ENTRY(GDALGetColorEntryAsRGB)                                                                    \
+  ENTRY(GDALGetColorEntryCount)                                                                    \
   ENTRY(GDALGetDataTypeName)                                                                       \
   ENTRY(GDALGetDataTypeSizeBytes)                                                                  \
   ENTRY(GDALGetDatasetDriver)                                                                      \
+  ENTRY(GDALGetDefaultRAT)                                                                         \
   ENTRY(GDALGetDescription)                                                                        \
   ENTRY(GDALGetDriverByName)                                                                       \
   ENTRY(GDALGetDriverLongName)                                                                     \
@@ -104,6 +108,7 @@
   ENTRY(GDALGetRasterBand)                                                                         \
   ENTRY(GDALGetRasterBandXSize)                                                                    \
   ENTRY(GDALGetRasterBandYSize)                                                                    \
+  ENTRY(GDALGetRasterCategoryNames)                                                                \
   ENTRY(GDALGetRasterColorInterpretation)                                                          \
   ENTRY(GDALGetRasterColorTable)                                                                   \
   ENTRY(GDALGetRasterCount)                                                                        \
@@ -143,6 +148,12 @@
   ENTRY(GDALMDArrayRelease)                                                                        \
   ENTRY(GDALOpen)                                                                                  \
   ENTRY(GDALOpenEx)                                                                                \
+  ENTRY(GDALRATGetColOfUsage)                                                                      \
+  ENTRY(GDALRATGetRowCount)                                                                        \
+  ENTRY(GDALRATGetTableType)                                                                       \
+  ENTRY(GDALRATGetValueAsDouble)                                                                   \
+  ENTRY(GDALRATGetValueAsInt)                                                                      \
+  ENTRY(GDALRATGetValueAsString)                                                                   \
   ENTRY(GDALRasterIO)                                                                              \
   ENTRY(GDALRasterIOEx)                                                                            \
   ENTRY(GDALReleaseAttributes)                                                                     \

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/colors/ColorFile.h"
 
+#include "core/colors/ColorText.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -15,161 +17,11 @@ namespace terrain
 {
 namespace
 {
-std::string LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-std::string Trimmed(const std::string& text)
-{
-  const char* blanks = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  return begin == std::string::npos ? std::string()
-                                    : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
-/// A number that is the whole of a text, whatever the locale.
-std::optional<double> ToNumber(const std::string& text)
-{
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  double number = 0.0;
-  stream >> number;
-  if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof() ||
-    !std::isfinite(number))
-  {
-    return std::nullopt;
-  }
-  return number;
-}
-
-std::vector<std::string> Split(const std::string& line, const char* separators)
-{
-  std::vector<std::string> words;
-  for (std::size_t begin = line.find_first_not_of(separators); begin != std::string::npos;)
-  {
-    const std::size_t end = line.find_first_of(separators, begin);
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(separators, end);
-  }
-  return words;
-}
-
-std::vector<std::string> Lines(const std::string& text)
-{
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
-  {
-    lines.push_back(Trimmed(line));
-  }
-  return lines;
-}
-
-/// Hue in degrees, saturation and value from 0 to 1. Source: A. R. Smith, "Color Gamut Transform
-/// Pairs", 1978.
-Color FromHSV(double hue, double saturation, double value)
-{
-  const auto channel = [&](double shift)
-  {
-    const double k = std::fmod(shift + hue / 60.0, 6.0);
-    return value - value * saturation * std::max(0.0, std::min({ k, 4.0 - k, 1.0 }));
-  };
-  return { channel(5.0), channel(3.0), channel(1.0) };
-}
-
-bool IsWithin(const std::vector<double>& numbers, double highest)
-{
-  return std::all_of(numbers.begin(), numbers.end(),
-    [highest](double number) { return number >= 0.0 && number <= highest; });
-}
-
-enum class Model
-{
-  RGB,
-  HSV,
-  CMYK
-};
-
-std::optional<Color> FromNumbers(const std::vector<double>& numbers, Model model)
-{
-  if (model == Model::HSV && numbers.size() == 3 && IsWithin({ numbers[1], numbers[2] }, 1.0) &&
-    numbers[0] >= 0.0 && numbers[0] <= 360.0)
-  {
-    return FromHSV(numbers[0], numbers[1], numbers[2]);
-  }
-  if (model == Model::CMYK && numbers.size() == 4 && IsWithin(numbers, 100.0))
-  {
-    return Color(100.0 - numbers[0], 100.0 - numbers[1], 100.0 - numbers[2]) / 100.0 *
-      (1.0 - numbers[3] / 100.0);
-  }
-  if (model == Model::RGB && numbers.size() == 3 && IsWithin(numbers, 255.0))
-  {
-    return Color(numbers[0], numbers[1], numbers[2]) / 255.0;
-  }
-  return std::nullopt;
-}
-
-std::optional<Color> FromParts(const std::string& word, const char* separator, Model model)
-{
-  std::vector<double> numbers;
-  for (const std::string& part : Split(word, separator))
-  {
-    const std::optional<double> number = ToNumber(part);
-    if (!number)
-    {
-      return std::nullopt;
-    }
-    numbers.push_back(*number);
-  }
-  return FromNumbers(numbers, model);
-}
-
-/// A colour in one word of a palette table: r/g/b, c/m/y/k, h-s-v, a grey, a name. "@", which
-/// begins a transparency, ends it.
-std::optional<Color> FromWord(const std::string& word)
-{
-  const std::string text = word.substr(0, word.find('@'));
-  if (text.find('/') != std::string::npos)
-  {
-    const auto slashes = std::count(text.begin(), text.end(), '/');
-    return FromParts(text, "/", slashes == 3 ? Model::CMYK : Model::RGB);
-  }
-  if (const std::optional<double> grey = ToNumber(text))
-  {
-    return FromNumbers({ *grey, *grey, *grey }, Model::RGB);
-  }
-  if (std::count(text.begin(), text.end(), '-') == 2)
-  {
-    return FromParts(text, "-", Model::HSV);
-  }
-  return ColorFromName(text);
-}
-
-/// Takes a colour of one word, or of as many numbers as the model has, from words at a position
-/// that moves on.
-std::optional<Color> TakeColor(const std::vector<std::string>& words, std::size_t& at, Model model)
-{
-  const std::size_t count = model == Model::CMYK ? 4 : 3;
-  if (at + count <= words.size() && ToNumber(words[at]) && ToNumber(words[at + 1]))
-  {
-    std::vector<double> numbers;
-    for (std::size_t k = 0; k < count; ++k, ++at)
-    {
-      numbers.push_back(ToNumber(words[at]).value_or(-1.0));
-    }
-    return FromNumbers(numbers, model);
-  }
-  return at < words.size() ? FromWord(words[at++]) : std::nullopt;
-}
-
 /// The colour after a value: three numbers, or a name by itself.
 std::optional<Color> ColorAfterValue(const std::vector<std::string>& words)
 {
   std::size_t at = 1;
-  const std::optional<Color> color = TakeColor(words, at, Model::RGB);
+  const std::optional<Color> color = TakeColor(words, at, ColorModel::RGB);
   const bool isName = at == 2 && words.size() == 2 && !ToNumber(words[1]);
   return at == 4 || isName ? color : std::nullopt;
 }
@@ -197,6 +49,55 @@ ColorFileResult Finished(ColorScheme scheme)
   std::stable_sort(scheme.Stops.begin(), scheme.Stops.end(),
     [](const ColorStop& a, const ColorStop& b) { return a.Value < b.Value; });
   return { std::move(scheme), {} };
+}
+
+/// Fields of a line of comma-separated values, without quotes and the blanks around them.
+std::vector<std::string> Fields(const std::string& line)
+{
+  const char* separator = line.find(';') != std::string::npos ? ";"
+    : line.find('\t') != std::string::npos                    ? "\t"
+                                                              : ",";
+  std::vector<std::string> fields(1);
+  bool isInQuotes = false;
+  for (std::size_t k = 0; k < line.size(); ++k)
+  {
+    const bool isDouble = isInQuotes && line[k] == '"' && k + 1 < line.size() && line[k + 1] == '"';
+    if (line[k] == '"' && !isDouble)
+    {
+      isInQuotes = !isInQuotes;
+    }
+    else if (line[k] == *separator && !isInQuotes)
+    {
+      fields.emplace_back();
+    }
+    else
+    {
+      fields.back() += line[k];
+    }
+    k += isDouble ? 1 : 0;
+  }
+  std::transform(fields.begin(), fields.end(), fields.begin(), Trimmed);
+  return fields;
+}
+
+/// Finds value, colour and name among the names of columns; false without the first two.
+bool FindColumns(const std::vector<std::string>& names, std::array<std::size_t, 3>& columns)
+{
+  const std::array<std::vector<std::string>, 3> words = { { { "value", "class", "code", "id" },
+    { "colour", "color" }, { "name", "label", "class name" } } };
+  bool isThere = true;
+  for (std::size_t column = 0; column < columns.size(); ++column)
+  {
+    const auto is = [&](const std::string& name)
+    {
+      const std::vector<std::string>& known = words[column];
+      return std::find(known.begin(), known.end(), LowerCase(name)) != known.end();
+    };
+    const auto found = std::find_if(names.begin(), names.end(), is);
+    columns[column] = static_cast<std::size_t>(found - names.begin()); // beyond them: no name
+    isThere = isThere && (column == 2 || found != names.end());
+  }
+  return isThere;
 }
 
 /// One palette table, line by line.
@@ -248,9 +149,9 @@ private:
   {
     if (line.find("color_model") != std::string::npos)
     {
-      this->Colors = line.find("hsv") != std::string::npos ? Model::HSV
-        : line.find("cmyk") != std::string::npos           ? Model::CMYK
-                                                           : Model::RGB;
+      this->Colors = line.find("hsv") != std::string::npos ? ColorModel::HSV
+        : line.find("cmyk") != std::string::npos           ? ColorModel::CMYK
+                                                           : ColorModel::RGB;
     }
   }
 
@@ -299,7 +200,7 @@ private:
 
   ColorScheme Scheme;
   std::vector<ColorStop> Keys;
-  Model Colors = Model::RGB;
+  ColorModel Colors = ColorModel::RGB;
 };
 
 /// The same colour at the end of a slice and at the beginning of the next is one stop.
@@ -309,45 +210,6 @@ void DropRepeated(std::vector<ColorStop>& stops)
   { return a.Value == b.Value && a.Shade == b.Shade; };
   stops.erase(std::unique(stops.begin(), stops.end(), isSame), stops.end());
 }
-}
-
-//--------------------------------------------------------------------------------------------------
-std::optional<Color> ColorFromName(const std::string& name)
-{
-  struct Named
-  {
-    const char* Name;
-    unsigned Code;
-  };
-  static constexpr std::array<Named, 34> kNames{ { { "white", 0xFFFFFF }, { "black", 0x000000 },
-    { "red", 0xFF0000 }, { "green", 0x00FF00 }, { "blue", 0x0000FF }, { "yellow", 0xFFFF00 },
-    { "magenta", 0xFF00FF }, { "cyan", 0x00FFFF }, { "aqua", 0x00BFBF }, { "grey", 0xBEBEBE },
-    { "gray", 0xBEBEBE }, { "orange", 0xFFA500 }, { "brown", 0xA52A2A }, { "purple", 0xA020F0 },
-    { "violet", 0xEE82EE }, { "indigo", 0x4B0082 }, { "lightblue", 0xADD8E6 },
-    { "darkblue", 0x00008B }, { "navy", 0x000080 }, { "steelblue", 0x4682B4 },
-    { "skyblue", 0x87CEEB }, { "turquoise", 0x40E0D0 }, { "lightgreen", 0x90EE90 },
-    { "darkgreen", 0x006400 }, { "forestgreen", 0x228B22 }, { "olive", 0x808000 },
-    { "khaki", 0xF0E68C }, { "gold", 0xFFD700 }, { "tan", 0xD2B48C }, { "beige", 0xF5F5DC },
-    { "wheat", 0xF5DEB3 }, { "lightgray", 0xD3D3D3 }, { "lightgrey", 0xD3D3D3 },
-    { "darkgray", 0xA9A9A9 } } };
-  const std::string lower = LowerCase(name);
-  unsigned code = 0;
-  if (lower.size() == 7 && lower[0] == '#' &&
-    lower.find_first_not_of("0123456789abcdef", 1) == std::string::npos)
-  {
-    code = static_cast<unsigned>(std::stoul(lower.substr(1), nullptr, 16));
-  }
-  else
-  {
-    const auto* found = std::find_if(
-      kNames.begin(), kNames.end(), [&lower](const Named& named) { return lower == named.Name; });
-    if (found == kNames.end())
-    {
-      return std::nullopt;
-    }
-    code = found->Code;
-  }
-  return Color((code >> 16U) & 0xFFU, (code >> 8U) & 0xFFU, code & 0xFFU) / 255.0;
 }
 
 std::vector<ColorStop> DiscreteStops(const std::vector<ColorStop>& table)
@@ -370,6 +232,18 @@ std::vector<ColorStop> DiscreteStops(const std::vector<ColorStop>& table)
     }
   }
   return stops;
+}
+
+void BeginClasses(std::vector<ColorScheme::ClassName>& classes)
+{
+  std::stable_sort(classes.begin(), classes.end(),
+    [](const ColorScheme::ClassName& a, const ColorScheme::ClassName& b)
+    { return a.Value < b.Value; });
+  double begin = -std::numeric_limits<double>::infinity();
+  for (ColorScheme::ClassName& name : classes)
+  {
+    std::swap(begin, name.Value);
+  }
 }
 
 std::vector<ColorStop> ExactStops(const std::vector<ColorStop>& table)
@@ -472,7 +346,7 @@ ColorFileResult ReadColorMapText(const std::string& text)
     }
     scheme.Stops.push_back({ *value, *color });
     const std::vector<std::string> fields = Split(lines[k], ",");
-    if (fields.size() > 5 && !isInfinite)
+    if (fields.size() > 5 && !(isInfinite && kind == "interpolated"))
     {
       scheme.Classes.push_back({ *value, Trimmed(fields[5]) });
     }
@@ -485,6 +359,10 @@ ColorFileResult ReadColorMapText(const std::string& text)
   ColorFileResult result = Finished(std::move(scheme));
   if (kind != "interpolated" && result.WhyNot.empty())
   {
+    if (kind == "discrete")
+    {
+      BeginClasses(result.Scheme.Classes);
+    }
     result.Scheme.Stops =
       kind == "discrete" ? DiscreteStops(result.Scheme.Stops) : ExactStops(result.Scheme.Stops);
   }
@@ -495,5 +373,53 @@ ColorFileResult ReadColorMapText(const std::string& text)
   return result.Scheme.Stops.empty() && result.WhyNot.empty()
     ? Refused("there are no colours in it")
     : result;
+}
+
+ColorFileResult ReadClassTable(const std::string& text)
+{
+  ColorScheme scheme;
+  std::array<std::size_t, 3> columns = { 0, 1, 2 }; // of value, colour and name
+  bool isFirst = true;
+  const std::vector<std::string> lines = Lines(text);
+  for (std::size_t k = 0; k < lines.size(); ++k)
+  {
+    const std::vector<std::string> fields = Fields(lines[k]);
+    if (lines[k].empty() || lines[k][0] == '#')
+    {
+      continue;
+    }
+    const bool isHeader = isFirst && !ToNumber(fields[0]) && FindColumns(fields, columns);
+    isFirst = false;
+    if (isHeader)
+    {
+      continue;
+    }
+    const auto field = [&](std::size_t column)
+    { return columns[column] < fields.size() ? fields[columns[column]] : std::string(); };
+    const std::optional<double> value = ToNumber(field(0));
+    const std::vector<std::string> words = Split(field(1), " ");
+    std::size_t at = 0;
+    const std::optional<Color> color = TakeColor(words, at, ColorModel::RGB);
+    if (!value || !color || at != words.size())
+    {
+      return Refused(AtLine(
+        k, "'value,colour,name' is expected, the colour as #RRGGBB, a name, or 'red green blue'"));
+    }
+    scheme.Stops.push_back({ *value, *color });
+    scheme.Classes.push_back({ *value, field(2) });
+  }
+  ColorFileResult result = Finished(std::move(scheme));
+  const std::vector<ColorStop>& stops = result.Scheme.Stops;
+  const auto twice = std::adjacent_find(stops.begin(), stops.end(),
+    [](const ColorStop& a, const ColorStop& b) { return a.Value == b.Value; });
+  if (result.WhyNot.empty() && twice != stops.end())
+  {
+    std::ostringstream why;
+    why.imbue(std::locale::classic());
+    why << "the value " << twice->Value << " is there twice";
+    return Refused(why.str());
+  }
+  result.Scheme.Stops = ExactStops(stops);
+  return result;
 }
 }

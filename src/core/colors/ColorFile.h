@@ -37,13 +37,19 @@ ColorFileResult ReadColorReliefText(const std::string& text);
 /// one's colour.
 ColorFileResult ReadColorMapText(const std::string& text);
 
+/// A table of classes, of comma-separated values: "value,colour,name" a line, in this order or in
+/// that of a first line that names these columns; ';' and tabs divide too, and text in quotes is
+/// one field. Colours as in a palette table, also "r g b". The nearest class counts for values
+/// between two.
+ColorFileResult ReadClassTable(const std::string& text);
+
 /// Stops of a table whose colours hold up to a value (DISCRETE) or at a value (EXACT), in the way
 /// of a ColorScheme. values ascend; the last may be infinite.
 std::vector<ColorStop> DiscreteStops(const std::vector<ColorStop>& table);
 std::vector<ColorStop> ExactStops(const std::vector<ColorStop>& table);
 
-/// Red, green, blue of "#RRGGBB", or of a name that CSS and GMT share ("white", "steelblue", ...).
-std::optional<Color> ColorFromName(const std::string& name);
+/// Moves the names of classes that hold up to a value to where each begins.
+void BeginClasses(std::vector<ColorScheme::ClassName>& classes);
 }
 
 #endif

@@ -55,6 +55,12 @@ const std::vector<Table>& Tables()
       { 0x010101, 0x0A121B, 0x0E1E2E, 0x112B44, 0x15395B, 0x1C4873, 0x26578C, 0x3767A6, 0x507BBC,
         0x678BC7, 0x7B98CA, 0x8EA4C9, 0xA2B0CA, 0xB6BECD, 0xCED1D7, 0xE6E7E9, 0xFFFFFF },
       {} },
+    { "twilight",
+      { 0xE2D9E2, 0xD7D7DD, 0xC4CED4, 0xACC2CC, 0x95B5C7, 0x81A6C3, 0x7297C1, 0x6887BE, 0x6276BA,
+        0x5F64B5, 0x5E51AD, 0x5D3DA1, 0x592A8F, 0x511B77, 0x45135C, 0x381145, 0x2F1436, 0x3A113A,
+        0x4A1342, 0x5F174A, 0x741E4F, 0x872750, 0x983550, 0xA64550, 0xB25652, 0xBB6958, 0xC27C63,
+        0xC89073, 0xCCA389, 0xD1B6A3, 0xD8C7BE, 0xDFD4D6, 0xE2D9E2 },
+      {} },
     { "oleron",
       { 0x1A4C00, 0x405700, 0x63640A, 0x87792C, 0xAA9050, 0xCCAA73, 0xECC79A, 0xF8E2C0, 0xFDFDE6 },
       { 0x1A2659, 0x323F72, 0x4C598C, 0x6774A7, 0x8390C3, 0x9FACDE, 0xBAC7F3, 0xD0DDFA,
@@ -212,6 +218,49 @@ ColorScheme Stretched(const ColorScheme& scheme, double lowest, double highest)
     name.Value = move(name.Value);
   }
   return stretched;
+}
+
+bool IsDiscrete(const ColorScheme& scheme)
+{
+  const auto isMixed = [](const ColorStop& a, const ColorStop& b)
+  { return a.Value != b.Value && a.Shade != b.Shade; };
+  return scheme.SeaStops.empty() &&
+    std::adjacent_find(scheme.Stops.begin(), scheme.Stops.end(), isMixed) == scheme.Stops.end();
+}
+
+std::vector<int> ClassesOf(const ColorScheme& scheme, const std::vector<double>& values)
+{
+  struct Known
+  {
+    double Value;
+    int Number;
+    Color Shade;
+  };
+  std::vector<Known> known;
+  for (const ColorScheme::ClassName& name : scheme.Classes)
+  {
+    known.push_back({ name.Value, static_cast<int>(known.size()), ColorOf(scheme, name.Value) });
+  }
+  std::sort(
+    known.begin(), known.end(), [](const Known& a, const Known& b) { return a.Value < b.Value; });
+  const auto find = [&](double value)
+  {
+    const Color shade = ColorOf(scheme, value);
+    const auto above = std::upper_bound(
+      known.begin(), known.end(), value, [](double v, const Known& one) { return v < one.Value; });
+    if (above != known.begin() && (above - 1)->Shade == shade)
+    {
+      return (above - 1)->Number;
+    }
+    return above != known.end() && above->Shade == shade ? above->Number : -1;
+  };
+  std::vector<int> classes;
+  classes.reserve(values.size());
+  for (const double value : values)
+  {
+    classes.push_back(std::isnan(value) ? -1 : find(value));
+  }
+  return classes;
 }
 
 Color ColorOf(const ColorScheme& scheme, double value)

@@ -47,7 +47,8 @@ struct ColorScheme
   std::optional<Color> Above;
   /// Colour of no data, where the file has one.
   std::optional<Color> None;
-  /// Names of classes, for legends: the value at which a class begins, or is.
+  /// Names of classes, for legends, in the order of the file: the value at which a class begins
+  /// (minus infinity if it has no beginning), or is.
   struct ClassName
   {
     double Value;
@@ -62,9 +63,9 @@ std::vector<std::string> ColorSchemeNames();
 /// A built-in scheme by its name; none if there is no such name.
 ///
 /// Sources of figures: viridis, cividis and inferno are 17 colours each of matplotlib's tables (S.
-/// van der Walt, N. Smith; J. Nunez and others); batlow, lapaz, davos, oslo, and oleron and bukavu
-/// with their seas, are those of F. Crameri's "Scientific colour maps" 8 (2023). Mixing between
-/// them is off by less than 3/255 of the originals (cividis: 8/255).
+/// van der Walt, N. Smith; J. Nunez and others), twilight 33 (B. Winterberg); batlow, lapaz, davos,
+/// oslo, and oleron and bukavu with their seas, are those of F. Crameri's "Scientific colour maps"
+/// 8 (2023). Mixing between them is off by less than 3/255 of the originals (cividis: 8/255).
 std::optional<ColorScheme> FindColorScheme(const std::string& name);
 
 /// The other way round: the first colour last. Steps stay where they are in the mirrored axis.
@@ -87,6 +88,13 @@ ColorScheme LaidOver(const ColorScheme& scheme, const ColorRange& range);
 /// The scheme stretched so that its first stop lies at the lowest value and its last at the
 /// highest.
 ColorScheme Stretched(const ColorScheme& scheme, double lowest, double highest);
+
+/// True if no two colours are mixed anywhere: all of them are steps.
+bool IsDiscrete(const ColorScheme& scheme);
+
+/// Number of the class that each of some values belongs to, -1 for those of no class and for NaN:
+/// of the classes next below and above a value the one whose colour the value has.
+std::vector<int> ClassesOf(const ColorScheme& scheme, const std::vector<double>& values);
 
 /// The colour of a value; see ColorScheme. NaN: None, or else black. A scheme without stops is
 /// black.
