@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockWalls.h"
 
+#include "DataRim.h"
+
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -19,120 +21,132 @@
 #include <vtkTerrainActor.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace
 {
-class WallBuilder
+constexpr double kLayerAmbient = 0.6;
+
+/// Polygons with one colour each.
+class LayerBuilder
 {
 public:
-  WallBuilder(vtkImageData* heights, double base, const char* colors)
-    : Heights(heights)
-    , Samples(heights->GetPointData()->GetScalars())
-    , Ghosts(heights->GetPointGhostArray())
-    , ColorArray(heights->GetPointData()->GetArray(colors))
-    , Base(base)
-    , Width(heights->GetDimensions()[0])
-    , Height(heights->GetDimensions()[1])
+  LayerBuilder()
   {
     this->Points->SetDataTypeToDouble();
+    this->Colors->SetNumberOfComponents(3);
   }
 
-  vtkSmartPointer<vtkPolyData> Build()
+  void Add(const std::array<std::array<double, 3>, 4>& corners, const std::array<double, 3>& color)
   {
-    this->FindCells();
-    for (vtkIdType j = 0; j + 1 < this->Height; ++j)
+    std::array<vtkIdType, 4> ids{};
+    for (std::size_t k = 0; k < ids.size(); ++k)
     {
-      for (vtkIdType i = 0; i + 1 < this->Width; ++i)
-      {
-        const bool is = this->IsCell(i, j);
-        const vtkIdType corner = i + this->Width * j;
-        if (i + 2 < this->Width && is != this->IsCell(i + 1, j))
-        {
-          this->AddWall(corner + 1, corner + 1 + this->Width);
-        }
-        if (j + 2 < this->Height && is != this->IsCell(i, j + 1))
-        {
-          this->AddWall(corner + this->Width, corner + this->Width + 1);
-        }
-      }
+      ids[k] = this->Points->InsertNextPoint(corners[k].data());
     }
-    auto walls = vtkSmartPointer<vtkPolyData>::New();
-    walls->SetPoints(this->Points);
-    walls->SetPolys(this->Cells);
-    walls->GetPointData()->SetScalars(this->Colors);
-    return walls;
+    this->Cells->InsertNextCell(4, ids.data());
+    constexpr double kFull = 255.0;
+    this->Colors->InsertNextTuple3(kFull * color[0], kFull * color[1], kFull * color[2]);
+  }
+
+  vtkSmartPointer<vtkPolyData> Take() const
+  {
+    auto block = vtkSmartPointer<vtkPolyData>::New();
+    block->SetPoints(this->Points);
+    block->SetPolys(this->Cells);
+    block->GetCellData()->SetScalars(this->Colors);
+    return block;
   }
 
 private:
-  bool HasHeight(vtkIdType sample) const
-  {
-    const bool hidden =
-      this->Ghosts && (this->Ghosts->GetValue(sample) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-    return !hidden && std::isfinite(this->Samples->GetComponent(sample, 0));
-  }
-
-  void FindCells()
-  {
-    std::vector<bool> samples(static_cast<std::size_t>(this->Width * this->Height));
-    for (std::size_t k = 0; k < samples.size(); ++k)
-    {
-      samples[k] = this->HasHeight(static_cast<vtkIdType>(k));
-    }
-    this->AreCells.resize(samples.size());
-    const auto width = static_cast<std::size_t>(this->Width);
-    for (std::size_t k = 0; k + width + 1 < samples.size(); ++k)
-    {
-      this->AreCells[k] =
-        samples[k] && samples[k + 1] && samples[k + width] && samples[k + width + 1];
-    }
-  }
-
-  bool IsCell(vtkIdType i, vtkIdType j) const
-  {
-    return this->AreCells[static_cast<std::size_t>(i + this->Width * j)];
-  }
-
-  /// The point of a sample, or the one below it on the floor.
-  vtkIdType AddPoint(vtkIdType sample, bool isFloor)
-  {
-    double point[3];
-    this->Heights->GetPoint(sample, point);
-    const double height = this->Samples->GetComponent(sample, 0);
-    const double color = this->ColorArray ? this->ColorArray->GetComponent(sample, 0) : height;
-    this->Colors->InsertNextValue(isFloor ? color - (height - this->Base) : color);
-    return this->Points->InsertNextPoint(
-      point[0], point[1], point[2] + (isFloor ? this->Base : height));
-  }
-
-  void AddWall(vtkIdType from, vtkIdType to)
-  {
-    const vtkIdType corners[] = { this->AddPoint(from, true), this->AddPoint(to, true),
-      this->AddPoint(to, false), this->AddPoint(from, false) };
-    this->Cells->InsertNextCell(4, corners);
-  }
-
-  vtkImageData* Heights;
-  vtkDataArray* Samples;
-  vtkUnsignedCharArray* Ghosts;
-  vtkDataArray* ColorArray;
-  double Base;
-  vtkIdType Width;
-  vtkIdType Height;
-  /// At the number of its first sample: true for a cell with four heights.
-  std::vector<bool> AreCells;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Cells;
-  vtkNew<vtkDoubleArray> Colors;
+  vtkNew<vtkUnsignedCharArray> Colors;
 };
+
+/// An actor of walls with the material and the place of a terrain.
+vtkSmartPointer<vtkActor> MakeActor(vtkTerrainActor* terrain, vtkPolyDataMapper* mapper)
+{
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->DeepCopy(terrain->GetProperty());
+  actor->GetProperty()->SetInterpolationToFlat();
+  // a wall sees half of the sky
+  actor->GetProperty()->SetAmbient(
+    terrain->GetProperty()->GetAmbient() + 0.5 * terrain->GetSkyLight());
+  terrain->PlaceAsDrawn(actor);
+  return actor;
+}
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeBlockWalls(vtkImageData* heights, double base, const char* colors)
 {
-  return WallBuilder(heights, base, colors).Build();
+  const DataRim rim(heights);
+  vtkDataArray* shown = heights->GetPointData()->GetArray(colors);
+  const vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const vtkNew<vtkCellArray> cells;
+  const vtkNew<vtkDoubleArray> values;
+  const auto add = [&](vtkIdType sample, bool isFloor)
+  {
+    const double height = rim.GetHeight(sample);
+    const double color = shown ? shown->GetComponent(sample, 0) : height;
+    values->InsertNextValue(isFloor ? color - (height - base) : color);
+    return points->InsertNextPoint(rim.GetPoint(sample, isFloor ? base : height).data());
+  };
+  for (const DataRim::Side& side : rim.FindSides())
+  {
+    if (!side.IsBorder)
+    {
+      const vtkIdType corners[] = { add(side.From, true), add(side.To, true), add(side.To, false),
+        add(side.From, false) };
+      cells->InsertNextCell(4, corners);
+    }
+  }
+  auto walls = vtkSmartPointer<vtkPolyData>::New();
+  walls->SetPoints(points);
+  walls->SetPolys(cells);
+  walls->GetPointData()->SetScalars(values);
+  return walls;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeLayeredBlock(
+  vtkImageData* heights, double base, const std::vector<Stratum>& strata)
+{
+  const DataRim rim(heights);
+  LayerBuilder builder;
+  const auto at = [&](vtkIdType sample, double depth)
+  { return rim.GetPoint(sample, std::max(base, rim.GetHeight(sample) - depth)); };
+  for (const DataRim::Side& side : rim.FindSides())
+  {
+    const double deepest = std::max(rim.GetHeight(side.From), rim.GetHeight(side.To)) - base;
+    double top = 0.0;
+    for (std::size_t k = 0; k < strata.size() && top < deepest; ++k)
+    {
+      const bool isLast = k + 1 == strata.size() || strata[k].Thickness <= 0.0;
+      const double bottom = isLast ? deepest : std::min(deepest, top + strata[k].Thickness);
+      builder.Add(
+        { at(side.From, bottom), at(side.To, bottom), at(side.To, top), at(side.From, top) },
+        strata[k].Color);
+      top = bottom;
+    }
+  }
+  const vtkIdType width = heights->GetDimensions()[0];
+  for (vtkIdType row = 0; row < rim.GetRows(); ++row)
+  {
+    for (const auto& [first, last] : rim.FindRuns(row))
+    {
+      const vtkIdType low = width * row;
+      builder.Add(
+        { rim.GetPoint(low + first, base), rim.GetPoint(low + last + 1, base),
+          rim.GetPoint(low + width + last + 1, base), rim.GetPoint(low + width + first, base) },
+        strata.back().Color);
+    }
+  }
+  return builder.Take();
 }
 
 //------------------------------------------------------------------------------
@@ -149,13 +163,22 @@ vtkSmartPointer<vtkActor> MakeWallActor(vtkTerrainActor* terrain, vtkImageData* 
   mapper->SetLookupTable(terrain->GetLookupTable());
   mapper->UseLookupTableScalarRangeOn();
   mapper->InterpolateScalarsBeforeMappingOn();
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->DeepCopy(terrain->GetProperty());
-  actor->GetProperty()->SetInterpolationToFlat();
-  // a wall sees half of the sky
-  actor->GetProperty()->SetAmbient(
-    terrain->GetProperty()->GetAmbient() + 0.5 * terrain->GetSkyLight());
-  terrain->PlaceAsDrawn(actor);
-  return actor;
+  return MakeActor(terrain, mapper);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkActor> MakeLayerActor(
+  vtkTerrainActor* terrain, vtkImageData* heights, const std::vector<Stratum>& strata)
+{
+  const vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(
+    MakeLayeredBlock(heights, terrain->GetTerrainMapper()->GetBlockBase(), strata));
+  mapper->SetColorModeToDirectScalars();
+  mapper->SetScalarModeToUseCellData();
+  terrain->GetTerrainMapper()->SetBlock(false);
+  vtkSmartPointer<vtkActor> block = MakeActor(terrain, mapper);
+  // colours that tell layers apart are seen on sides that turn away from the sun, too
+  block->GetProperty()->SetAmbient(kLayerAmbient);
+  block->GetProperty()->SetDiffuse(1.0 - kLayerAmbient);
+  return block;
 }

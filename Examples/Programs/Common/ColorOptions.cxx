@@ -46,7 +46,8 @@ void ColorOptions::Declare(CLI::App& app)
   }
   app
     .add_option("--colors", this->Colors,
-      "colours of heights: " + schemes + "; or a file: .cpt, .txt, .clr, .qml, .xml")
+      "colours of heights: " + schemes +
+        "; or a file: .cpt, .txt, .clr, .qml, .xml, .csv (value,colour,name)")
     ->type_name("NAME|FILE")
     ->check(CLI::Validator(WhyNotColors, ""));
   app
@@ -76,13 +77,14 @@ bool ColorOptions::IsGiven() const
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkScalarsToColors> ColorOptions::MakeTable(double lowest, double highest) const
+vtkSmartPointer<vtkTerrainColors> ColorOptions::MakeColors(const std::string& usual) const
 {
   using SeaMode = vtkTerrainColors::SeaMode;
-  const vtkNew<vtkTerrainColors> colors;
-  if (!this->Colors.empty())
+  auto colors = vtkSmartPointer<vtkTerrainColors>::New();
+  const std::string& chosen = this->Colors.empty() ? usual : this->Colors;
+  if (!chosen.empty())
   {
-    colors->SetSchemeOrFile(this->Colors);
+    colors->SetSchemeOrFile(chosen);
   }
   double range[2];
   if (ReadRange(this->Range, range))
@@ -93,5 +95,11 @@ vtkSmartPointer<vtkScalarsToColors> ColorOptions::MakeTable(double lowest, doubl
   colors->SetSea(this->BelowSea == "always" ? SeaMode::Always
       : this->BelowSea == "never"           ? SeaMode::Never
                                             : SeaMode::Automatic);
-  return colors->MakeTable(lowest, highest);
+  return colors;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkScalarsToColors> ColorOptions::MakeTable(double lowest, double highest) const
+{
+  return this->MakeColors()->MakeTable(lowest, highest);
 }

@@ -12,6 +12,7 @@
 #include <string>
 
 class vtkScalarsToColors;
+class vtkTerrainColors;
 namespace CLI
 {
 class App;
@@ -35,6 +36,9 @@ struct ColorOptions
 
   /// True if anything is asked for.
   bool IsGiven() const;
+
+  /// The colours that are asked for; without any those of a scheme, else vtkTerrainColors' own.
+  vtkSmartPointer<vtkTerrainColors> MakeColors(const std::string& usual = {}) const;
 
   /// The table for heights from lowest to highest, in metres.
   vtkSmartPointer<vtkScalarsToColors> MakeTable(double lowest, double highest) const;

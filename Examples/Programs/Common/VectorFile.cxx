@@ -6,8 +6,10 @@
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTerrainGeoid.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainOutputFile.h"
@@ -20,6 +22,8 @@
 
 #include <cstring>
 #include <memory>
+#include <set>
+#include <sstream>
 #include <vector>
 
 namespace
@@ -32,8 +36,14 @@ struct Vectors
   vtkNew<vtkCellArray> Lines;
   vtkNew<vtkCellArray> Areas;
   Polygons Kind = Polygons::Outlines;
+  /// Name of the field whose texts are kept, one for each point; empty for none.
+  std::string Field{};
+  std::vector<std::string> Texts{};
+  bool HasField = false;
+  std::set<std::string> Fields{};
 
   void Add(OGRGeometryH geometry);
+  void AddFeature(OGRFeatureH feature);
 
 private:
   void AddPoints(OGRGeometryH geometry, vtkCellArray* cells);
@@ -89,6 +99,38 @@ void Vectors::Add(OGRGeometryH geometry)
   }
 }
 
+void Vectors::AddFeature(OGRFeatureH feature)
+{
+  OGRGeometryH curved = OGR_F_GetGeometryRef(feature);
+  if (!curved)
+  {
+    return;
+  }
+  const std::size_t first = this->Coordinates.size() / 3;
+  OGRGeometryH geometry = OGR_G_GetLinearGeometry(curved, 0.0, nullptr);
+  this->Add(geometry);
+  OGR_G_DestroyGeometry(geometry);
+  if (this->Field.empty())
+  {
+    return;
+  }
+  for (int k = 0; k < OGR_F_GetFieldCount(feature); ++k)
+  {
+    this->Fields.insert(OGR_Fld_GetNameRef(OGR_F_GetFieldDefnRef(feature, k)));
+  }
+  const int field = OGR_F_GetFieldIndex(feature, this->Field.c_str());
+  const bool isHeight = field < 0 && this->Field == "height";
+  const bool isThere = field >= 0 && OGR_F_IsFieldSetAndNotNull(feature, field) != 0;
+  this->HasField = this->HasField || isHeight || isThere;
+  const std::string text = isThere ? OGR_F_GetFieldAsString(feature, field) : "";
+  for (std::size_t point = first; point < this->Coordinates.size() / 3; ++point)
+  {
+    std::ostringstream height;
+    height << this->Coordinates[3 * point + 2];
+    this->Texts.push_back(isHeight ? height.str() : text);
+  }
+}
+
 /// WKT of the layer's CRS; empty if it has none.
 std::string CoordinateSystemOf(OGRLayerH layer)
 {
@@ -111,12 +153,7 @@ std::string AddLayer(OGRLayerH layer, vtkTerrainGeoreference* scene, Vectors& ve
   OGR_L_ResetReading(layer);
   while (OGRFeatureH feature = OGR_L_GetNextFeature(layer))
   {
-    if (OGRGeometryH curved = OGR_F_GetGeometryRef(feature))
-    {
-      OGRGeometryH geometry = OGR_G_GetLinearGeometry(curved, 0.0, nullptr);
-      vectors.Add(geometry);
-      OGR_G_DestroyGeometry(geometry);
-    }
+    vectors.AddFeature(feature);
     OGR_F_Destroy(feature);
   }
   if (vectors.Coordinates.size() == first)
@@ -146,11 +183,9 @@ bool IsRepeated(GDALDatasetH file, OGRLayerH layer)
   return std::strcmp(driver, "GPX") == 0 &&
     (std::strcmp(name, "track_points") == 0 || std::strcmp(name, "route_points") == 0);
 }
-}
 
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ReadVectors(
-  const std::string& path, vtkTerrainGeoreference* scene, Polygons polygons)
+/// Fills in the geometries of a file. Throws a Failure.
+void ReadFile(const std::string& path, vtkTerrainGeoreference* scene, Vectors& vectors)
 {
   const std::string whyNot = vtkTerrainOutputFile::WhyNotInput(path);
   if (!whyNot.empty())
@@ -170,8 +205,6 @@ vtkSmartPointer<vtkPolyData> ReadVectors(
         GDALClose(open);
       }
     });
-  Vectors vectors;
-  vectors.Kind = polygons;
   std::string why = file ? "" : "it cannot be read as points and lines";
   const int layers = file ? GDALDatasetGetLayerCount(file.get()) : 0;
   for (int i = 0; i < layers && why.empty(); ++i)
@@ -191,6 +224,10 @@ vtkSmartPointer<vtkPolyData> ReadVectors(
   {
     throw Failure(path, why);
   }
+}
+
+vtkSmartPointer<vtkPolyData> ToPolyData(const Vectors& vectors)
+{
   const vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(vectors.Coordinates.size() / 3));
@@ -203,5 +240,43 @@ vtkSmartPointer<vtkPolyData> ReadVectors(
   result->SetVerts(vectors.Vertices);
   result->SetLines(vectors.Lines);
   result->SetPolys(vectors.Areas);
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ReadVectors(
+  const std::string& path, vtkTerrainGeoreference* scene, Polygons polygons)
+{
+  Vectors vectors;
+  vectors.Kind = polygons;
+  ReadFile(path, scene, vectors);
+  return ToPolyData(vectors);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ReadVectorsWithField(
+  const std::string& path, vtkTerrainGeoreference* scene, const std::string& field)
+{
+  Vectors vectors;
+  vectors.Field = field;
+  ReadFile(path, scene, vectors);
+  if (!vectors.HasField)
+  {
+    std::string why = "no feature of it has '" + field + "'; there are height";
+    for (const std::string& known : vectors.Fields)
+    {
+      why += ", " + known;
+    }
+    throw Failure(path, why);
+  }
+  vtkSmartPointer<vtkPolyData> result = ToPolyData(vectors);
+  const vtkNew<vtkStringArray> texts;
+  texts->SetName("Field");
+  for (const std::string& text : vectors.Texts)
+  {
+    texts->InsertNextValue(text);
+  }
+  result->GetPointData()->AddArray(texts);
   return result;
 }

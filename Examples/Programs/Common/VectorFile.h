@@ -30,4 +30,10 @@ enum class Polygons
 vtkSmartPointer<vtkPolyData> ReadVectors(
   const std::string& path, vtkTerrainGeoreference* scene, Polygons polygons = Polygons::Outlines);
 
+/// The same with a field of the features, as the array of texts "Field" of the points: those of the
+/// feature that they belong to, empty where it has none. "height" stands for the points' own
+/// heights, as the file has them. Throws a Failure that names the fields if no feature has it.
+vtkSmartPointer<vtkPolyData> ReadVectorsWithField(
+  const std::string& path, vtkTerrainGeoreference* scene, const std::string& field);
+
 #endif

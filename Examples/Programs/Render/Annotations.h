@@ -7,19 +7,41 @@
 #ifndef terrain_render_Annotations_h
 #define terrain_render_Annotations_h
 
+#include "vtkScalarsToColors.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
 #include <string>
+#include <vector>
 
 class vtkRenderer;
 struct Options;
 struct PlacedHeights;
-struct Terrain;
+
+/// A class of values: its name, its colour from 0 to 1, how many values belong to it.
+struct LegendClass
+{
+  std::string Name;
+  std::array<double, 3> Color{};
+  vtkIdType Count = 0;
+};
+
+/// What a legend tells: classes if there are any, else the colours of a table.
+struct LegendKey
+{
+  std::string Title;
+  vtkSmartPointer<vtkScalarsToColors> Table;
+  std::vector<LegendClass> Classes;
+};
 
 /// Adds scale bar and north arrow, as they are right at the focal point of the renderer's camera.
 void AddOverlay(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options);
 
-/// Adds the colours of heights beside the picture's right border, with round numbers, if the
-/// options ask for that.
-void AddLegend(vtkRenderer* renderer, const Terrain& terrain, const Options& options);
+/// Adds keys to colours beside the picture's right border, the first on top.
+void AddLegends(vtkRenderer* renderer, const std::vector<LegendKey>& keys, const Options& options);
+
+/// 1, 2 or 5 times a power of ten, not less than a number above 0.
+double RoundUp(double least);
 
 /// A number that is a multiple of a round step, with commas between thousands: "1,500", "0.25".
 std::string GroupedNumber(double number, double step);

@@ -148,6 +148,7 @@ vtkSmartPointer<vtkTextActor> LabelPlacer::MakeText(
   property->SetFontSize(
     std::max(kSmallest, static_cast<int>(TextPixels(style.Size, this->Wanted))));
   property->SetBold(style.IsBold);
+  property->SetOrientation(style.Turn);
   ChooseFont(property, text);
   const bool isLight = style.Backing == 0.0 && IsDarkBehind(this->Renderer, true);
   const auto& [r, g, b] = isLight ? kLightMark : kDarkMark;
@@ -193,7 +194,7 @@ std::optional<PixelBox> LabelPlacer::PlaceCentred(
 {
   const vtkSmartPointer<vtkTextActor> actor = this->MakeText(text, style);
   const PixelBox box = BoxOfText(actor);
-  return this->Place(text, x, y - 0.5 * (box.Low + box.High), style);
+  return this->Place(text, x - 0.5 * (box.Left + box.Right), y - 0.5 * (box.Low + box.High), style);
 }
 
 //------------------------------------------------------------------------------

@@ -41,6 +41,8 @@ struct TextStyle
   bool IsBold = false;
   /// Opacity of the white box behind it; without one it is light on a dark upper border.
   double Backing = 0.7;
+  /// Degrees, counterclockwise.
+  double Turn = 0.0;
 };
 
 /**

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours of heights, with round numbers.
+// Keys to colours, with round numbers or names of classes.
 #include "Annotations.h"
 
 #include "Fonts.h"
+#include "Messages.h"
 #include "Options.h"
-#include "Terrain.h"
 #include "TextSize.h"
 
 #include "vtkActor2D.h"
@@ -19,7 +19,6 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
-#include "vtkTerrainActor.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
@@ -45,6 +44,12 @@ constexpr double kBarTextSize = 0.029;
 constexpr int kSmallestBarText = 8;
 /// Most of the picture's width that a title takes before it goes on in another line.
 constexpr double kWidestTitle = 0.3;
+/// Of the names of classes.
+constexpr double kWidestName = 0.25;
+/// Height of the row of a class, in sizes of its text.
+constexpr double kRow = 1.35;
+/// Part of the picture's height that legends take at most.
+constexpr double kMostOfHeight = 0.92;
 /// Between lines of a title, in shares of the size of its text.
 constexpr double kLineSpacing = 1.25;
 /// Of the panel behind all of it, which keeps it readable over any terrain.
@@ -76,7 +81,8 @@ public:
     this->Cells->InsertNextCell({ first, first + 1, first + 2, first + 3 });
     this->Colors->InsertNextTypedTuple(color.Parts.data());
   }
-  void AddTo(vtkRenderer* renderer, double opacity)
+  /// Adds them so much higher.
+  void AddTo(vtkRenderer* renderer, double up, double opacity)
   {
     const vtkNew<vtkPolyData> shape;
     shape->SetPoints(this->Points);
@@ -87,13 +93,14 @@ public:
     const vtkNew<vtkActor2D> actor;
     actor->SetMapper(mapper);
     actor->GetProperty()->SetOpacity(opacity);
+    actor->SetPosition(0.0, up);
     renderer->AddViewProp(actor);
   }
 
 private:
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Cells;
-  vtkNew<vtkUnsignedCharArray> Colors;
+  vtkSmartPointer<vtkPoints> Points = vtkSmartPointer<vtkPoints>::New();
+  vtkSmartPointer<vtkCellArray> Cells = vtkSmartPointer<vtkCellArray>::New();
+  vtkSmartPointer<vtkUnsignedCharArray> Colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
 };
 
 /// A line of text, right-justified at a point, its middle at the height of the point.
@@ -175,7 +182,171 @@ std::vector<std::string> LinesOf(
   return lines;
 }
 
-/// 1, 2 or 5 times a power of ten, not less than a number above 0.
+/// One key to colours at the right side of the picture: a bar with numbers, or classes with names,
+/// and a title above it. Counts its height from the lower border of its panel.
+class Legend
+{
+public:
+  Legend(vtkRenderer* renderer, const LegendKey& key, const Options& options, double share)
+    : Renderer(renderer)
+    , Unit(std::min(options.Size[0], options.Size[1]))
+    , Size(std::max(kSmallestBarText, static_cast<int>(TextPixels(kBarTextSize, options))))
+    , Right(options.Size[0] - (kBarMargin + kPadding) * this->Unit)
+    , Left(this->Right - kWidth * this->Unit)
+    , Low(0.5 * this->Size + kPadding * this->Unit)
+    , Room(share * options.Size[1] - 2.0 * kPadding * this->Unit)
+  {
+    if (key.Classes.empty())
+    {
+      this->Length = std::min(kLength * this->Unit, this->Room - 3.0 * this->Size);
+      this->AddBar(key.Table);
+      this->AddNumbers(key.Table);
+    }
+    else
+    {
+      this->AddClasses(key.Classes, options);
+    }
+    this->AddTitle(key.Title, options);
+  }
+
+  double GetHeight() const
+  {
+    double high = this->Low + this->Length;
+    for (const LegendText& text : this->Texts)
+    {
+      high = std::max(high, text.Y + 0.5 * this->Size);
+    }
+    return high + kPadding * this->Unit;
+  }
+
+  void Add(double low)
+  {
+    Rectangles panel;
+    const double padding = kPadding * this->Unit;
+    double left = this->Left;
+    for (const LegendText& text : this->Texts)
+    {
+      left = std::min(left, text.X - WidthOf(this->Renderer, text.Text, this->Size));
+    }
+    panel.Add(left - padding, 0.0, this->Right + padding, this->GetHeight(), { { 250, 251, 253 } });
+    panel.AddTo(this->Renderer, low, kPanelOpacity);
+    this->Shapes.AddTo(this->Renderer, low, 1.0);
+    for (LegendText text : this->Texts)
+    {
+      text.Y += low;
+      AddLegendText(this->Renderer, text, this->Size);
+    }
+  }
+
+private:
+  void AddBar(vtkScalarsToColors* table)
+  {
+    const double lowest = table->GetRange()[0];
+    const double highest = std::max(table->GetRange()[1], lowest + 1e-9);
+    this->Shapes.Add(
+      this->Left - 1.0, this->Low - 1.0, this->Right + 1.0, this->Low + this->Length + 1.0, {});
+    for (int part = 0; part < kParts; ++part)
+    {
+      const double value = lowest + (part + 0.5) / kParts * (highest - lowest);
+      const unsigned char* color = table->MapValue(value);
+      this->Shapes.Add(this->Left, this->Low + this->Length * part / kParts, this->Right,
+        this->Low + this->Length * (part + 1) / kParts, { { color[0], color[1], color[2] } });
+    }
+  }
+
+  void AddNumbers(vtkScalarsToColors* table)
+  {
+    const double lowest = table->GetRange()[0];
+    const double highest = std::max(table->GetRange()[1], lowest + 1e-9);
+    const double range = highest - lowest;
+    const double step = RoundUp(range / std::min(kMostLabels, this->Length / (1.5 * this->Size)));
+    const double gap = kGap * this->Unit;
+    for (double number = step * std::ceil(lowest / step - 1e-9); number <= highest + 1e-9 * step;
+         number += step)
+    {
+      const double y = this->Low + this->Length * (number - lowest) / range;
+      this->Shapes.Add(this->Left - gap, y - 0.5, this->Left, y + 0.5, {});
+      this->Texts.push_back({ GroupedNumber(number, step), this->Left - 2.0 * gap, y });
+    }
+  }
+
+  /// Squares of colour with names, the first on top; of more than there is room for, those that
+  /// occur most, and a warning.
+  void AddClasses(const std::vector<LegendClass>& all, const Options& options)
+  {
+    const double row = kRow * this->Size;
+    const auto most = static_cast<std::size_t>(std::max(1.0, (this->Room - 2.0 * row) / row));
+    std::vector<vtkIdType> counts;
+    for (const LegendClass& one : all)
+    {
+      counts.push_back(one.Count);
+    }
+    std::sort(counts.rbegin(), counts.rend());
+    const vtkIdType least = counts[std::min(most, counts.size()) - 1];
+    std::vector<LegendClass> shown;
+    for (const LegendClass& one : all)
+    {
+      if (one.Count >= least && shown.size() < most)
+      {
+        shown.push_back(one);
+      }
+    }
+    if (shown.size() < all.size())
+    {
+      Warn("--legend: there is room for " + std::to_string(shown.size()) + " of " +
+        std::to_string(all.size()) + " classes: those that cover most are shown");
+    }
+    this->Left = this->Right - this->Size;
+    const double widest = kWidestName * options.Size[0];
+    double y = this->Low + 0.5 * this->Size + row * static_cast<double>(shown.size() - 1);
+    this->Length = y + 0.5 * this->Size - this->Low;
+    for (const LegendClass& one : shown)
+    {
+      const double half = 0.45 * this->Size;
+      this->Shapes.Add(
+        this->Left - 1.0, y - half - 1.0, this->Left + 2.0 * half + 1.0, y + half + 1.0, {});
+      BarColor color;
+      for (std::size_t k = 0; k < color.Parts.size(); ++k)
+      {
+        color.Parts[k] = static_cast<unsigned char>(std::lround(255.0 * one.Color[k]));
+      }
+      this->Shapes.Add(this->Left, y - half, this->Left + 2.0 * half, y + half, color);
+      const std::string name = BeginningOf(this->Renderer, one.Name, this->Size, widest);
+      this->Texts.push_back({ name == one.Name ? name : name + "\xE2\x80\xA6", // three dots
+        this->Left - 2.0 * kGap * this->Unit, y });
+      y -= row;
+    }
+  }
+
+  /// Lines from the bar up.
+  void AddTitle(const std::string& title, const Options& options)
+  {
+    const double room = this->Right - (kBarMargin + kPadding) * this->Unit;
+    const double widest = std::max(kWidestTitle * options.Size[0], 6.0 * this->Size);
+    const std::vector<std::string> lines =
+      LinesOf(this->Renderer, title, this->Size, std::min(widest, room), room);
+    double y = this->Low + this->Length + 1.4 * this->Size;
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line)
+    {
+      this->Texts.push_back({ *line, this->Right, y });
+      y += kLineSpacing * this->Size;
+    }
+  }
+
+  vtkRenderer* Renderer;
+  double Unit;
+  int Size; ///< of the text
+  double Right;
+  double Left;
+  double Low;
+  double Room;
+  double Length = 0.0;
+  Rectangles Shapes;
+  std::vector<LegendText> Texts;
+};
+}
+
+//------------------------------------------------------------------------------
 double RoundUp(double least)
 {
   const double power = std::pow(10.0, std::floor(std::log10(least)));
@@ -187,107 +358,6 @@ double RoundUp(double least)
     }
   }
   return 10.0 * power;
-}
-
-/// The bar of colours, its numbers and its title, at the right side of the picture.
-class Legend
-{
-public:
-  Legend(vtkRenderer* renderer, vtkScalarsToColors* table, const Options& options)
-    : Renderer(renderer)
-    , Table(table)
-    , Unit(std::min(options.Size[0], options.Size[1]))
-    , Size(std::max(kSmallestBarText, static_cast<int>(TextPixels(kBarTextSize, options))))
-    , Right(options.Size[0] - (kBarMargin + kPadding) * this->Unit)
-    , Left(this->Right - kWidth * this->Unit)
-    , Low(0.5 * (options.Size[1] - kLength * this->Unit))
-    , Length(kLength * this->Unit)
-    , Lowest(table->GetRange()[0])
-    , Highest(std::max(table->GetRange()[1], this->Lowest + 1e-9))
-  {
-    this->AddBar();
-    this->AddNumbers();
-    this->AddTitle(options);
-  }
-
-  void Add()
-  {
-    Rectangles panel;
-    const double padding = kPadding * this->Unit;
-    const double half = 0.5 * this->Size;
-    double left = this->Left;
-    double high = this->Low + this->Length;
-    for (const LegendText& text : this->Texts)
-    {
-      left = std::min(left, text.X - WidthOf(this->Renderer, text.Text, this->Size));
-      high = std::max(high, text.Y + half);
-    }
-    panel.Add(left - padding, this->Low - half - padding, this->Right + padding, high + padding,
-      { { 250, 251, 253 } });
-    panel.AddTo(this->Renderer, kPanelOpacity);
-    this->Shapes.AddTo(this->Renderer, 1.0);
-    for (const LegendText& text : this->Texts)
-    {
-      AddLegendText(this->Renderer, text, this->Size);
-    }
-  }
-
-private:
-  void AddBar()
-  {
-    this->Shapes.Add(
-      this->Left - 1.0, this->Low - 1.0, this->Right + 1.0, this->Low + this->Length + 1.0, {});
-    for (int part = 0; part < kParts; ++part)
-    {
-      const double value = this->Lowest + (part + 0.5) / kParts * (this->Highest - this->Lowest);
-      const unsigned char* color = this->Table->MapValue(value);
-      this->Shapes.Add(this->Left, this->Low + this->Length * part / kParts, this->Right,
-        this->Low + this->Length * (part + 1) / kParts, { { color[0], color[1], color[2] } });
-    }
-  }
-
-  void AddNumbers()
-  {
-    const double range = this->Highest - this->Lowest;
-    const double step = RoundUp(range / kMostLabels);
-    const double gap = kGap * this->Unit;
-    for (double number = step * std::ceil(this->Lowest / step - 1e-9);
-         number <= this->Highest + 1e-9 * step; number += step)
-    {
-      const double y = this->Low + this->Length * (number - this->Lowest) / range;
-      this->Shapes.Add(this->Left - gap, y - 0.5, this->Left, y + 0.5, {});
-      this->Texts.push_back({ GroupedNumber(number, step), this->Left - 2.0 * gap, y });
-    }
-  }
-
-  /// Lines from the bar up.
-  void AddTitle(const Options& options)
-  {
-    const double room = this->Right - (kBarMargin + kPadding) * this->Unit;
-    const double widest = std::max(kWidestTitle * options.Size[0], 6.0 * this->Size);
-    const std::vector<std::string> lines =
-      LinesOf(this->Renderer, options.Legend, this->Size, std::min(widest, room), room);
-    double y = this->Low + this->Length + 1.4 * this->Size;
-    for (auto line = lines.rbegin(); line != lines.rend(); ++line)
-    {
-      this->Texts.push_back({ *line, this->Right, y });
-      y += kLineSpacing * this->Size;
-    }
-  }
-
-  vtkRenderer* Renderer;
-  vtkScalarsToColors* Table;
-  double Unit;
-  int Size; ///< of the text
-  double Right;
-  double Left;
-  double Low;
-  double Length;
-  double Lowest;
-  double Highest;
-  Rectangles Shapes;
-  std::vector<LegendText> Texts;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -310,10 +380,26 @@ std::string GroupedNumber(double number, double step)
 }
 
 //------------------------------------------------------------------------------
-void AddLegend(vtkRenderer* renderer, const Terrain& terrain, const Options& options)
+void AddLegends(vtkRenderer* renderer, const std::vector<LegendKey>& keys, const Options& options)
 {
-  if (!options.Legend.empty())
+  const double unit = std::min(options.Size[0], options.Size[1]);
+  const double gap = kPadding * unit;
+  std::vector<Legend> legends;
+  double height = -gap;
+  for (const LegendKey& key : keys)
   {
-    Legend(renderer, terrain.Actor->GetLookupTable(), options).Add();
+    legends.emplace_back(renderer, key, options, kMostOfHeight / static_cast<double>(keys.size()));
+    height += legends.back().GetHeight() + gap;
+  }
+  // as one stands alone: the middle of its bar at that of the picture, if there is room
+  const double bar = kLength * unit;
+  const double above = height - (keys.empty() ? 0.0 : 0.5 * bar + kPadding * unit);
+  double high = keys.size() == 1 && keys.front().Classes.empty() ? 0.5 * options.Size[1] + above
+                                                                 : 0.5 * (options.Size[1] + height);
+  for (Legend& legend : legends)
+  {
+    high -= legend.GetHeight();
+    legend.Add(high);
+    high -= gap;
   }
 }

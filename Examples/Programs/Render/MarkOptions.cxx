@@ -25,6 +25,21 @@ void MarkOptions::Declare(CLI::App& app)
     ->type_name("N")
     ->group(kMarks)
     ->check(CLI::Range(1, kMostPeaks).description(""));
+  app
+    .add_flag("--contour-labels", this->ContourLabels,
+      "heights on the wide contour lines of --contours, turned along them")
+    ->group(kMarks);
+  app
+    .add_flag("--outline{box}", this->Outline,
+      "the edges of the box around the terrain; --outline=edge for the edge of the data")
+    ->group(kMarks)
+    ->check(CLI::IsMember({ "box", "edge" }).description(""));
+  app.add_flag("--height-scale", this->HeightScale, "a ruler of heights at the corner on the left")
+    ->group(kMarks);
+  app
+    .add_flag("--inset", this->Inset,
+      "a small map in the corner, with the ground that is seen and where the eye is")
+    ->group(kMarks);
   app.add_option("--title", this->Title, "text at the upper border")
     ->type_name("TEXT")
     ->group(kMarks);

@@ -20,6 +20,12 @@ struct MarkOptions
   std::string Labels;
   /// Most summits that are labelled, the most prominent first.
   int Peaks = 0;
+  /// Numbers on the index contours.
+  bool ContourLabels = false;
+  /// "box" or "edge"; empty for none.
+  std::string Outline;
+  bool HeightScale = false;
+  bool Inset = false;
   std::string Title;
   std::string Caption;
 

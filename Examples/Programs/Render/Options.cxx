@@ -217,13 +217,16 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   DeclareView(app, options, texts);
   options.Input.Declare(app);
   options.Colors.Declare(app);
+  options.ColorBy.Declare(app);
   options.Light.Declare(app, true);
   options.Surface.Declare(app);
   options.Scenery.Declare(app);
   options.Marks.Declare(app);
+  options.Track.Declare(app);
   options.Flight.Declare(app);
-  app.add_flag("--legend{Height in metres}", options.Legend,
-    "the colours of heights with numbers; --legend='Depth in metres' for another title");
+  app.add_flag("--legend{" + std::string(kUsualLegend) + "}", options.Legend,
+    "the colours with numbers, or with names of classes; --legend='Depth in metres' for another "
+    "title");
   texts.Place.Declare(app, options.Place);
   texts.Detail.Declare(app, options.Detail);
   app.set_version_flag("--version", TERRAIN_RENDER_VERSION);
@@ -329,6 +332,10 @@ void Interpret(const Texts& texts, Options& options)
   {
     Refuse("--describe", "needs a file of heights");
   }
+  if (options.Marks.ContourLabels && options.Surface.Contours <= 0.0)
+  {
+    Refuse("--contour-labels", "stand on contour lines: give --contours INTERVAL, too");
+  }
   texts.Place.Interpret(options.Place);
   options.Place.HasTimeOfSun = options.Light.NeedsPlace();
   options.Place.HasLabels = !options.Marks.Labels.empty();
@@ -384,6 +391,8 @@ void CheckTechnique(const Options& options)
     Refuse("--block", "is for the technique pyramid only");
   }
   options.Surface.CheckLight(options.Light);
+  options.Surface.CheckStrata();
+  options.Track.Check(!options.Place.Tracks.empty());
   if (options.Wireframe && !strips)
   {
     Refuse("--wireframe", "is for the technique strips only");
@@ -391,6 +400,10 @@ void CheckTechnique(const Options& options)
   if (options.Depths && !strips)
   {
     Refuse("--depths", "is for the technique strips only");
+  }
+  if ((options.Wireframe || options.Depths || options.Crossings) && options.ColorBy.IsGiven())
+  {
+    Refuse("--color-by", "does not go with --wireframe, --depths and --crossings");
   }
   if ((options.Wireframe || options.Depths) && !options.Place.Drape.empty())
   {
@@ -411,7 +424,8 @@ std::string CanonicalPath(const std::string& name)
 std::vector<std::string> InputFiles(const Options& options)
 {
   std::vector<std::string> inputs = { options.Heights, options.Input.CoordinateSystem,
-    options.Colors.GetFileName(), options.Place.Drape, options.Place.GetGeoidFile(),
+    options.Colors.GetFileName(), options.ColorBy.IsFile() ? options.ColorBy.By : std::string(),
+    options.Track.GetFileName(), options.Place.Drape, options.Place.GetGeoidFile(),
     options.Detail.File, options.Scene, options.Marks.Labels,
     options.Flight.IsFile() ? options.Flight.Flight : std::string() };
   inputs.insert(inputs.end(), options.Place.Tracks.begin(), options.Place.Tracks.end());
@@ -503,7 +517,7 @@ SceneNames NamesOfScene()
 {
   SceneNames names;
   names.Files = { "heights", "drape", "track", "labels", "output", "depth", "stats" };
-  names.FilesOrWords = { "colors", "detail", "flight" };
+  names.FilesOrWords = { "colors", "track-colors", "color-by", "detail", "flight" };
   names.Others = { "help", "version", "describe" };
   names.Rivals = { { "camera", "look-from" }, { "camera", "look-at" } };
   return names;

@@ -7,6 +7,7 @@
 #ifndef terrain_render_Options_h
 #define terrain_render_Options_h
 
+#include "ColorByOptions.h"
 #include "ColorOptions.h"
 #include "Detail.h"
 #include "ExaggerationOption.h"
@@ -17,6 +18,7 @@
 #include "PlaceOptions.h"
 #include "SceneryOptions.h"
 #include "SurfaceOptions.h"
+#include "TrackOptions.h"
 
 #include "vtkOpenGLTerrainMapper.h"
 
@@ -103,6 +105,7 @@ struct Options
   /// What the file of heights does not say.
   HeightOptions Input;
   ColorOptions Colors;
+  ColorByOptions ColorBy;
   LightOptions Light;
   SurfaceOptions Surface;
   /// Title of the legend of colours; empty for none.
@@ -114,6 +117,7 @@ struct Options
   /// True to tell what the heights are, and to draw nothing.
   bool Describe = false;
   PlaceOptions Place;
+  TrackOptions Track;
   FlightOptions Flight;
   MarkOptions Marks;
   SceneryOptions Scenery;
@@ -128,6 +132,9 @@ constexpr int kLargestPiece = 16384;
 constexpr int kLargestTexture = 16384;
 /// Largest budget of memory, in MiB: 1 TiB.
 constexpr int kMostMemory = 1 << 20;
+
+/// Title of a legend of heights.
+constexpr const char* kUsualLegend = "Height in metres";
 
 /// What messages about the heights begin with.
 std::string HeightsName(const Options& options);

@@ -124,7 +124,12 @@ void RefuseOnGlobe(const Options& options)
   refuse(wanted.Cell > 0.0, "--cell", "heights are drawn as they are");
   refuse(wanted.Cubic, "--cubic", "heights are drawn as they are, or choose --frame map");
   refuse(wanted.Vertical != HeightType::AsIs, "--vertical", "heights count from the ellipsoid");
+  refuse(options.ColorBy.IsFile(), "--color-by", "choose --frame map");
   refuse(options.Surface.Block > 0.0, "--block", "choose --frame map");
+  refuse(options.Marks.ContourLabels, "--contour-labels", "choose --frame map");
+  refuse(!options.Marks.Outline.empty(), "--outline", "choose --frame map");
+  refuse(options.Marks.HeightScale, "--height-scale", "choose --frame map");
+  refuse(options.Marks.Inset, "--inset", "choose --frame map");
   refuse(options.Light.SkyLight > 0.0, "--sky-light", "choose --frame map");
   refuse(!options.Light.Sun.empty() && !options.Light.NeedsPlace(), "--sun",
     "a direction differs over a globe, give a date and time");

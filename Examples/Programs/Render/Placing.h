@@ -7,6 +7,8 @@
 #ifndef terrain_render_Placing_h
 #define terrain_render_Placing_h
 
+#include "ColorSource.h"
+
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTerrainGeoreference.h"
@@ -29,6 +31,8 @@ struct PlacedHeights
   std::string WhyNoPlaces;
   /// What the terrain still has to be exaggerated by: 1 where its heights are exaggerated already.
   double Exaggeration = 1.0;
+  /// What the colours show.
+  ColorSource Colors;
   /// Drawn height over true height, with whatever was exaggerated already.
   double Factor = 1.0;
 

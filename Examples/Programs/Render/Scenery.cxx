@@ -2,22 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenery.h"
 
-#include "Failure.h"
 #include "Options.h"
-#include "Placing.h"
-#include "Terrain.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
-#include "vtkTerrainActor.h"
 
 #include <algorithm>
 #include <array>
@@ -29,8 +21,6 @@ namespace
 {
 constexpr RGB kHorizon = { 0.87, 0.91, 0.95 };
 constexpr RGB kZenith = { 0.20, 0.42, 0.75 };
-constexpr RGB kWaterColor = { 0.16, 0.36, 0.55 };
-constexpr double kWaterOpacity = 0.72;
 const char* const kLightCode = "//VTK::Light::Impl";
 
 /// The sky at an angle above the horizon, in degrees.
@@ -65,41 +55,6 @@ void SetBackground(vtkRenderer* renderer, const Options& options)
   renderer->SetBackground(colors[0][0], colors[0][1], colors[0][2]);
   renderer->SetBackground2(colors[1][0], colors[1][1], colors[1][2]);
   renderer->SetBackgroundAlpha(scenery.IsTransparent() ? 0.0 : 1.0);
-}
-
-//------------------------------------------------------------------------------
-void AddWater(vtkRenderer* renderer, const Terrain& terrain, const PlacedHeights& heights,
-  const Options& options)
-{
-  using FrameType = vtkTerrainGeoreference::FrameType;
-  if (!options.Scenery.Water)
-  {
-    return;
-  }
-  const FrameType frame = heights.Georeference->GetFrame();
-  if (frame == FrameType::Local || frame == FrameType::Geocentric || frame == FrameType::Globe)
-  {
-    throw Failure("--water", "is a plane, and this scene is round: choose --frame plane or map");
-  }
-  std::array<double, 6> bounds{};
-  terrain.Bounds.GetBounds(bounds.data());
-  const vtkNew<vtkPlaneSource> plane;
-  const double level = *options.Scenery.Water;
-  plane->SetOrigin(bounds[0], bounds[2], level);
-  plane->SetPoint1(bounds[1], bounds[2], level);
-  plane->SetPoint2(bounds[0], bounds[3], level);
-  const vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(plane->GetOutputPort());
-  const vtkNew<vtkActor> water;
-  water->SetMapper(mapper);
-  vtkProperty* property = water->GetProperty();
-  property->SetColor(kWaterColor[0], kWaterColor[1], kWaterColor[2]);
-  property->SetOpacity(kWaterOpacity);
-  property->LightingOff();
-  terrain.Actor->PlaceAsDrawn(water, heights.Image->GetOrigin()[2]);
-  renderer->AddActor(water);
-  // VTK's other way to draw translucent surfaces takes opacity from what lies behind them
-  renderer->SetUseDepthPeeling(options.Scenery.IsTransparent());
 }
 
 //------------------------------------------------------------------------------

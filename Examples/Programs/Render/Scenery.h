@@ -2,24 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is around the terrain: background, water, fog.
+ * What is around the terrain: background, fog.
  */
 #ifndef terrain_render_Scenery_h
 #define terrain_render_Scenery_h
 
 class vtkRenderer;
 struct Options;
-struct PlacedHeights;
-struct Terrain;
 
 /// Sets the background of a renderer; a sky is that of the direction of its camera, brighter
 /// towards the horizon, with the same colour below it.
 void SetBackground(vtkRenderer* renderer, const Options& options);
-
-/// Adds the plane of water over all of the terrain, half transparent. Throws a Failure in scenes
-/// that are round.
-void AddWater(vtkRenderer* renderer, const Terrain& terrain, const PlacedHeights& heights,
-  const Options& options);
 
 /// Lets all actors of a renderer fade into its background: at a distance d along the viewing
 /// direction, 0.5^(d / Fog) of their colour is left. Texts and shapes in pixels do not.

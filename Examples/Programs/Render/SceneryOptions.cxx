@@ -2,13 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneryOptions.h"
 
-#include "vtkColor.h"
-#include "vtkNamedColors.h"
-#include "vtkNew.h"
-
 #include <CLI/CLI.hpp>
 
-#include <cctype>
 #include <cmath>
 
 namespace
@@ -18,24 +13,6 @@ const char* const kTransparent = "transparent";
 const char* const kAround = "Around the terrain";
 constexpr RGB kUsualLow = { 0.90, 0.93, 0.95 };
 constexpr RGB kUsualHigh = { 0.50, 0.66, 0.84 };
-
-/// A colour by its name in CSS, or "#rrggbb".
-std::optional<RGB> ParseColor(const std::string& text)
-{
-  const vtkNew<vtkNamedColors> names;
-  bool isCode = text.size() == 7 && text[0] == '#';
-  for (std::size_t k = 1; isCode && k < text.size(); ++k)
-  {
-    isCode = std::isxdigit(static_cast<unsigned char>(text[k])) != 0;
-  }
-  if (!isCode && (text.empty() || !names->ColorExists(text)))
-  {
-    return std::nullopt;
-  }
-  const vtkColor3ub color = isCode ? names->HTMLColorToRGB(text) : names->GetColor3ub(text);
-  constexpr double kFull = 255.0;
-  return RGB{ color.GetRed() / kFull, color.GetGreen() / kFull, color.GetBlue() / kFull };
-}
 
 /// The colours of a text; none if it has no one or two.
 std::optional<std::array<RGB, 2>> ParseColors(const std::string& text)

@@ -7,6 +7,8 @@
 #ifndef terrain_render_SceneryOptions_h
 #define terrain_render_SceneryOptions_h
 
+#include "ColorName.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -15,9 +17,6 @@ namespace CLI
 {
 class App;
 }
-
-/// Red, green, blue, 0 to 1.
-using RGB = std::array<double, 3>;
 
 struct SceneryOptions
 {

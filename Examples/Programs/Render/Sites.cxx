@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sites.h"
 
+#include "ColorBy.h"
 #include "Draping.h"
 #include "Failure.h"
 #include "Messages.h"
@@ -13,7 +14,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
 #include "vtkRenderer.h"
-#include "vtkScalarsToColors.h"
+#include "vtkTerrainColors.h"
 
 #include <algorithm>
 #include <array>
@@ -28,32 +29,46 @@ Terrain PrepareSite(
   own.Input.Part = std::to_string(site);
   Statistics unused;
   const ReadHeightsResult read = ReadHeights(own, false, progress, unused);
-  const vtkSmartPointer<vtkImageData> placed = PlaceBeside(heights, read.Image, own, progress);
-  return PrepareTerrain({ placed, nullptr }, heights.Exaggeration, own, progress, unused);
+  PlacedHeights placed = heights;
+  placed.Image = PlaceBeside(heights, read.Image, own, progress);
+  placed.Colors = ReadColorSource(placed, own, unused);
+  return PrepareTerrain(
+    { placed.Image, nullptr }, heights.Exaggeration, placed.Colors, own, progress, unused);
 }
 
-/// The colours of the first where some are asked for, else those of a relief over all heights.
-void ShareColors(const std::vector<Terrain>& sites, const Terrain& terrain, const Options& options)
+/// One table, and one legend, for what all terrains show: over all their values, or of the classes
+/// of all.
+void ShareColors(std::vector<Terrain>& sites, Terrain& terrain, const ColorSource& colors)
 {
-  vtkScalarsToColors* table = terrain.Actor->GetLookupTable();
-  vtkSmartPointer<vtkScalarsToColors> relief;
-  if (!options.Colors.IsGiven())
-  {
-    std::array<double, 2> range{};
-    terrain.Actor->GetHeightRange(range.data());
-    for (const Terrain& site : sites)
-    {
-      std::array<double, 2> own{};
-      site.Actor->GetHeightRange(own.data());
-      range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
-    }
-    relief = vtkTerrainActor::MakeReliefColors(range[0], range[1]);
-    table = relief;
-    terrain.Actor->SetLookupTable(table);
-  }
+  std::array<double, 2> range = { terrain.Key.Table->GetRange()[0],
+    terrain.Key.Table->GetRange()[1] };
+  std::vector<LegendClass>& classes = terrain.Key.Classes;
   for (const Terrain& site : sites)
   {
-    site.Actor->SetLookupTable(table);
+    const double* own = site.Key.Table->GetRange();
+    range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
+    for (const LegendClass& one : site.Key.Classes)
+    {
+      const auto known = std::find_if(classes.begin(), classes.end(),
+        [&one](const LegendClass& other) { return other.Name == one.Name; });
+      if (known == classes.end())
+      {
+        classes.push_back(one);
+      }
+      else
+      {
+        known->Count += one.Count;
+      }
+    }
+  }
+  if (!colors.AreClasses)
+  {
+    terrain.Key.Table = colors.Colors->MakeTable(range[0], range[1]);
+  }
+  terrain.Actor->SetLookupTable(terrain.Key.Table);
+  for (const Terrain& site : sites)
+  {
+    site.Actor->SetLookupTable(terrain.Key.Table);
   }
 }
 
@@ -114,7 +129,7 @@ std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, const PlacedHei
         " sites far from each other, a terrain each (--part N, from 1 to " +
         std::to_string(read.Sites) + ", draws one alone)" + FrameOne(read, options, terrain),
       options, statistics);
-    ShareColors(sites, terrain, options);
+    ShareColors(sites, terrain, heights.Colors);
   }
   return sites;
 }
@@ -127,8 +142,8 @@ std::vector<Terrain> PrepareFiner(const PlacedHeights& heights, const Options& o
   for (vtkImageData* image : heights.Finer)
   {
     Statistics unused;
-    finer.push_back(
-      PrepareTerrain({ image, nullptr }, heights.Exaggeration, options, progress, unused));
+    finer.push_back(PrepareTerrain(
+      { image, nullptr }, heights.Exaggeration, heights.Colors, options, progress, unused));
     PlacedHeights placed = heights;
     placed.Image = image;
     DrapePicture(finer.back(), placed, options, unused);
@@ -141,7 +156,7 @@ std::vector<Terrain> PrepareFiner(const PlacedHeights& heights, const Options& o
   if (!finer.empty())
   {
     statistics.SetCount("finer_rasters", static_cast<std::int64_t>(finer.size()));
-    ShareColors(finer, terrain, options);
+    ShareColors(finer, terrain, heights.Colors);
   }
   return finer;
 }
@@ -152,6 +167,10 @@ void AddSites(const std::vector<Terrain>& sites, vtkRenderer* renderer, const Op
   for (const Terrain& site : sites)
   {
     renderer->AddActor(site.Actor);
+    if (site.Walls)
+    {
+      renderer->AddActor(site.Walls);
+    }
     Statistics unused;
     RefineTerrain(site, renderer, options, unused);
   }

@@ -3,11 +3,14 @@
 #include "Terrain.h"
 
 #include "BlockWalls.h"
+#include "ColorSource.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Progress.h"
+#include "ShownHeights.h"
 #include "Statistics.h"
+#include "TextSize.h"
 
 #include "vtkActor.h"
 #include "vtkColorTransferFunction.h"
@@ -47,8 +50,6 @@ namespace
 {
 using Techniques = vtkTerrainActor::Techniques;
 
-/// Point array of vtkTerrainReproject in round scenes.
-const char* const kPlaceHeight = "PlaceHeight";
 const char* const kNoSurface =
   "there is no surface to draw, for no four neighbouring samples all have heights";
 
@@ -81,62 +82,36 @@ vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options, bool draws
   return reader;
 }
 
-/// Lowest and highest height of all of the terrain, as colours show them.
-std::array<double, 2> HeightRange(vtkTerrainActor* actor, vtkImageData* heights)
-{
-  std::array<double, 2> range{};
-  // In a round scene z is not the height.
-  if (vtkDataArray* array = heights->GetPointData()->GetArray(kPlaceHeight))
-  {
-    array->GetFiniteRange(range.data());
-    return range;
-  }
-  actor->GetHeightRange(range.data());
-  return range;
-}
-
-/// In a round scene z is not the height: colours come from the array of heights that
-/// vtkTerrainReproject adds there.
-void ColorByPlaceHeight(vtkTerrainActor* actor, vtkImageData* heights)
-{
-  vtkDataArray* array = heights->GetPointData()->GetArray(kPlaceHeight);
-  if (!array)
-  {
-    return;
-  }
-  std::array<double, 2> range{};
-  array->GetFiniteRange(range.data());
-  actor->SetLookupTable(vtkTerrainActor::MakeReliefColors(range[0], range[1]));
-  actor->GetTerrainMapper()->SetScalarModeToUsePointFieldData();
-  actor->GetTerrainMapper()->SelectColorArray(kPlaceHeight);
-}
-
-/// The colours that are asked for, over all heights.
-void UseColors(const Terrain& terrain, vtkImageData* heights, const Options& options)
-{
-  if (!options.Colors.IsGiven() || options.Depths)
-  {
-    return;
-  }
-  const std::array<double, 2> range = HeightRange(terrain.Actor, heights);
-  terrain.Actor->SetLookupTable(options.Colors.MakeTable(range[0], range[1]));
-}
-
-/// Walls of a block along the edge of the data, or a warning where they would not meet the surface.
+/// Walls of a block along the edge of the data, or of all of it in layers; a warning, or a Failure,
+/// where they would not meet the surface. Where colours show something else than heights, the sides
+/// are plain.
 void AddWalls(Terrain& terrain, const ReadHeightsResult& read, const Options& options)
 {
+  constexpr RGB kPlainSide = { 0.55, 0.50, 0.45 };
   if (options.Surface.Block <= 0.0)
   {
     return;
   }
-  terrain.Walls = MakeWallActor(terrain.Actor, read.Image);
+  std::vector<Stratum> strata = options.Surface.GetStrata();
+  if (strata.empty() && options.ColorBy.IsGiven())
+  {
+    strata = { { kPlainSide, 0.0 } };
+  }
   const bool isFiner = read.Tiles || !options.Detail.File.empty();
+  const std::string remedy = read.Tiles
+    ? "make the raster smaller (gdal_translate -outsize 50% 50% -r average)"
+    : "leave out --detail";
+  if (!strata.empty() && isFiner)
+  {
+    throw Failure(options.Surface.Strata.empty() ? "--color-by" : "--strata",
+      "the sides of a block would not meet the surface: " + remedy);
+  }
+  terrain.Walls = strata.empty() ? MakeWallActor(terrain.Actor, read.Image)
+                                 : MakeLayerActor(terrain.Actor, read.Image, strata);
   if (terrain.Walls && isFiner)
   {
     terrain.Walls = nullptr;
-    Warn(std::string("--block: there are no walls along the edge of the data: ") +
-      (read.Tiles ? "make the raster smaller (gdal_translate -outsize 50% 50% -r average)"
-                  : "leave out --detail"));
+    Warn("--block: there are no walls along the edge of the data: " + remedy);
   }
 }
 
@@ -245,14 +220,15 @@ bool DrawsFileAlone(const Options& options)
   const PlaceOptions& place = options.Place;
   return options.Search == Techniques::Strips && !options.Heights.empty() &&
     vtkTerrainHierarchy::IsPreparedFile(options.Heights) && !place.FirstThatNeedsPlaces() &&
-    !place.Frame && options.Marks.Peaks == 0 && place.Cell == 0.0 &&
+    !place.Frame && !options.ColorBy.IsGiven() && options.Marks.Peaks == 0 && place.Cell == 0.0 &&
     place.Vertical == vtkTerrainGeoreference::HeightType::AsIs;
 }
 
 //------------------------------------------------------------------------------
 bool CanDrawTiles(const Options& options)
 {
-  return options.Search == Techniques::Pyramid && options.Detail.File.empty();
+  return options.Search == Techniques::Pyramid && options.Detail.File.empty() &&
+    !options.ColorBy.IsFile();
 }
 
 //------------------------------------------------------------------------------
@@ -319,8 +295,8 @@ void CountSamples(vtkImageData* heights, Statistics& statistics)
 }
 
 //------------------------------------------------------------------------------
-Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const Options& options,
-  ProgressBar& progress, Statistics& statistics)
+Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration,
+  const ColorSource& colors, const Options& options, ProgressBar& progress, Statistics& statistics)
 {
   const Stopwatch watch;
   vtkImageData* heights = read.Image;
@@ -360,11 +336,15 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const
   terrain.Actor = actor;
   std::array<double, 2> range{}; // of z, which in a round scene is not the height
   actor->GetHeightRange(range.data());
-  options.Surface.Apply(actor, range[0]);
+  options.Surface.Apply(actor, range[0], std::max(1.0, PixelScale(options)));
   terrain.Bounds.SetBounds(actor->GetBounds());
   terrain.Framed = terrain.Bounds;
   ThrowOnError(name);
-  UseColors(terrain, heights, options);
+  terrain.Key.Table = actor->GetLookupTable();
+  if (!options.Depths)
+  {
+    terrain.Key = ColorTerrain(actor, heights, colors, options);
+  }
   options.Light.Apply(actor);
   vtkProperty* property = actor->GetProperty();
   property->SetAmbient(0.0);

@@ -7,6 +7,8 @@
 #ifndef terrain_render_Terrain_h
 #define terrain_render_Terrain_h
 
+#include "Annotations.h"
+
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkSmartPointer.h"
@@ -20,6 +22,7 @@ class Statistics;
 class vtkImageData;
 class vtkRenderWindow;
 class vtkRenderer;
+struct ColorSource;
 struct Options;
 namespace terrain
 {
@@ -32,6 +35,8 @@ struct Terrain
   vtkSmartPointer<vtkTerrainActor> Actor;
   /// Walls of a block along the edge of the data; null for none.
   vtkSmartPointer<vtkActor> Walls;
+  /// What its colours tell.
+  LegendKey Key;
   /// Of all of the terrain, in world coordinates, whatever part of it the view needs.
   vtkBoundingBox Bounds;
   /// Of what the default view frames.
@@ -66,10 +71,10 @@ bool CanDrawTiles(const Options& options);
 /// Tells the number and size of the samples that are drawn.
 void CountSamples(vtkImageData* heights, Statistics& statistics);
 
-/// Builds what the technique draws with, coloured by height, at an exaggeration. Throws a Failure,
-/// also if the heights have no surface at all.
-Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration, const Options& options,
-  ProgressBar& progress, Statistics& statistics);
+/// Builds what the technique draws with, with the colours of a source, at an exaggeration. Throws a
+/// Failure, also if the heights have no surface at all.
+Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration,
+  const ColorSource& colors, const Options& options, ProgressBar& progress, Statistics& statistics);
 
 /// Refines strips for the camera of the renderer; the other techniques need nothing. Throws a
 /// Failure.

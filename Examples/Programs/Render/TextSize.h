@@ -24,6 +24,12 @@ inline double PixelScale(const Options& options)
   return options.Dots > 0.0 ? std::min(options.Dots / kUsualDots, 2.0 * byHeight) : byHeight;
 }
 
+/// Pixels of a line or point that takes so many in a picture 720 pixels high; at least half.
+inline double LinePixels(double usual, const Options& options)
+{
+  return usual * std::max(0.5, PixelScale(options));
+}
+
 /// Height in pixels of a text that takes a share of the height of a usual picture.
 inline double TextPixels(double share, const Options& options)
 {

@@ -3,24 +3,25 @@
 #include "ViewMarks.h"
 
 #include "Annotations.h"
+#include "DataRim.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Placing.h"
 #include "Statistics.h"
 #include "TextSize.h"
-#include "VectorFile.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkOutlineSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
-#include "vtkTerrainDrape.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainGraticule.h"
 
@@ -37,20 +38,13 @@ using Color = std::array<double, 3>;
 /// Part of their distance from the eye by which lines and labels are drawn nearer than they are.
 constexpr double kNearer = 0.005;
 /// In pixels of a picture 720 pixels high.
-constexpr double kTrackWidth = 3.0;
-constexpr double kPointSize = 11.0;
 constexpr double kGraticuleWidth = 1.3;
-constexpr Color kTrackColor = { 0.85, 0.10, 0.08 };
+constexpr double kOutlineWidth = 1.5;
 constexpr Color kGraticuleColor = { 0.10, 0.12, 0.20 };
 constexpr TextStyle kTitleStyle = { 0.05, true, 0.0 };
 constexpr TextStyle kCaptionStyle = { 0.022, false, 0.6 };
 constexpr TextStyle kPlaceStyle = { 0.024, false, 0.75 };
 constexpr TextStyle kGraticuleStyle = { 0.021, false, 0.75 };
-
-double Pixels(double usual, const Options& options)
-{
-  return usual * std::max(0.5, PixelScale(options));
-}
 
 /// A point moved towards the eye.
 std::array<double, 3> BringNearer(const double point[3], vtkCamera* camera)
@@ -78,11 +72,13 @@ std::vector<vtkSmartPointer<vtkProp>> PropsOf(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-ViewMarks::ViewMarks(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options)
+ViewMarks::ViewMarks(
+  vtkRenderer* renderer, const PlacedHeights& heights, const ScaledBox& box, const Options& options)
   : Renderer(renderer)
   , Heights(heights)
   , Wanted(options)
   , Sight(vtkSmartPointer<vtkTerrainViewpoint>::New())
+  , Box(box)
 {
   this->Sight->SetHeights(heights.Image);
   this->Sight->SetExaggeration(heights.Exaggeration);
@@ -90,7 +86,8 @@ ViewMarks::ViewMarks(vtkRenderer* renderer, const PlacedHeights& heights, const 
 }
 
 //------------------------------------------------------------------------------
-void ViewMarks::AddLines(vtkPolyData* lines, const double color[3], double width, double pointSize)
+vtkActor* ViewMarks::AddLines(
+  vtkPolyData* lines, const double color[3], double width, double pointSize)
 {
   Nearer nearer;
   nearer.Points = lines->GetPoints();
@@ -111,27 +108,7 @@ void ViewMarks::AddLines(vtkPolyData* lines, const double color[3], double width
   property->SetPointSize(static_cast<float>(pointSize));
   property->RenderPointsAsSpheresOn();
   this->Renderer->AddActor(actor);
-}
-
-//------------------------------------------------------------------------------
-vtkIdType ViewMarks::ReadTrack(const std::string& path)
-{
-  const vtkNew<vtkTerrainDrape> drape;
-  drape->SetInputData(ReadVectors(path, this->Heights.Georeference));
-  drape->SetHeightsData(this->Heights.Image);
-  drape->SetGeoreference(this->Heights.Georeference);
-  drape->SetMode(this->Wanted.Place.TrackMode);
-  drape->SetExaggeration(this->Heights.Exaggeration);
-  drape->Update();
-  ThrowOnError(path);
-  vtkPolyData* lines = drape->GetOutput();
-  if (lines->GetNumberOfCells() == 0)
-  {
-    throw Failure(path, "it does not meet the terrain");
-  }
-  this->AddLines(
-    lines, kTrackColor.data(), Pixels(kTrackWidth, this->Wanted), Pixels(kPointSize, this->Wanted));
-  return lines->GetNumberOfPoints();
+  return actor;
 }
 
 //------------------------------------------------------------------------------
@@ -203,6 +180,14 @@ void ViewMarks::TellWide(const LabelPlacer& placer)
 }
 
 //------------------------------------------------------------------------------
+void ViewMarks::Tell(const std::string& text, const PixelBox& box)
+{
+  std::ostringstream told;
+  told << text << ": " << box.Left << ' ' << box.Low << ' ' << box.Right << ' ' << box.High;
+  this->Placed.push_back(told.str());
+}
+
+//------------------------------------------------------------------------------
 void ViewMarks::AddLabels(LabelPlacer& placer)
 {
   this->Placed.clear();
@@ -218,10 +203,7 @@ void ViewMarks::AddLabels(LabelPlacer& placer)
       at ? placer.PlaceAbove(label.Text, (*at)[0], (*at)[1], kPlaceStyle) : std::nullopt;
     if (box)
     {
-      std::ostringstream text;
-      text << label.Text << ": " << box->Left << ' ' << box->Low << ' ' << box->Right << ' '
-           << box->High;
-      this->Placed.push_back(text.str());
+      this->Tell(label.Text, *box);
     }
   }
 }
@@ -260,27 +242,75 @@ void ViewMarks::ReadGraticule(vtkTerrainGraticule::GridType grid)
   ThrowOnError("--graticule");
   if (graticule->GetOutput()->GetNumberOfCells() > 0)
   {
-    this->AddLines(
-      graticule->GetOutput(), kGraticuleColor.data(), Pixels(kGraticuleWidth, this->Wanted), 1.0);
+    this->AddLines(graticule->GetOutput(), kGraticuleColor.data(),
+      LinePixels(kGraticuleWidth, this->Wanted), 1.0);
     this->GraticuleLabels = graticule->GetOutput(1);
   }
 }
 
 //------------------------------------------------------------------------------
+void ViewMarks::ShowInset(vtkScalarsToColors* colors)
+{
+  this->Inset.emplace(this->Heights.Image, colors, this->Box.Bounds, this->Wanted);
+}
+
+//------------------------------------------------------------------------------
+void ViewMarks::ReadOutline()
+{
+  if (this->Wanted.Marks.Outline == "box")
+  {
+    const vtkNew<vtkOutlineSource> box;
+    box->SetBounds(this->Box.Bounds.data());
+    box->Update();
+    this->AddLines(
+      box->GetOutput(), kGraticuleColor.data(), LinePixels(kOutlineWidth, this->Wanted), 1.0);
+    return;
+  }
+  const DataRim rim(this->Heights.Image);
+  const vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const vtkNew<vtkCellArray> sides;
+  const auto add = [&](vtkIdType sample)
+  {
+    std::array<double, 3> point = rim.GetPoint(sample, 0.0);
+    point[2] = this->Sight->GetGround(point[0], point[1]);
+    return points->InsertNextPoint(point.data());
+  };
+  for (const DataRim::Side& side : rim.FindSides())
+  {
+    const vtkIdType from = add(side.From);
+    sides->InsertNextCell({ from, add(side.To) });
+  }
+  const vtkNew<vtkPolyData> edge;
+  edge->SetPoints(points);
+  edge->SetLines(sides);
+  this->AddLines(edge, kGraticuleColor.data(), LinePixels(kOutlineWidth, this->Wanted), 1.0);
+}
+
+//------------------------------------------------------------------------------
 void ViewMarks::Read(Statistics& statistics)
 {
+  if (!this->Wanted.Marks.Outline.empty())
+  {
+    this->ReadOutline();
+  }
+  if (this->Wanted.Marks.ContourLabels)
+  {
+    if (this->Heights.Image->GetPointData()->GetArray("PlaceHeight"))
+    {
+      throw Failure("--contour-labels",
+        "z is not the height in this scene, which is round: choose --frame plane or map");
+    }
+    this->ContourPlaces = FindContourPlaces(this->Heights.Image,
+      this->Wanted.Surface.Contours * std::max(1, this->Wanted.Surface.ContourIndex));
+  }
   if (const auto& grid = this->Wanted.Place.Graticule)
   {
     this->ReadGraticule(*grid);
   }
-  vtkIdType points = 0;
-  for (const std::string& path : this->Wanted.Place.Tracks)
+  if (!this->Wanted.Place.Tracks.empty())
   {
-    points += this->ReadTrack(path);
-  }
-  if (points > 0)
-  {
-    statistics.SetCount("track_points", points);
+    this->ReadTracks(statistics);
   }
   if (!this->Wanted.Marks.Labels.empty())
   {
@@ -312,10 +342,20 @@ void ViewMarks::Refresh()
   }
   const std::vector<vtkSmartPointer<vtkProp>> before = PropsOf(this->Renderer);
   AddOverlay(this->Renderer, this->Heights, this->Wanted);
+  if (this->Inset)
+  {
+    this->Inset->AddTo(this->Renderer);
+  }
   LabelPlacer placer(this->Renderer, this->Wanted);
   placer.ReserveProps();
   this->AddTitles(placer);
+  if (this->Wanted.Marks.HeightScale &&
+    !AddHeightScale(this->Renderer, placer, this->Box, this->Wanted))
+  {
+    Warn("--height-scale: no corner of the terrain is in the picture");
+  }
   this->AddLabels(placer);
+  this->AddContourLabels(placer);
   this->AddGraticuleLabels(placer);
   this->OfThisView = PropsOf(this->Renderer);
   this->OfThisView.erase(this->OfThisView.begin(),

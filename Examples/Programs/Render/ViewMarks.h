@@ -7,6 +7,10 @@
 #ifndef terrain_render_ViewMarks_h
 #define terrain_render_ViewMarks_h
 
+#include "Annotations.h"
+#include "ContourPlaces.h"
+#include "HeightScale.h"
+#include "Inset.h"
 #include "LabelPlacer.h"
 #include "Labels.h"
 
@@ -18,9 +22,11 @@
 #include "vtkTerrainGraticule.h"
 #include "vtkTerrainViewpoint.h"
 
+#include <optional>
 #include <vector>
 
 class Statistics;
+class vtkActor;
 struct Options;
 struct PlacedHeights;
 
@@ -35,7 +41,13 @@ struct PlacedHeights;
 class ViewMarks
 {
 public:
-  ViewMarks(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options);
+  /// Of a terrain that lies in a box.
+  ViewMarks(vtkRenderer* renderer, const PlacedHeights& heights, const ScaledBox& box,
+    const Options& options);
+
+  /// Shows a map in a corner, of heights in the colours of a table.
+  void ShowInset(vtkScalarsToColors* colors);
+
   ViewMarks(const ViewMarks&) = delete;
   ViewMarks& operator=(const ViewMarks&) = delete;
 
@@ -44,6 +56,12 @@ public:
 
   /// For the camera as it is.
   void Refresh();
+
+  /// What the colours of tracks tell; no table if they have one colour.
+  const LegendKey& GetTrackKey() const
+  {
+    return this->TrackKey;
+  }
 
   /// Texts of the labels that Refresh() has placed, each with the pixels of its left, low, right
   /// and high border: "2,549 m: 100 200 180 220".
@@ -60,12 +78,17 @@ private:
     vtkSmartPointer<vtkPoints> Drawn;
   };
 
-  void AddLines(vtkPolyData* lines, const double color[3], double width, double pointSize);
+  vtkActor* AddLines(vtkPolyData* lines, const double color[3], double width, double pointSize);
   void ReadGraticule(vtkTerrainGraticule::GridType grid);
-  /// Returns the number of points as drawn.
-  vtkIdType ReadTrack(const std::string& path);
+  void ReadTracks(Statistics& statistics);
+  void AddTrack(vtkPolyData* track, const std::string& path);
   void AddTitles(LabelPlacer& placer) const;
   void AddLabels(LabelPlacer& placer);
+  /// Heights on contour lines, turned along them.
+  void AddContourLabels(LabelPlacer& placer);
+  /// Keeps what a label says, and where.
+  void Tell(const std::string& text, const PixelBox& box);
+  void ReadOutline();
   /// Warns of labels that have no place in the picture wherever they stand, once.
   void TellWide(const LabelPlacer& placer);
   void AddGraticuleLabels(LabelPlacer& placer) const;
@@ -79,7 +102,12 @@ private:
   const Options& Wanted;
   vtkSmartPointer<vtkTerrainViewpoint> Sight;
   std::vector<Nearer> Lines;
+  ScaledBox Box;
+  std::optional<InsetMap> Inset;
+  LegendKey TrackKey;
+  vtkIdType TrackPoints = 0;
   std::vector<Label> Labels;
+  std::vector<ContourPlace> ContourPlaces;
   bool HasToldWide = false;
   std::vector<std::string> Placed;
   /// Of the graticule; null for none.

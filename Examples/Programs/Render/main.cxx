@@ -7,6 +7,7 @@
  */
 #include "Annotations.h"
 #include "Canvas.h"
+#include "ColorBy.h"
 #include "Day.h"
 #include "Draping.h"
 #include "Ending.h"
@@ -19,16 +20,22 @@
 #include "Placing.h"
 #include "Progress.h"
 #include "Scenery.h"
+#include "ShownHeights.h"
 #include "Sites.h"
 #include "Statistics.h"
 #include "Terrain.h"
 #include "View.h"
 #include "ViewMarks.h"
+#include "Water.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTerrainActor.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -50,15 +57,17 @@ std::pair<ReadHeightsResult, PlacedHeights> ReadAndPlace(
     options.Exaggeration.TellIfOdd(read.Image, heights.Factor);
   }
   options.Exaggeration.Text = FactorText(heights.Factor); // chosen and told once
-  if (heights.Factor != 1.0 && !options.Legend.empty())
-  {
-    options.Legend += " (drawn \xC3\x97 " + FactorText(heights.Factor) + ")"; // the sign for times
-  }
   if (read.Tiles && heights.Image != read.Image)
   {
     // resampled: tiles lie elsewhere, and the finest level that fits is drawn
     read = ReadHeights(options, false, progress, statistics);
     heights = PlaceHeights(read.Image, options, progress, statistics);
+  }
+  heights.Colors = ReadColorSource(heights, options, statistics);
+  options.Legend = options.Legend == kUsualLegend ? heights.Colors.Title : options.Legend;
+  if (heights.Factor != 1.0 && !options.Legend.empty())
+  {
+    options.Legend += " (drawn \xC3\x97 " + FactorText(heights.Factor) + ")"; // the sign for times
   }
   return { read, heights };
 }
@@ -145,6 +154,26 @@ void DrawOutputs(const Stage& stage, ViewMarks& marks, const Options& options,
   }
 }
 
+/// The box of a terrain, down to the floor of its block.
+ScaledBox BoxOf(const Terrain& terrain, const PlacedHeights& heights, const Options& options)
+{
+  ScaledBox box;
+  terrain.Bounds.GetBounds(box.Bounds.data());
+  box.Heights = HeightRange(terrain.Actor, heights.Image);
+  const double base = heights.Image->GetOrigin()[2];
+  box.Heights = { std::min(base + box.Heights[0] - options.Surface.Block, terrain.OtherHeights[0]),
+    std::max(base + box.Heights[1], terrain.OtherHeights[1]) };
+  return box;
+}
+
+/// Colours of heights, where those of the terrain show something else.
+vtkSmartPointer<vtkScalarsToColors> MakeReliefColors(
+  const Terrain& terrain, const PlacedHeights& heights)
+{
+  const std::array<double, 2> range = HeightRange(terrain.Actor, heights.Image);
+  return vtkTerrainActor::MakeReliefColors(range[0], range[1]);
+}
+
 /// From the options to the files they ask for.
 void Render(Options options)
 {
@@ -153,8 +182,8 @@ void Render(Options options)
   CheckOutputs(options);
   auto progress = std::make_unique<ProgressBar>();
   const auto [read, heights] = ReadAndPlace(options, *progress, statistics);
-  Terrain terrain = PrepareTerrain(
-    { heights.Image, read.Tiles }, heights.Exaggeration, options, *progress, statistics);
+  Terrain terrain = PrepareTerrain({ heights.Image, read.Tiles }, heights.Exaggeration,
+    heights.Colors, options, *progress, statistics);
   std::vector<Terrain> sites = PrepareSites(read, heights, options, terrain, *progress, statistics);
   const std::vector<Terrain> finer = PrepareFiner(heights, options, terrain, *progress, statistics);
   sites.insert(sites.end(), finer.begin(), finer.end());
@@ -165,11 +194,25 @@ void Render(Options options)
   const vtkSmartPointer<vtkRenderer> renderer = MakeRenderer(terrain, heights, options);
   window->AddRenderer(renderer);
   AddSites(sites, renderer, options);
-  ViewMarks marks(renderer, heights, options);
+  ViewMarks marks(renderer, heights, BoxOf(terrain, heights, options), options);
   marks.Read(statistics);
-  AddWater(renderer, terrain, heights, options);
+  if (options.Marks.Inset)
+  {
+    marks.ShowInset(
+      options.ColorBy.IsGiven() ? MakeReliefColors(terrain, heights) : terrain.Key.Table);
+  }
+  AddWater(renderer, terrain, sites, heights, options);
   AddFog(renderer, options);
-  AddLegend(renderer, terrain, options);
+  if (!options.Legend.empty())
+  {
+    terrain.Key.Title = options.Legend;
+    std::vector<LegendKey> keys = { terrain.Key };
+    if (marks.GetTrackKey().Table)
+    {
+      keys.push_back(marks.GetTrackKey());
+    }
+    AddLegends(renderer, keys, options);
+  }
   marks.Refresh();
   statistics.SetTexts("labels", marks.GetPlaced());
   RefineTerrain(terrain, renderer, options, statistics);

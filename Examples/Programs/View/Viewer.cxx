@@ -230,9 +230,10 @@ void Viewer::AddMesh(vtkImageData* heights)
 }
 
 //------------------------------------------------------------------------------
-void Viewer::AddWalls(vtkImageData* heights, bool areTilesDrawn)
+void Viewer::AddWalls(vtkImageData* heights, bool areTilesDrawn, const std::vector<Stratum>& strata)
 {
-  this->Walls = MakeWallActor(this->Terrain, heights);
+  this->Walls = strata.empty() || areTilesDrawn ? MakeWallActor(this->Terrain, heights)
+                                                : MakeLayerActor(this->Terrain, heights, strata);
   if (!this->Walls)
   {
     return;
@@ -488,10 +489,13 @@ void Viewer::Refresh()
   if (this->Walls)
   {
     this->Terrain->PlaceAsDrawn(this->Walls);
-    this->Walls->GetMapper()->SetLookupTable(this->Terrain->GetLookupTable());
-    this->Walls->GetMapper()->SetScalarVisibility(this->Terrain->GetColorByHeight());
-    this->Walls->SetVisibility(
-      this->Terrain->GetTechnique() == vtkTerrainActor::Techniques::Pyramid);
+    if (this->Terrain->GetTerrainMapper()->GetBlock()) // else its layers have their own colours
+    {
+      this->Walls->GetMapper()->SetLookupTable(this->Terrain->GetLookupTable());
+      this->Walls->GetMapper()->SetScalarVisibility(this->Terrain->GetColorByHeight());
+      this->Walls->SetVisibility(
+        this->Terrain->GetTechnique() == vtkTerrainActor::Techniques::Pyramid);
+    }
   }
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();

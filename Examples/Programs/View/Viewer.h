@@ -7,6 +7,7 @@
 #ifndef terrain_view_Viewer_h
 #define terrain_view_Viewer_h
 
+#include "BlockWalls.h"
 #include "LightOptions.h"
 #include "Palettes.h"
 #include "Readout.h"
@@ -48,9 +49,9 @@ public:
   /// Of heights that have a surface, read from the file `name`, which no picture replaces.
   Viewer(vtkImageData* heights, const std::string& name, int width, int height);
 
-  /// Adds the walls of the terrain's block along the edge of the data of its heights; warns in
-  /// place of that if tiles are drawn, whose surface the walls would not meet.
-  void AddWalls(vtkImageData* heights, bool areTilesDrawn);
+  /// Adds the walls of the terrain's block along the edge of the data of its heights, or of all of
+  /// it in layers; warns in place of that if tiles are drawn, whose surface they would not meet.
+  void AddWalls(vtkImageData* heights, bool areTilesDrawn, const std::vector<Stratum>& strata);
 
   /// Adds the heights of another site of the same CRS, which look as the first do.
   void AddSite(vtkImageData* heights, const std::shared_ptr<terrain::TileSource>& tiles);

@@ -175,7 +175,8 @@ void Show(const Options& options)
   if (options.Surface.Block > 0.0)
   {
     auto* reader = vtkTerrainRasterReader::SafeDownCast(source);
-    viewer.AddWalls(source->GetOutput(), reader && reader->GetTileSource());
+    viewer.AddWalls(
+      source->GetOutput(), reader && reader->GetTileSource(), options.Surface.GetStrata());
   }
   if (vtkTerrainHierarchy::IsPreparedFile(options.Heights))
   {
@@ -212,6 +213,7 @@ std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
     app.parse(argc, argv);
     RefuseNotANumber(app);
     options.Surface.CheckLight(options.Light);
+    options.Surface.CheckStrata();
   }
   catch (const CLI::ParseError& error)
   {

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The options of terrain-render about how tracks look.
+ */
+#ifndef terrain_render_TrackOptions_h
+#define terrain_render_TrackOptions_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkTerrainColors;
+namespace CLI
+{
+class App;
+}
+
+struct TrackOptions
+{
+  /// Field of the features whose values are the colours; empty for one colour.
+  std::string ColorBy;
+  /// A scheme or a file (vtkTerrainColors), or a colour where there is no field; empty for the
+  /// usual ones.
+  std::string Colors;
+  /// Width in pixels of a picture 720 pixels high, or in metres ("30m"); empty for the usual one.
+  std::string Width;
+
+  void Declare(CLI::App& app);
+
+  /// Throws a CLI::ValidationError if an option is given that has nothing to show.
+  void Check(bool hasTracks) const;
+
+  /// Width in metres of tubes; 0 for lines.
+  double GetMetres() const;
+  /// Width of lines in pixels, or a usual one.
+  double GetPixels(double usual) const;
+  /// The file that Colors names; empty for none.
+  std::string GetFileName() const;
+  vtkSmartPointer<vtkTerrainColors> MakeColors() const;
+};
+
+#endif
