@@ -92,7 +92,7 @@ int vtkTerrainImageWarp::RequestInformation(
   }
   if (this->ErrorMessage.empty())
   {
-    this->ErrorMessage = internals.Open(this->FileName, this->CoordinateSystem);
+    this->ErrorMessage = internals.OpenColors(this->FileName, this->CoordinateSystem);
   }
   if (this->ErrorMessage.empty())
   {
@@ -107,7 +107,7 @@ int vtkTerrainImageWarp::RequestInformation(
     vtkErrorMacro(<< this->ErrorMessage);
     return 0;
   }
-  const double s = internals.Spacing;
+  const double s = internals.Spacing[0];
   const int extent[6] = { 0, internals.Size[0] - 1, 0, internals.Size[1] - 1, 0, 0 };
   const double origin[3] = { internals.Corner[0] + 0.5 * s, internals.Corner[1] + 0.5 * s, 0.0 };
   const double spacing[3] = { s, s, 1.0 };
@@ -147,7 +147,7 @@ int vtkTerrainImageWarp::RequestData(
   output->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   output->GetPointData()->GetScalars()->SetName("Colors");
   this->ErrorMessage =
-    this->Internals->Warp(static_cast<unsigned char*>(output->GetScalarPointer()));
+    this->Internals->WarpColors(static_cast<unsigned char*>(output->GetScalarPointer()));
   if (!this->ErrorMessage.empty())
   {
     output->Initialize();

@@ -90,6 +90,20 @@ class TestScenes(unittest.TestCase):
                 self.assertLess(abs(bounds[1][0] - bounds[0][1]), 2.5 * cell)
                 self.assertLess(np.abs(bounds[0][2:] - bounds[1][2:]).max(), 2.5 * cell)
 
+    def test_colors_of_another_raster(self):
+        heights = self.tile("heights.tif", made.ground(), made.UTM)
+        rain = self.tile("rain.tif", 2.0 * made.ground(), made.UTM)
+        terrain = self.add(heights, scalars=rain)
+        image = pyvista.wrap(terrain.GetHeights())
+        both = np.isfinite(image["Values"])
+        self.assertGreater(both.mean(), 0.9)
+        np.testing.assert_allclose(image["Values"][both], 2.0 * image.active_scalars[both], atol=1e-3)
+        with self.assertRaisesRegex(ValueError, "no array 'nowhere.tif'"):
+            self.add(heights, scalars="nowhere.tif")
+        far = self.tile("far.tif", made.ground(), ((0.0, 30.0, 0.0, 5000000.0, 0.0, -30.0), "EPSG:32631"))
+        with self.assertRaisesRegex(ValueError, "no values on the terrain"):
+            self.add(heights, scalars=far)
+
     def test_accessor_joins(self):
         west, east = self.halves(made.DEGREES)
         first = self.add(west)

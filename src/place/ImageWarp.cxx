@@ -17,47 +17,11 @@ namespace terrain
 {
 namespace
 {
-using Frame = vtkTerrainGeoreference::FrameType;
-
 // Points along each side of the picture by which it is found in the scene.
 constexpr int kOutlinePoints = 65;
 
-ImageWarp::Dataset Own(GDALDatasetH dataset)
-{
-  return { dataset,
-    [](void* open)
-    {
-      if (open)
-      {
-        GDALClose(open);
-      }
-    } };
-}
-
-/// GDAL's messages of this thread are kept, not printed.
-class Messages
-{
-public:
-  Messages()
-  {
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-  ~Messages()
-  {
-    CPLPopErrorHandler();
-  }
-  Messages(const Messages&) = delete;
-  void operator=(const Messages&) = delete;
-
-  static std::string Last()
-  {
-    return CPLGetLastErrorMsg();
-  }
-};
-
 /// The picture as three bands of 8 bits, and alpha if there is any; a view of the file.
-ImageWarp::Dataset AsColors(GDALDatasetH file)
+Dataset AsColors(GDALDatasetH file)
 {
   const int bands = GDALGetRasterCount(file);
   GDALRasterBandH first = GDALGetRasterBand(file, 1);
@@ -92,111 +56,25 @@ ImageWarp::Dataset AsColors(GDALDatasetH file)
   GDALTranslateOptions* options = GDALTranslateOptionsNew(list, nullptr);
   CSLDestroy(list);
   int failed = 0;
-  ImageWarp::Dataset colors = Own(GDALTranslate("", file, options, &failed));
+  Dataset colors = Own(GDALTranslate("", file, options, &failed));
   GDALTranslateOptionsFree(options);
   return colors;
 }
 }
 
-/// Opens the file, and finds its CRS and its affine transform. Returns one sentence on failure.
-std::string ImageWarp::Open(const std::string& name, const std::string& system)
+std::string ImageWarp::OpenColors(const std::string& name, const std::string& system)
 {
-  if (!WhyNoGDAL().empty())
-  {
-    return WhyNoGDAL();
-  }
-  const std::string whyNot = WhyNotInput(name);
-  if (!whyNot.empty())
-  {
-    return "'" + name + "': " + whyNot;
-  }
-  GDALAllRegister();
-  const Messages messages;
   this->Colors = Own(nullptr);
-  this->File =
-    Own(GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
-  if (!this->File || GDALGetRasterCount(this->File.get()) < 1)
-  {
-    const std::string reason = Messages::Last();
-    return "'" + name + "' is no picture that can be read" +
-      (reason.empty() ? "" : " (" + reason + ")");
-  }
-  const char* own = GDALGetProjectionRef(this->File.get());
-  const std::string definition = own && *own ? own : system;
-  if (definition.empty())
-  {
-    return "'" + name + "' has no coordinate system";
-  }
-  if (GDALGetGeoTransform(this->File.get(), this->ToFile.data()) != CE_None ||
-    !GDALInvGeoTransform(this->ToFile.data(), this->FromFile.data()))
-  {
-    return "'" + name + "' has no georeference";
-  }
-  const double width = GDALGetRasterXSize(this->File.get());
-  const double height = GDALGetRasterYSize(this->File.get());
-  double extent[4] = { HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL };
-  for (int i = 0; i < 4; ++i)
-  {
-    double x = 0.0;
-    double y = 0.0;
-    GDALApplyGeoTransform(
-      this->ToFile.data(), i % 2 == 0 ? 0.0 : width, i < 2 ? 0.0 : height, &x, &y);
-    extent[0] = std::min(extent[0], x);
-    extent[1] = std::max(extent[1], x);
-    extent[2] = std::min(extent[2], y);
-    extent[3] = std::max(extent[3], y);
-  }
-  this->Picture->SetCoordinateSystem(definition);
-  this->Picture->SetExtent(extent[0], extent[1], extent[2], extent[3]);
-  this->Picture->SetFrame(this->Scene->IsOnOtherWorld() ? Frame::Globe : Frame::Geocentric);
-  const std::string why = this->Picture->GetWhyNot();
+  std::string why = this->Open(name, system);
   if (!why.empty())
   {
-    return "'" + name + "': " + why;
+    return why;
   }
+  const QuietGDAL messages;
   this->Colors = AsColors(this->File.get());
-  return this->Colors ? "" : "'" + name + "' cannot be read as colours (" + Messages::Last() + ")";
-}
-
-/// Pixels of the picture (x, y, height of the scene) to the scene, in place.
-bool ImageWarp::PixelsToScene(std::vector<double>& points)
-{
-  for (std::size_t i = 0; i < points.size(); i += 3)
-  {
-    GDALApplyGeoTransform(
-      this->ToFile.data(), points[i], points[i + 1], &points[i], &points[i + 1]);
-  }
-  const auto count = static_cast<vtkIdType>(points.size() / 3);
-  if (!this->Picture->FileToPlaces(points.data(), points.data(), count) ||
-    !this->Scene->PlacesToScene(points.data(), points.data(), count))
-  {
-    return false;
-  }
-  if (this->Globe)
-  {
-    GlobePaths::ToFlat(points.data(), points.size() / 3, *this->Globe, this->Heights);
-  }
-  return true;
-}
-
-bool ImageWarp::SceneToPixels(std::vector<double>& points)
-{
-  const auto count = static_cast<vtkIdType>(points.size() / 3);
-  if (this->Globe)
-  {
-    GlobePaths::FromFlat(points.data(), points.size() / 3, *this->Globe, this->Heights);
-  }
-  if (!this->Scene->SceneToPlaces(points.data(), points.data(), count) ||
-    !this->Picture->PlacesToFile(points.data(), points.data(), count))
-  {
-    return false;
-  }
-  for (std::size_t i = 0; i < points.size(); i += 3)
-  {
-    GDALApplyGeoTransform(
-      this->FromFile.data(), points[i], points[i + 1], &points[i], &points[i + 1]);
-  }
-  return true;
+  return this->Colors
+    ? ""
+    : "'" + name + "' cannot be read as colours (" + QuietGDAL::LastMessage() + ")";
 }
 
 /// The overlap with the heights: west, east, south, north. Without one, west >= east or
@@ -272,7 +150,6 @@ void ImageWarp::WidenOnGlobe(const std::vector<double>& points, std::array<doubl
   }
 }
 
-/// Finds the overlap with the heights and the grid of the output. Returns one sentence on failure.
 std::string ImageWarp::Place(int maximumSize)
 {
   const std::array<double, 4> bounds = this->FindOverlap();
@@ -295,68 +172,18 @@ std::string ImageWarp::Place(int maximumSize)
   {
     return "the picture has no image in the middle of the terrain";
   }
-  this->Spacing = std::max(
+  const double side = std::max(
     step / std::sqrt(area), std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]) / maximumSize);
+  this->Spacing = { side, side };
   const double lengths[2] = { bounds[1] - bounds[0], bounds[3] - bounds[2] };
   this->Corner[0] = bounds[0];
   this->Corner[1] = bounds[2];
   for (int axis = 0; axis < 2; ++axis)
   {
     this->Size[axis] =
-      std::clamp(static_cast<int>(std::ceil(lengths[axis] / this->Spacing - 1e-6)), 1, maximumSize);
+      std::clamp(static_cast<int>(std::ceil(lengths[axis] / side - 1e-6)), 1, maximumSize);
   }
   return {};
-}
-
-/// GDAL's transformer: pixels of the output to and from pixels of the picture.
-int ImageWarp::Transform(
-  void* self, int dstToSrc, int count, double* x, double* y, double*, int* success)
-{
-  auto& internals = *static_cast<ImageWarp*>(self);
-  std::vector<double> points(3 * static_cast<std::size_t>(count), 0.0);
-  for (int i = 0; i < count; ++i)
-  {
-    double* point = points.data() + 3 * static_cast<std::ptrdiff_t>(i);
-    point[0] = dstToSrc ? internals.Corner[0] + x[i] * internals.Spacing : x[i];
-    point[1] = dstToSrc ? internals.Corner[1] + y[i] * internals.Spacing : y[i];
-  }
-  if (dstToSrc)
-  {
-    if (internals.Scene->GetFrame() == Frame::Local)
-    {
-      // Beyond the surface, the last height before its border: pixels there only blend into it.
-      const GridGeometry geometry = ImageHeights::Geometry(internals.Heights);
-      double last = internals.MiddleHeight;
-      ImageHeights::Dispatch(internals.Heights,
-        [&](const auto& heights)
-        {
-          for (std::size_t i = 0; i < points.size(); i += 3)
-          {
-            const glm::dvec3 grid = geometry.ToGrid({ points[i], points[i + 1], 0.0 });
-            const double z = SampleBilinear(heights, grid.x, grid.y);
-            last = std::isnan(z) ? last : z + geometry.Origin.z;
-            points[i + 2] = last;
-          }
-        });
-    }
-    internals.SceneToPixels(points);
-  }
-  else
-  {
-    internals.PixelsToScene(points);
-  }
-  bool all = true;
-  for (int i = 0; i < count; ++i)
-  {
-    const double* point = points.data() + 3 * static_cast<std::ptrdiff_t>(i);
-    success[i] = std::isfinite(point[0]) && std::isfinite(point[1]) ? 1 : 0;
-    all = all && success[i];
-    x[i] = success[i] ? (dstToSrc ? point[0] : (point[0] - internals.Corner[0]) / internals.Spacing)
-                      : HUGE_VAL;
-    y[i] = success[i] ? (dstToSrc ? point[1] : (point[1] - internals.Corner[1]) / internals.Spacing)
-                      : HUGE_VAL;
-  }
-  return all ? 1 : 0;
 }
 
 /// What is warped into RGBA, without a transformer; to be destroyed by GDALDestroyWarpOptions().
@@ -390,45 +217,23 @@ GDALWarpOptions* ImageWarp::MakeOptions(GDALDatasetH target)
   return options;
 }
 
-/// Warps the picture into Size[0] x Size[1] pixels of RGBA, southern row first.
-std::string ImageWarp::Warp(unsigned char* rgba)
+std::string ImageWarp::WarpColors(unsigned char* rgba)
 {
-  const Messages messages;
+  const QuietGDAL messages;
   const Dataset target = Own(
     GDALCreate(GDALGetDriverByName("MEM"), "", this->Size[0], this->Size[1], 4, GDT_Byte, nullptr));
   if (!target)
   {
-    return "the picture needs more memory than there is (" + Messages::Last() + ")";
+    return "the picture needs more memory than there is (" + QuietGDAL::LastMessage() + ")";
   }
-  GDALWarpOptions* options = this->MakeOptions(target.get());
-  void* approximate = nullptr;
-  options->pfnTransformer = ImageWarp::Transform;
-  options->pTransformerArg = this;
-  if (this->Scene->GetFrame() != Frame::Local)
+  const std::string why = this->Warp(this->MakeOptions(target.get()), this->Size[0], this->Size[1]);
+  if (!why.empty())
   {
-    approximate = GDALCreateApproxTransformer(ImageWarp::Transform, this, kInterpolationError);
-    options->pfnTransformer = GDALApproxTransform;
-    options->pTransformerArg = approximate;
+    return "the picture: " + why;
   }
-  GDALWarpOperationH operation = GDALCreateWarpOperation(options);
-  CPLErr result = CE_Failure;
-  if (operation)
-  {
-    result = GDALChunkAndWarpImage(operation, 0, 0, this->Size[0], this->Size[1]);
-    GDALDestroyWarpOperation(operation);
-  }
-  GDALDestroyWarpOptions(options);
-  if (approximate)
-  {
-    GDALDestroyApproxTransformer(approximate);
-  }
-  if (result == CE_None)
-  {
-    result = GDALDatasetRasterIOEx(target.get(), GF_Read, 0, 0, this->Size[0], this->Size[1], rgba,
-      this->Size[0], this->Size[1], GDT_Byte, 4, nullptr, 4,
-      4 * static_cast<GSpacing>(this->Size[0]), 1, nullptr);
-  }
-  return result == CE_None ? "" : "the picture cannot be warped (" + Messages::Last() + ")";
+  const CPLErr result = GDALDatasetRasterIOEx(target.get(), GF_Read, 0, 0, this->Size[0],
+    this->Size[1], rgba, this->Size[0], this->Size[1], GDT_Byte, 4, nullptr, 4,
+    4 * static_cast<GSpacing>(this->Size[0]), 1, nullptr);
+  return result == CE_None ? "" : "the picture cannot be warped (" + QuietGDAL::LastMessage() + ")";
 }
-
 }

@@ -7,55 +7,36 @@
 #ifndef vtkTerrain_place_ImageWarp_h
 #define vtkTerrain_place_ImageWarp_h
 
-#include "core/globe/GlobeGrid.h"
-#include "raster/GDALTable.h"
-#include "vtkTerrainGeoreference.h"
-
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkSmartPointer.h"
+#include "place/PlacedRaster.h"
 
 #include <array>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace terrain
 {
-/// vtkTerrainImageWarp::InterpolationError.
-constexpr double kInterpolationError = 0.05;
-
 /// A picture on its way into a scene.
-class ImageWarp
+class ImageWarp : public PlacedRaster
 {
 public:
-  using Dataset = std::unique_ptr<void, void (*)(void*)>;
+  /// The file as colours; a view of it.
+  Dataset Colors{ Own(nullptr) };
+  /// Pixels of the output.
+  std::array<int, 2> Size{};
 
-  Dataset File{ nullptr, nullptr };
-  Dataset Colors{ nullptr, nullptr };
-  std::array<double, 6> ToFile{};
-  std::array<double, 6> FromFile{};
-  vtkNew<vtkTerrainGeoreference> Picture;
-  vtkTerrainGeoreference* Scene = nullptr;
-  vtkSmartPointer<vtkImageData> Heights;
-  /// Of heights on a globe, whose pictures lie in the flat coordinates of data/GlobePaths.h.
-  std::unique_ptr<GlobeGrid> Globe;
-  double MiddleHeight = 0.0;
-  double Spacing = 0.0;
-  /// South-west corner of the first pixel, in the scene.
-  double Corner[2] = { 0.0, 0.0 };
-  int Size[2] = { 0, 0 };
-
-  std::string Open(const std::string& name, const std::string& system);
+  /// Opens the file, and what is drawn of it. Returns one sentence on failure.
+  std::string OpenColors(const std::string& name, const std::string& system);
+  /// Finds the overlap with the heights and the grid of the output. Returns one sentence on
+  /// failure.
   std::string Place(int maximumSize);
-  bool PixelsToScene(std::vector<double>& points);
-  bool SceneToPixels(std::vector<double>& points);
+  /// Warps the picture into Size[0] x Size[1] pixels of RGBA, southern row first. Returns one
+  /// sentence on failure.
+  std::string WarpColors(unsigned char* rgba);
+
+private:
   std::array<double, 4> FindOverlap();
   void WidenOnGlobe(const std::vector<double>& points, std::array<double, 4>& own);
   GDALWarpOptions* MakeOptions(GDALDatasetH target);
-  std::string Warp(unsigned char* rgba);
-  static int Transform(
-    void* self, int dstToSrc, int count, double* x, double* y, double* z, int* success);
 };
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/files/OutputFile.h"
 #include "core/grid/HeightSampling.h"
+#include "data/GlobePaths.h"
 #include "data/ImageHeights.h"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace
 {
 using Frame = vtkTerrainGeoreference::FrameType;
 
-// Pixels of the file by which an interpolated transformation may be wrong.
-constexpr double kApproximation = 0.05;
 }
 
 Dataset Own(GDALDatasetH dataset)
@@ -71,8 +70,8 @@ std::string PlacedRaster::Open(const std::string& name, const std::string& syste
   }
   const char* own = GDALGetProjectionRef(this->File.get());
   const std::string definition = own && *own ? own : system;
-  this->IsOfHeights =
-    this->Scene && !this->Scene->IsOnEarth() && definition == this->Scene->GetCoordinateSystem();
+  this->IsOfHeights = this->Scene && !this->Globe && !this->Scene->IsOnEarth() &&
+    definition == this->Scene->GetCoordinateSystem();
   if (definition.empty() && !this->IsOfHeights)
   {
     return "'" + name + "' has no coordinate system";
@@ -102,7 +101,8 @@ std::string PlacedRaster::Open(const std::string& name, const std::string& syste
   }
   this->Picture->SetCoordinateSystem(definition);
   this->Picture->SetExtent(extent[0], extent[1], extent[2], extent[3]);
-  this->Picture->SetFrame(Frame::Geocentric);
+  this->Picture->SetFrame(
+    this->Scene && this->Scene->IsOnOtherWorld() ? Frame::Globe : Frame::Geocentric);
   const std::string why = this->Picture->GetWhyNot();
   return why.empty() ? why : "'" + name + "': " + why;
 }
@@ -119,13 +119,25 @@ bool PlacedRaster::PixelsToScene(std::vector<double>& points)
   {
     return this->Scene->FileToScene(points.data(), points.data(), count);
   }
-  return this->Picture->FileToPlaces(points.data(), points.data(), count) &&
-    this->Scene->PlacesToScene(points.data(), points.data(), count);
+  if (!this->Picture->FileToPlaces(points.data(), points.data(), count) ||
+    !this->Scene->PlacesToScene(points.data(), points.data(), count))
+  {
+    return false;
+  }
+  if (this->Globe)
+  {
+    GlobePaths::ToFlat(points.data(), points.size() / 3, *this->Globe, this->Heights);
+  }
+  return true;
 }
 
 bool PlacedRaster::SceneToPixels(std::vector<double>& points)
 {
   const auto count = static_cast<vtkIdType>(points.size() / 3);
+  if (this->Globe)
+  {
+    GlobePaths::FromFlat(points.data(), points.size() / 3, *this->Globe, this->Heights);
+  }
   const bool isDone = this->IsOfHeights
     ? this->Scene->SceneToFile(points.data(), points.data(), count)
     : this->Scene->SceneToPlaces(points.data(), points.data(), count) &&
@@ -202,7 +214,7 @@ std::string PlacedRaster::Warp(GDALWarpOptions* options, int columns, int rows)
   options->pTransformerArg = this;
   if (this->Scene->GetFrame() != Frame::Local)
   {
-    approximate = GDALCreateApproxTransformer(PlacedRaster::Transform, this, kApproximation);
+    approximate = GDALCreateApproxTransformer(PlacedRaster::Transform, this, kInterpolationError);
     options->pfnTransformer = GDALApproxTransform;
     options->pTransformerArg = approximate;
   }

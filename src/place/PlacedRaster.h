@@ -7,6 +7,7 @@
 #ifndef vtkTerrain_place_PlacedRaster_h
 #define vtkTerrain_place_PlacedRaster_h
 
+#include "core/globe/GlobeGrid.h"
 #include "raster/GDALTable.h"
 
 #include "vtkImageData.h"
@@ -21,6 +22,9 @@
 
 namespace terrain
 {
+/// vtkTerrainImageWarp::InterpolationError.
+constexpr double kInterpolationError = 0.05;
+
 /// A file of GDAL that closes itself.
 using Dataset = std::unique_ptr<void, void (*)(void*)>;
 
@@ -48,6 +52,8 @@ public:
   vtkNew<vtkTerrainGeoreference> Picture;
   vtkTerrainGeoreference* Scene = nullptr;
   vtkSmartPointer<vtkImageData> Heights;
+  /// Of heights on a globe, whose pictures lie in the flat coordinates of data/GlobePaths.h.
+  std::unique_ptr<GlobeGrid> Globe;
   double MiddleHeight = 0.0;
   /// True if it lies in the coordinates of the heights' own file, which are no places on earth.
   bool IsOfHeights = false;

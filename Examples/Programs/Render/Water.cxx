@@ -4,11 +4,11 @@
 
 #include "ColorName.h"
 #include "DataRim.h"
+#include "DefaultView.h"
 #include "Failure.h"
 #include "Options.h"
 #include "Placing.h"
 #include "Terrain.h"
-#include "View.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -297,7 +297,7 @@ void AddWater(vtkRenderer* renderer, Terrain& terrain, const std::vector<Terrain
       }
     }
   }
-  SetClippingRange(renderer->GetActiveCamera(), terrain.Bounds);
+  SetClippingRange(renderer->GetActiveCamera(), terrain.Bounds, heights);
   // VTK's other way to draw translucent surfaces takes opacity from what lies behind them
   renderer->SetUseDepthPeeling(options.Scenery.IsTransparent());
 }

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._intake import _run
 from .heights import array_from_heights, to_array
-from .vtkTerrain import vtkTerrainImageWarp, vtkTerrainLook
+from .vtkTerrain import vtkTerrainImageWarp, vtkTerrainLook, vtkTerrainValues
 
 _NUMBER_OF_COLORS = 256
 _MAP_SCALARS = 1  # VTK_COLOR_MODE_MAP_SCALARS
@@ -70,9 +70,31 @@ def _attach(terrain, scalars, name="scalars"):
     return name
 
 
+def _attach_raster(terrain, path, scene):
+    """Adds the values or classes of a raster file to the heights; returns the array's name and its title."""
+    values = vtkTerrainValues()
+    values.SetInputData(terrain.GetHeights())
+    values.SetGeoreference(scene)
+    values.SetFileName(path)
+    _run(values, values.Update)
+    if values.GetErrorMessage():
+        raise ValueError(f"scalars: {values.GetErrorMessage()}")
+    terrain.SetInputData(values.GetOutput())
+    return "Values", f"{values.GetTitle()} ({values.GetUnit()})" if values.GetUnit() else values.GetTitle()
+
+
 def _holds_colors(array):
     """Whether it has 3 or 4 bytes a tuple; one byte is a value."""
     return array.GetDataType() == VTK_UNSIGNED_CHAR and array.GetNumberOfComponents() in (3, 4)
+
+
+def _is_raster(terrain, scalars):
+    """Whether scalars are the name of a file, and of no array of the heights."""
+    heights = terrain.GetHeights()
+    if not isinstance(scalars, (str, os.PathLike)) or heights is None:
+        return False
+    data = (heights.GetPointData(), heights.GetCellData())
+    return os.path.isfile(scalars) and not any(one.HasArray(os.fspath(scalars)) for one in data)
 
 
 class Scalars:
@@ -81,7 +103,7 @@ class Scalars:
     Attributes: ``title`` of a bar, ``clim`` by default, ``is_color`` for colours as they are.
     """
 
-    def __init__(self, terrain, scalars=None, *, component=None, rgb=False):
+    def __init__(self, terrain, scalars=None, *, component=None, rgb=False, scene=None):
         self.title = "Elevation"
         self.is_color = bool(rgb)
         if rgb and scalars is None:
@@ -97,13 +119,17 @@ class Scalars:
             source, self.title, self.clim = _OF_THE_SURFACE[scalars]
             mapper.SetColorSource(source)
             return
-        name = scalars if isinstance(scalars, str) else _attach(terrain, np.asarray(to_array(scalars, "scalars")))
+        title = None
+        if _is_raster(terrain, scalars):
+            name, title = _attach_raster(terrain, os.fspath(scalars), scene)
+        else:
+            name = scalars if isinstance(scalars, str) else _attach(terrain, np.asarray(to_array(scalars, "scalars")))
         array = terrain.GetHeights().GetPointData().GetArray(name) if terrain.GetHeights() else None
         of_cells = terrain.GetHeights().GetCellData().GetArray(name) if array is None and terrain.GetHeights() else None
         if array is None and of_cells is None:
-            raise ValueError(f"the heights have no array {name!r}: scalars is the name of one, \"slope\", \"aspect\", "
-                             "or an array of their shape")
-        self.title = name
+            raise ValueError(f"the heights have no array {name!r}: scalars is the name of one or of a raster file, "
+                             "\"slope\", \"aspect\", or an array of their shape")
+        self.title = title or name
         if of_cells is None:
             mapper.SetScalarModeToUsePointFieldData()
         else:

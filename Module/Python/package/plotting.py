@@ -246,10 +246,11 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         as few as the view needs. Of a prepared file, "strips" reads no more than it draws.
     exaggeration : float or "auto"
         Drawn height over true height, above 0; "auto" chooses it so that a view of all shows the relief.
-    scalars : str or array_like, optional
+    scalars : str, path or array_like, optional
         What the colours show instead of the heights: "slope" or "aspect", the name of an array of the
-        heights' image, or an array of the heights' shape, rows from the south. Arrays of 3 or 4 bytes
-        a sample are colours as they are; all others are mapped by cmap, single bytes and bools, too.
+        heights' image, that of a raster file of any coordinate system (``vtkTerrainValues``; classes are
+        not mixed), or an array of the heights' shape, rows from the south. Arrays of 3 or 4 bytes a sample
+        are colours as they are; all others are mapped by cmap, single bytes and bools, too.
     cmap : str, list or matplotlib colormap, optional
         Colours of the heights; those of a relief map by default, from the lowest to the highest, or
         those of a theme that has another cmap than PyVista's own. For other scalars the theme's.
@@ -355,7 +356,9 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
               "nan_color": nan_color, "nan_opacity": nan_opacity, "above_color": above_color,
               "below_color": below_color, "categories": categories, "annotations": annotations}
     texture = texture if texture is None else _to_texture(texture)
-    shown = Scalars(actor, scalars, component=component, rgb=rgb) if color is None and texture is None else None
+    shown = None
+    if color is None and texture is None:
+        shown = Scalars(actor, scalars, component=component, rgb=rgb, scene=scene)
     _follow_theme(plotter.theme, technique, options)
     apply_look(actor, scene, **options)
     table = color_terrain(actor, shown, plotter.theme, color, texture, opacity, colors)
