@@ -212,6 +212,16 @@ vtkSmartPointer<vtkImageData> DescribePreparedFile(const Options& options)
   image->SetSpacing(info->Get(vtkDataObject::SPACING()));
   return image;
 }
+
+void SetSearch(vtkOpenGLTerrainMapper* mapper, const Options& options)
+{
+  mapper->SetPixelTolerance(options.PixelTolerance.value_or(0.0));
+  mapper->SetShowCrossings(options.Crossings);
+  mapper->SetSteps(options.Steps.Steps);
+  mapper->SetLongSteps(options.Steps.LongSteps);
+  mapper->SetSecantSteps(options.Steps.SecantSteps);
+  mapper->SetStepLength(options.Steps.StepLength);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -319,12 +329,7 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration,
   }
   else
   {
-    actor->GetTerrainMapper()->SetPixelTolerance(options.PixelTolerance.value_or(0.0));
-    actor->GetTerrainMapper()->SetShowCrossings(options.Crossings);
-    actor->GetTerrainMapper()->SetSteps(options.Steps.Steps);
-    actor->GetTerrainMapper()->SetLongSteps(options.Steps.LongSteps);
-    actor->GetTerrainMapper()->SetSecantSteps(options.Steps.SecantSteps);
-    actor->GetTerrainMapper()->SetStepLength(options.Steps.StepLength);
+    SetSearch(actor->GetTerrainMapper(), options);
     PrepareMesh(actor, options, progress, statistics);
   }
   ThrowOnError(name);
