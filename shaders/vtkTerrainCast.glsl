@@ -185,7 +185,7 @@ TerrainSighting terrainCast(vec2 pixel, float entryDistance)
     layer -= culled ? 0 : 1;
     // on from behind the hit: by a hundredth of a cell, and by what float can tell
 #ifdef TERRAIN_GLOBE
-    float pace = 10.0 / max(length(terrainAtPixelGC(pixel)), 1e-30); // 10 metres
+    float pace = terrainGlobeBeyond / max(length(terrainAtPixelGC(pixel)), 1e-30);
 #else
     float pace = 0.01 / max(length(terrainAtPixelGC(pixel).xy), 1e-30);
 #endif

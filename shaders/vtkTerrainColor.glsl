@@ -223,7 +223,7 @@ float terrainHillshade(TerrainSurface surface)
 
 uniform vec2 terrainContourScale;  // number of the contour = x * code + y
 uniform float terrainContourWidth; // pixels
-uniform float terrainContourIndex; // every so manieth line is twice as wide; 0 for none
+uniform float terrainContourIndex; // every n-th line is twice as wide; 0 for none
 uniform vec4 terrainContourColor;  // alpha 0 for none
 
 // How much of a pixel, 0..1, contour lines cover. Lines closer than twice their width run into an

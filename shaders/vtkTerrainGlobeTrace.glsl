@@ -7,6 +7,8 @@
 // globe/GlobePixels.h.
 
 const float terrainGlobeNever = 1e30; // a distance beyond any
+// Metres from a hit to where a ray goes on behind it: more than float rounds of a planet's radius.
+const float terrainGlobeBeyond = 10.0;
 
 // A ray with what its lines share: metres in the axes of the anchor. Every t below is a distance
 // along it, in units of the direction's length.
@@ -313,7 +315,7 @@ bool terrainGlobeVisitNode(
 }
 
 // atan(x), radians, of the angles in a cell, which are small: to kGlobeAngleError
-// (core/globe/GlobeTraversal.h) up to 2.5 degrees, and beyond as the driver has it.
+// (core/globe/GlobeErrors.h) up to 2.5 degrees, and beyond as the driver has it.
 float terrainGlobeAngle(float x)
 {
   float x2 = x * x;

@@ -90,7 +90,7 @@ bool terrainGlobeHides(vec4 positionVC, vec4 lightVC)
     TerrainGlobeHit hit = terrainGlobeTrace(origin, way, begin, end);
     hidden = hit.found && hit.front;
     on = hit.found && !hit.front;
-    begin = hit.t + 10.0; // metres
+    begin = hit.t + terrainGlobeBeyond;
   }
   return hidden;
 }
@@ -170,9 +170,8 @@ float terrainLightShare(int light, TerrainOutlook outlook, vec3 positionVC, vec3
 }
 
 // The shares, 0..1, that a point of the surface sees of all lights that cast shadows, in a pixel
-// (gl_FragCoord.xy). Those
-// behind a block's cut faces, where nothing is left, and those of the underside are whole: VTK's
-// own light.
+// (gl_FragCoord.xy). Those behind a block's cut faces, where nothing is left, and those of the
+// underside are whole: VTK's own light.
 void terrainFindShares(vec2 pixel, TerrainSurface surface, out float shares[TERRAIN_SHADOWS])
 {
   vec4 codes = terrainCellCodes(surface.cell);

@@ -39,7 +39,7 @@ TEST(OpenGLTerrainMapperGlobeScene, CastsShadows)
     const Shadowed result = globe.CompareShadows(sun);
     EXPECT_GE(result.Dark, 5);
     EXPECT_GE(result.Lit, 10);
-    EXPECT_LE(result.Wrong, (result.Dark + result.Lit) / 50)
+    EXPECT_LE(result.Wrong, terrain::kGlobeShadowError * (result.Dark + result.Lit))
       << result.Dark << " dark, " << result.Lit << " lit";
   }
 }
@@ -84,7 +84,7 @@ TEST(OpenGLTerrainMapperGlobeScene, StandsStillOnAFlight)
     part.Shown.Camera()->SetClippingRange(0.2 * above, 10.0 * above + 1e5);
     worst = std::max(worst, part.ContourError(level));
   }
-  EXPECT_LT(worst, 0.35) << "pixels";
+  EXPECT_LT(worst, terrain::kGlobeJitterError) << "pixels";
 }
 
 // VTK's actors half a metre above the ground are seen, and half a metre below it not, between the

@@ -135,7 +135,7 @@ public:
       { exaggeration * range[0], exaggeration * range[1] } };
   }
 
-  Agreement Compare(double tolerance = 1e-4)
+  Agreement Compare(double tolerance = terrain::kGlobeDrawnError)
   {
     vtkImageData* distances = this->Shown.Distances();
     const terrain::GlobeReference reference = this->Reference();
@@ -303,7 +303,7 @@ inline double Globe::ContourError(double level)
   return std::abs(moment / sum - low);
 }
 
-inline void ExpectAgreement(Globe& globe, int hits, double tolerance = 1e-4)
+inline void ExpectAgreement(Globe& globe, int hits, double tolerance = terrain::kGlobeDrawnError)
 {
   const Agreement result = globe.Compare(tolerance);
   EXPECT_GE(result.Hits, hits);

@@ -71,7 +71,7 @@ TEST(Globe, ResolvesTheGroundBesideTheEye)
     const auto hit = tracer.Trace(ray);
     const auto expected = reference.Cast(ray);
     const bool agree = hit.Found == expected.Found &&
-      (!hit.Found || std::abs(hit.T - expected.T) < 1e-4 * expected.T);
+      (!hit.Found || std::abs(hit.T - expected.T) < terrain::kGlobeDrawnError * expected.T);
     off += agree ? 0 : 1;
   }
   EXPECT_LE(off, count / 1000);
@@ -203,7 +203,7 @@ TEST(Globe, PicksPlacesToAMillimetre)
     }
   }
   EXPECT_EQ(missed, 0);
-  EXPECT_LT(farthest, 1e-3);
+  EXPECT_LT(farthest, terrain::kGlobePickError);
 }
 
 // Heights may be met from below, and the far side is seen through a hole.

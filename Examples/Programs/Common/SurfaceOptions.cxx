@@ -62,7 +62,7 @@ void SurfaceOptions::Declare(CLI::App& app)
     ->check(CLI::Range(kLeast, kMost).description(""));
   app
     .add_option("--contour-index", this->ContourIndex,
-      "every so manieth contour line is twice as wide; default 5, 0 for none")
+      "every n-th contour line is twice as wide; default 5, 0 for none")
     ->type_name("N")
     ->check(CLI::Range(0, 1000).description(""));
   app.add_flag("--hillshade", this->Hillshade,

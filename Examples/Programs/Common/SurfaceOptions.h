@@ -23,7 +23,7 @@ struct SurfaceOptions
 {
   /// Metres between contour lines; 0 for none.
   double Contours = 0.0;
-  /// Every so manieth line is twice as wide; 0 for none.
+  /// Every n-th line is twice as wide; 0 for none.
   int ContourIndex = 5;
   bool Hillshade = false;
   /// Metres that a block reaches below the lowest height; 0 for none.

@@ -217,7 +217,7 @@ private:
     texel[3] = static_cast<unsigned char>(std::lround(isShore ? kFull * opacity : 0.0));
   }
 
-  /// A texel for each sample, or for each so manieth of very many.
+  /// A texel for each sample, or for every n-th of very many.
   vtkSmartPointer<vtkImageData> MakePicture() const
   {
     const int* dims = this->Heights->GetDimensions();

@@ -26,6 +26,7 @@
 #ifndef terrain_GlobeTraversal_h
 #define terrain_GlobeTraversal_h
 
+#include "core/globe/GlobeErrors.h"
 #include "core/globe/GlobeLines.h"
 #include "core/rays/PyramidTraversal.h"
 
@@ -37,20 +38,6 @@
 
 namespace terrain
 {
-/// Largest error of the distance of a hit along its ray with double, in metres, in cells of one
-/// degree: what the series of a meridian leaves out, which falls with the fourth power of the
-/// cell's size. Rays that come as near to a summit may be told either way.
-constexpr double kGlobeError = 2e-3;
-/// The same with float, and beside it a part of the distance: what is rounded of a cell of one
-/// degree, and of slopes of 100.
-constexpr double kGlobeFloatError = 0.01;
-constexpr double kGlobeFloatPartError = 1e-5;
-/// Largest error of the shader's terrainGlobeAngle(), in radians, for the angles of cells: up to
-/// kGlobeCellAngle. Here it is std::atan().
-constexpr double kGlobeAngleError = 1e-8;
-/// In radians: 2.5 degrees.
-constexpr double kGlobeCellAngle = 0.0436;
-
 /// atan(x), which the shader takes to kGlobeAngleError from its series for the small angles of a
 /// cell.
 template <typename Real>
