@@ -340,7 +340,7 @@ void vtkTerrainRepresentation::DrapePiece(
 //------------------------------------------------------------------------------
 void vtkTerrainRepresentation::LiftSelection()
 {
-  vtkInformation* array = this->GetInputArrayInformation(HeightArray);
+  vtkInformation* array = this->GetInputArrayInformation(kHeightArray);
   const bool isOfCells = array &&
     array->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   const bool hasHeights = !vtkTerrainPieces::FindImages(this->Pieces).empty();
