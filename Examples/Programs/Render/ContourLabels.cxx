@@ -47,8 +47,8 @@ void ViewMarks::AddContourLabels(LabelPlacer& placer)
     const std::array<double, 3> point = { at[0], at[1], z };
     const std::array<double, 3> next = { at[0] + place.Along[0], at[1] + place.Along[1], z };
     const auto here = placer.ToPixels(point.data());
-    const auto there = here ? placer.ToPixels(next.data()) : std::nullopt;
-    if (there)
+    const auto there = placer.ToPixels(next.data());
+    if (here && there)
     {
       double turn =
         vtkMath::DegreesFromRadians(std::atan2((*there)[1] - (*here)[1], (*there)[0] - (*here)[0]));
