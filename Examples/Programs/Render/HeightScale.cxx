@@ -60,8 +60,14 @@ bool AddHeightScale(
     return false;
   }
   const auto& [low, high] = *edge;
-  const Pixel from = *placer.ToPixels(low.data());
-  const Pixel to = *placer.ToPixels(high.data());
+  const auto foot = placer.ToPixels(low.data());
+  const auto head = placer.ToPixels(high.data());
+  if (!foot || !head)
+  {
+    return false;
+  }
+  const Pixel& from = *foot;
+  const Pixel& to = *head;
   const double scale = std::max(0.5, PixelScale(options));
   const double text = TextPixels(kScaleStyle.Size, options);
   const double most =

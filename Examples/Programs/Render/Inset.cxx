@@ -65,8 +65,10 @@ public:
     {
       for (int i = 0; i < columns; ++i, texel += 4)
       {
-        this->PaintTexel(texel, (2 * i + 1) * (this->Width - 1) / (2 * columns),
-          (2 * j + 1) * (this->Height - 1) / (2 * rows), step);
+        // at the middle of the texel
+        constexpr vtkIdType kHalves = 2;
+        this->PaintTexel(texel, (kHalves * i + 1) * (this->Width - 1) / (kHalves * columns),
+          (kHalves * j + 1) * (this->Height - 1) / (kHalves * rows), step);
       }
     }
     return picture;
