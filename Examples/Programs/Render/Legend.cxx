@@ -277,6 +277,7 @@ private:
     const double row = kRow * this->Size;
     const auto most = static_cast<std::size_t>(std::max(1.0, (this->Room - 2.0 * row) / row));
     std::vector<vtkIdType> counts;
+    counts.reserve(all.size());
     for (const LegendClass& one : all)
     {
       counts.push_back(one.Count);
