@@ -101,6 +101,7 @@ void ViewMarks::ReadTracks(Statistics& statistics)
 {
   const std::string& field = this->Wanted.Track.ColorBy;
   std::vector<vtkSmartPointer<vtkPolyData>> tracks;
+  tracks.reserve(this->Wanted.Place.Tracks.size());
   for (const std::string& path : this->Wanted.Place.Tracks)
   {
     tracks.push_back(field.empty() ? ReadVectors(path, this->Heights.Georeference)

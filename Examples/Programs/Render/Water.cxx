@@ -105,7 +105,7 @@ public:
     texture->InterpolateOn();
     texture->MipmapOn();
     texture->SetColorModeToDirectScalars();
-    const vtkSmartPointer<vtkActor> top = MakeActor(plane);
+    vtkSmartPointer<vtkActor> top = MakeActor(plane);
     top->SetTexture(texture);
     return top;
   }
