@@ -5,6 +5,7 @@
 #include "parts/ColorsInternals.h"
 #include "place/PlacedRaster.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace terrain

@@ -444,7 +444,14 @@ bool HasWordOfHeights(const std::string& name)
     {
       return true;
     }
-    word = isLetter ? word + c : std::string();
+    if (isLetter)
+    {
+      word += c;
+    }
+    else
+    {
+      word.clear();
+    }
   }
   return false;
 }

@@ -237,6 +237,7 @@ std::vector<int> ClassesOf(const ColorScheme& scheme, const std::vector<double>&
     Color Shade;
   };
   std::vector<Known> known;
+  known.reserve(scheme.Classes.size());
   for (const ColorScheme::ClassName& name : scheme.Classes)
   {
     known.push_back({ name.Value, static_cast<int>(known.size()), ColorOf(scheme, name.Value) });
