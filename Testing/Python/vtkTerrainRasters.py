@@ -16,7 +16,7 @@ try:
 
     gdal.UseExceptions()
 except ImportError:
-    gdal = None
+    gdal = osr = None
 
 ROWS, COLUMNS = 40, 50
 
