@@ -1,6 +1,6 @@
 #!/bin/sh
 # clang-tidy over the sources of the module, its tests and examples, and the ParaView plugin, in a configured build,
-# on all cores. What passed is not looked at again until it, a header or the checks change.
+# on all cores. What passed is not looked at again until it, a header that it reaches or the checks change.
 #   sh Testing/check-lint.sh BUILD_DIR [GLOB...]
 # GLOB chooses: 'Testing/Cxx/*.cxx'. The plugin is looked at where it has been built (Testing/ParaView/run.sh;
 # VTKTERRAIN_PARAVIEW_BUILD_DIR names the folder). What no build here compiles is named, and left out.
@@ -19,11 +19,10 @@ cmake -G Ninja -S . -B "$passed/separate" -DCMAKE_UNITY_BUILD=OFF -DVTKTERRAIN_B
 sed "s|$passed/separate/module/|$build_dir/module/|g" "$passed/separate/compile_commands.json" \
   >"$passed/compile_commands.json"
 
-# shellcheck disable=SC2046
-common=$(cat .clang-tidy Testing/.clang-tidy $(git ls-files '*.h') | cksum | tr -d ' ')
+checks=$(cat .clang-tidy Testing/.clang-tidy | cksum | tr -d ' ')
 [ $# -gt 0 ] || set -- 'src/*.cxx' 'Examples/*.cxx' 'Testing/*.cxx' 'Module/ParaView/*.cxx'
 # shellcheck disable=SC2046 # file names here have no spaces
-for file in $(git ls-files "$@"); do
+python3 Testing/checksum-with-headers.py $(git ls-files "$@") | while read -r content file; do
   commands=$passed
   case $file in
     Module/ParaView/*) commands=$plugin ;;
@@ -32,7 +31,7 @@ for file in $(git ls-files "$@"); do
     echo "not compiled here, not linted: $file" >&2
     continue
   fi
-  stamp=$passed/$(cat "$file" | cksum | tr -d ' ')-$common-$(echo "$file" | tr / _)
+  stamp=$passed/$content-$checks-$(echo "$file" | tr / _)
   [ -e "$stamp" ] || printf '%s\n%s\n%s\n' "$commands" "$file" "$stamp"
 done | xargs -r -n 3 -P "$(nproc)" sh -c '
   if clang-tidy-16 --quiet -p "$0" "$1" 2>"$2.log"; then

@@ -243,4 +243,5 @@ check_snippet()
 }
 check_snippet cpp Examples/Pipeline/main.cxx
 check_snippet python Examples/Python/render.py
+python3 Testing/Mutations/run.py build --check >&2 || offence "Testing/Mutations/mutations.ini: texts that are not there"
 exit $failed
