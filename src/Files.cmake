@@ -43,6 +43,7 @@ set(private_sources
   data/ImageSurface
   data/MeshOutput
   data/ObserverPlaces
+  data/PathBuilder
   data/StripsOutput
   parts/ActorInput
   parts/ActorRelief

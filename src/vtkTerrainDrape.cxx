@@ -6,18 +6,16 @@
 #include "data/GlobeData.h"
 #include "data/GlobePaths.h"
 #include "data/ImageHeights.h"
+#include "data/PathBuilder.h"
 #include "data/Setting.h"
 #include "place/GroundPlaces.h"
 #include "vtkTerrainGeoreference.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -32,54 +30,6 @@ namespace
 {
 // Most points that Tolerance inserts between two grid lines.
 constexpr double kMostPointsPerCell = 1000.0;
-
-/// The output while it grows.
-struct Draped
-{
-  vtkPolyData* Input = nullptr;
-  vtkPolyData* Output = nullptr;
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Vertices;
-  vtkNew<vtkCellArray> Lines;
-  /// Cells of the input that the output's vertices and lines come from.
-  std::vector<vtkIdType> VertexSources;
-  std::vector<vtkIdType> LineSources;
-  /// Points of the line that is being drawn.
-  std::vector<vtkIdType> Line;
-
-  vtkIdType AddPoint(const glm::dvec3& position, vtkIdType from, vtkIdType to, double t)
-  {
-    const vtkIdType id = this->Points->InsertNextPoint(position.x, position.y, position.z);
-    this->Output->GetPointData()->InterpolateEdge(this->Input->GetPointData(), id, from, to, t);
-    return id;
-  }
-
-  void EndLine(vtkIdType source)
-  {
-    if (this->Line.size() > 1)
-    {
-      this->Lines->InsertNextCell(static_cast<vtkIdType>(this->Line.size()), this->Line.data());
-      this->LineSources.push_back(source);
-    }
-    this->Line.clear();
-  }
-
-  void Finish()
-  {
-    this->Output->SetPoints(this->Points);
-    this->Output->SetVerts(this->Vertices);
-    this->Output->SetLines(this->Lines);
-    vtkCellData* to = this->Output->GetCellData();
-    vtkCellData* from = this->Input->GetCellData();
-    to->CopyAllocate(from);
-    std::vector<vtkIdType> sources = this->VertexSources;
-    sources.insert(sources.end(), this->LineSources.begin(), this->LineSources.end());
-    for (std::size_t i = 0; i < sources.size(); ++i)
-    {
-      to->CopyData(from, sources[i], static_cast<vtkIdType>(i));
-    }
-  }
-};
 
 /// Settings of the filter that the points need.
 struct Rule
@@ -106,36 +56,34 @@ struct Rule
 };
 
 template <typename T>
-void DrapeSegment(const terrain::HeightfieldView<T>& heights, const Rule& rule, Draped& draped,
-  const vtkIdType ids[2], vtkIdType source)
+void DrapeSegment(const terrain::HeightfieldView<T>& heights, const Rule& rule,
+  terrain::PathBuilder& paths, const vtkIdType ids[2], vtkIdType source)
 {
-  glm::dvec3 ends[2];
+  const glm::dvec3 ends[2] = { paths.GetPoint(ids[0]), paths.GetPoint(ids[1]) };
   glm::dvec2 grid[2];
   for (int i = 0; i < 2; ++i)
   {
-    double* end = &ends[i].x;
-    draped.Input->GetPoint(ids[i], end);
     grid[i] = glm::dvec2(rule.Geometry.ToGrid(ends[i]));
   }
   if (!std::isfinite(grid[0].x + grid[0].y + grid[1].x + grid[1].y))
   {
-    draped.EndLine(source);
+    paths.EndLine(source);
     return;
   }
   const auto add = [&](double t, double ground)
   {
     const glm::dvec3 along = (1.0 - t) * ends[0] + t * ends[1];
-    draped.Line.push_back(draped.AddPoint(rule.Place(along, ground), ids[0], ids[1], t));
+    paths.AddToLine(rule.Place(along, ground), ids[0], ids[1], t);
   };
   terrain::WalkSurface(heights, grid[0], grid[1],
     [&](const terrain::SurfacePiece& piece)
     {
       if (!piece.HasSurface)
       {
-        draped.EndLine(source);
+        paths.EndLine(source);
         return;
       }
-      if (draped.Line.empty())
+      if (!paths.HasLine())
       {
         add(piece.Begin, piece.HeightAt(piece.Begin));
       }
@@ -150,33 +98,30 @@ void DrapeSegment(const terrain::HeightfieldView<T>& heights, const Rule& rule, 
 }
 
 template <typename T>
-void DrapeLine(const terrain::HeightfieldView<T>& heights, const Rule& rule, Draped& draped,
-  const std::vector<vtkIdType>& ids, vtkIdType source)
+void DrapeLine(const terrain::HeightfieldView<T>& heights, const Rule& rule,
+  terrain::PathBuilder& paths, const std::vector<vtkIdType>& ids, vtkIdType source)
 {
   for (std::size_t k = 0; k + 1 < ids.size(); ++k)
   {
     if (rule.Mode == vtkTerrainDrape::ModeType::Absolute)
     {
-      for (std::size_t end = draped.Line.empty() ? 0 : 1; end < 2; ++end)
+      for (std::size_t end = paths.HasLine() ? 1 : 0; end < 2; ++end)
       {
         const vtkIdType id = ids[k + end];
-        glm::dvec3 point;
-        draped.Input->GetPoint(id, &point.x);
-        draped.Line.push_back(draped.AddPoint(rule.Place(point, 0.0), id, id, 0.0));
+        paths.AddToLine(rule.Place(paths.GetPoint(id), 0.0), id, id, 0.0);
       }
       continue;
     }
-    DrapeSegment(heights, rule, draped, &ids[k], source);
+    DrapeSegment(heights, rule, paths, &ids[k], source);
   }
-  draped.EndLine(source);
+  paths.EndLine(source);
 }
 
 template <typename T>
-void DrapeVertex(const terrain::HeightfieldView<T>& heights, const Rule& rule, Draped& draped,
-  vtkIdType id, vtkIdType source)
+void DrapeVertex(const terrain::HeightfieldView<T>& heights, const Rule& rule,
+  terrain::PathBuilder& paths, vtkIdType id, vtkIdType source)
 {
-  glm::dvec3 point;
-  draped.Input->GetPoint(id, &point.x);
+  const glm::dvec3 point = paths.GetPoint(id);
   const glm::dvec2 grid(rule.Geometry.ToGrid(point));
   if (!std::isfinite(grid.x + grid.y))
   {
@@ -187,9 +132,7 @@ void DrapeVertex(const terrain::HeightfieldView<T>& heights, const Rule& rule, D
     heights, grid, grid, [&piece](const terrain::SurfacePiece& only) { piece = only; });
   if (piece.HasSurface || rule.Mode == vtkTerrainDrape::ModeType::Absolute)
   {
-    const vtkIdType made = draped.AddPoint(rule.Place(point, piece.HeightAt(0.0)), id, id, 0.0);
-    draped.Vertices->InsertNextCell(1, &made);
-    draped.VertexSources.push_back(source);
+    paths.AddVertex(rule.Place(point, piece.HeightAt(0.0)), id, source);
   }
 }
 
@@ -225,47 +168,18 @@ vtkSmartPointer<vtkPolyData> OnVerticals(
   return output;
 }
 
-/// Point ids of a cell; polygons close.
-std::vector<vtkIdType> IdsOf(vtkCellArray* cells, vtkIdType cell, bool closed)
-{
-  vtkIdType count = 0;
-  const vtkIdType* ids = nullptr;
-  cells->GetCellAtId(cell, count, ids);
-  std::vector<vtkIdType> result(ids, ids + count);
-  if (closed && !result.empty())
-  {
-    result.push_back(result.front());
-  }
-  return result;
-}
-
 /// Drapes all vertices, lines and polygons of the input.
-void DrapeCells(vtkImageData* image, const Rule& rule, Draped& draped)
+void DrapeCells(vtkImageData* image, const Rule& rule, terrain::PathBuilder& paths)
 {
-  vtkPolyData* input = draped.Input;
-  vtkCellArray* const kinds[3] = { input->GetVerts(), input->GetLines(), input->GetPolys() };
   terrain::ImageHeights::Dispatch(image,
     [&](const auto& heights)
     {
-      vtkIdType source = 0;
-      for (int kind = 0; kind < 3; ++kind)
-      {
-        for (vtkIdType cell = 0; cell < kinds[kind]->GetNumberOfCells(); ++cell, ++source)
-        {
-          const std::vector<vtkIdType> ids = IdsOf(kinds[kind], cell, kind == 2);
-          if (kind > 0)
-          {
-            DrapeLine(heights, rule, draped, ids, source);
-            continue;
-          }
-          for (vtkIdType id : ids)
-          {
-            DrapeVertex(heights, rule, draped, id, source);
-          }
-        }
-      }
+      paths.ForEachCell([&](vtkIdType id, vtkIdType cell)
+        { DrapeVertex(heights, rule, paths, id, cell); },
+        [&](const std::vector<vtkIdType>& ids, vtkIdType cell)
+        { DrapeLine(heights, rule, paths, ids, cell); });
     });
-  draped.Finish();
+  paths.Finish();
 }
 }
 
@@ -364,12 +278,8 @@ int vtkTerrainDrape::RequestData(
     rule.Tolerance = this->Tolerance > 0.0 ? this->Tolerance : cell;
     input = terrain::GlobePaths::ToFlat(input, *globe, image, rule.Tolerance);
   }
-  Draped draped;
-  draped.Input = input;
-  draped.Output = output;
-  draped.Points->SetDataTypeToDouble();
-  output->GetPointData()->InterpolateAllocate(input->GetPointData());
-  DrapeCells(image, rule, draped);
+  terrain::PathBuilder paths(input, output);
+  DrapeCells(image, rule, paths);
   if (globe)
   {
     terrain::GlobePaths::FromFlat(output, *globe, image);

@@ -3,12 +3,9 @@
 #include "data/GlobePaths.h"
 
 #include "core/grid/Constants.h"
+#include "data/PathBuilder.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -43,72 +40,32 @@ glm::dvec3 FlatOf(const glm::dvec3& place, const GlobeGrid& grid, vtkImageData* 
 class Flattener
 {
 public:
-  Flattener(vtkPolyData* paths, const GlobeGrid& grid, vtkImageData* heights, double sag)
-    : Paths(paths)
+  Flattener(
+    vtkPolyData* paths, vtkPolyData* flat, const GlobeGrid& grid, vtkImageData* heights, double sag)
+    : Paths(paths, flat)
     , Grid(grid)
     , Heights(heights)
     , Step(std::sqrt(8.0 * sag / grid.Body.Equatorial))
     , First(FirstOf(grid))
   {
-    this->Points->SetDataTypeToDouble();
-    this->Flat->GetPointData()->InterpolateAllocate(paths->GetPointData());
   }
 
-  void AddVertices(vtkCellArray* cells)
+  void Run()
   {
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell, ++this->Source)
-    {
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      cells->GetCellAtId(cell, count, ids);
-      for (vtkIdType k = 0; k < count; ++k)
+    this->Paths.ForEachCell(
+      [this](vtkIdType id, vtkIdType cell)
       {
-        const glm::dvec3 place = this->PlaceOf(ids[k]);
-        const vtkIdType id = this->AddPoint(place, this->TurnOf(place.x), ids[k], ids[k], 0.0);
-        this->Vertices->InsertNextCell(1, &id);
-        this->VertexSources.push_back(this->Source);
-      }
-    }
-  }
-
-  void AddLines(vtkCellArray* cells, bool closed)
-  {
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell, ++this->Source)
-    {
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      cells->GetCellAtId(cell, count, ids);
-      std::vector<vtkIdType> line(ids, ids + count);
-      if (closed && count > 0)
-      {
-        line.push_back(ids[0]);
-      }
-      this->AddLine(line);
-    }
-  }
-
-  vtkSmartPointer<vtkPolyData> Finish()
-  {
-    this->Flat->SetPoints(this->Points);
-    this->Flat->SetVerts(this->Vertices);
-    this->Flat->SetLines(this->Lines);
-    vtkCellData* data = this->Flat->GetCellData();
-    data->CopyAllocate(this->Paths->GetCellData());
-    std::vector<vtkIdType> sources = this->VertexSources;
-    sources.insert(sources.end(), this->LineSources.begin(), this->LineSources.end());
-    for (std::size_t i = 0; i < sources.size(); ++i)
-    {
-      data->CopyData(this->Paths->GetCellData(), sources[i], static_cast<vtkIdType>(i));
-    }
-    return this->Flat;
+        const glm::dvec3 place = this->PlaceOf(id);
+        this->Paths.AddVertex(this->Flat(place, this->TurnOf(place.x)), id, cell);
+      },
+      [this](const std::vector<vtkIdType>& ids, vtkIdType cell) { this->AddLine(ids, cell); });
+    this->Paths.Finish();
   }
 
 private:
   glm::dvec3 PlaceOf(vtkIdType id) const
   {
-    glm::dvec3 position;
-    this->Paths->GetPoint(id, &position.x);
-    return this->Grid.Body.ToPlace(position);
+    return this->Grid.Body.ToPlace(this->Paths.GetPoint(id));
   }
 
   /// Turns by which a longitude lies east of those of the image.
@@ -117,26 +74,12 @@ private:
     return std::floor((longitude - this->First) / kTurn);
   }
 
-  vtkIdType AddPoint(const glm::dvec3& place, double turn, vtkIdType from, vtkIdType to, double t)
+  glm::dvec3 Flat(const glm::dvec3& place, double turn) const
   {
-    const glm::dvec3 flat =
-      FlatOf({ place.x - turn * kTurn, place.y, place.z }, this->Grid, this->Heights);
-    const vtkIdType id = this->Points->InsertNextPoint(flat.x, flat.y, flat.z);
-    this->Flat->GetPointData()->InterpolateEdge(this->Paths->GetPointData(), id, from, to, t);
-    return id;
+    return FlatOf({ place.x - turn * kTurn, place.y, place.z }, this->Grid, this->Heights);
   }
 
-  void EndLine()
-  {
-    if (this->Line.size() > 1)
-    {
-      this->Lines->InsertNextCell(static_cast<vtkIdType>(this->Line.size()), this->Line.data());
-      this->LineSources.push_back(this->Source);
-    }
-    this->Line.clear();
-  }
-
-  void AddLine(const std::vector<vtkIdType>& ids)
+  void AddLine(const std::vector<vtkIdType>& ids, vtkIdType cell)
   {
     glm::dvec3 last(0.0);
     double turn = 0.0;
@@ -145,28 +88,35 @@ private:
       glm::dvec3 place = this->PlaceOf(ids[k]);
       if (!std::isfinite(place.x + place.y + place.z))
       {
-        this->EndLine();
+        this->Paths.EndLine(cell);
         continue;
       }
-      if (this->Line.empty())
+      if (!this->Paths.HasLine())
       {
         turn = this->TurnOf(place.x);
-        this->Line.push_back(this->AddPoint(place, turn, ids[k], ids[k], 0.0));
+        this->Paths.AddToLine(this->Flat(place, turn), ids[k], ids[k], 0.0);
       }
       else
       {
         const bool isPole = 90.0 * kDegree - std::abs(place.y) < kAtPole;
         place.x = isPole ? last.x : last.x + std::remainder(place.x - last.x, kTurn);
-        turn = this->AddSegment(last, place, turn, ids[k - 1], ids[k]);
+        turn = this->AddSegment(last, place, turn, { ids[k - 1], ids[k], cell });
       }
       last = place;
     }
-    this->EndLine();
+    this->Paths.EndLine(cell);
   }
 
+  /// Where a segment comes from: points and cell of the input.
+  struct Source
+  {
+    vtkIdType From;
+    vtkIdType To;
+    vtkIdType Cell;
+  };
+
   /// The line from a point, which is drawn, to another. Returns the turn of its end.
-  double AddSegment(
-    const glm::dvec3& from, const glm::dvec3& to, double turn, vtkIdType fromId, vtkIdType toId)
+  double AddSegment(const glm::dvec3& from, const glm::dvec3& to, double turn, const Source& source)
   {
     const double nearest = from.y * to.y < 0.0 ? 0.0 : std::min(std::abs(from.y), std::abs(to.y));
     const double angle = std::hypot((to.x - from.x) * std::cos(nearest), to.y - from.y);
@@ -180,31 +130,23 @@ private:
       {
         const double border = this->First + std::max(turn, next) * kTurn;
         const double cut = (border - from.x) / (to.x - from.x);
-        const glm::dvec3 there(
-          border, glm::dvec2(glm::mix(from, to, cut).y, glm::mix(from, to, cut).z));
-        this->Line.push_back(this->AddPoint(there, turn, fromId, toId, cut));
-        this->EndLine();
-        this->Line.push_back(this->AddPoint(there, next, fromId, toId, cut));
+        glm::dvec3 there = glm::mix(from, to, cut);
+        there.x = border;
+        this->Paths.AddToLine(this->Flat(there, turn), source.From, source.To, cut);
+        this->Paths.EndLine(source.Cell);
+        this->Paths.AddToLine(this->Flat(there, next), source.From, source.To, cut);
         turn = next;
       }
-      this->Line.push_back(this->AddPoint(place, turn, fromId, toId, t));
+      this->Paths.AddToLine(this->Flat(place, turn), source.From, source.To, t);
     }
     return turn;
   }
 
-  vtkPolyData* Paths;
+  PathBuilder Paths;
   const GlobeGrid& Grid;
   vtkImageData* Heights;
   double Step;
   double First; ///< longitude from which those of the image, or its gap, count
-  vtkSmartPointer<vtkPolyData> Flat = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Vertices;
-  vtkNew<vtkCellArray> Lines;
-  std::vector<vtkIdType> VertexSources;
-  std::vector<vtkIdType> LineSources;
-  std::vector<vtkIdType> Line;
-  vtkIdType Source = 0;
 };
 }
 
@@ -212,11 +154,9 @@ private:
 vtkSmartPointer<vtkPolyData> ToFlat(
   vtkPolyData* paths, const GlobeGrid& grid, vtkImageData* heights, double sag)
 {
-  Flattener flattener(paths, grid, heights, sag);
-  flattener.AddVertices(paths->GetVerts());
-  flattener.AddLines(paths->GetLines(), false);
-  flattener.AddLines(paths->GetPolys(), true);
-  return flattener.Finish();
+  auto flat = vtkSmartPointer<vtkPolyData>::New();
+  Flattener(paths, flat, grid, heights, sag).Run();
+  return flat;
 }
 
 //------------------------------------------------------------------------------
