@@ -67,8 +67,10 @@ template <typename Texel, typename Textures>
 void compareBeams(vtkRenderWindow* window, Textures& textures, const Beams& beams)
 {
   const terrain::PyramidBeam<Texel> finder(textures.Coded);
-  vtkTerrainTesting::ExpectSameStarts(window, declarations(textures.GetFeatures()),
-    textures.Coded.heights.maximumCode, beams, finder,
+  vtkTerrainTesting::ExpectSameStarts(
+    window, declarations(textures.GetFeatures()), beams, finder,
+    [&](const TerrainRay& ray)
+    { return terrain::FirstMeeting(terrain::RayPieces(textures.Coded.heights, ray)); },
     [&](vtkShaderProgram* program) { textures.SetUniforms(program); });
 }
 

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -64,9 +65,16 @@ int compareBeams(
   const float maximum = field.Rays.heights.maximumCode;
   const Beams beams(field.Rays.heights.size, maximum, seed);
   const terrain::PyramidBeam<terrain::TiledTexel> finder(field.Rays);
-  return vtkTerrainTesting::ExpectSameStarts(window,
-    arrays.Declarations() + ReadShader("vtkTerrainView") + ReadShader("vtkTerrainBeam"), maximum,
-    beams, finder, [&](vtkShaderProgram* program) { arrays.SetUniforms(program); });
+  return vtkTerrainTesting::ExpectSameStarts(
+    window, arrays.Declarations() + ReadShader("vtkTerrainView") + ReadShader("vtkTerrainBeam"),
+    beams, finder,
+    [&](const TerrainRay& ray)
+    {
+      const terrain::TerrainHit hit =
+        field.Rays.TraceTiles(ray, glm::vec4(0.0f), [](glm::ivec2, int, bool) {});
+      return hit.found ? static_cast<double>(hit.s) : std::numeric_limits<double>::infinity();
+    },
+    [&](vtkShaderProgram* program) { arrays.SetUniforms(program); });
 }
 
 /// Reads slots, codes, bounds and heights of random cells by both.
