@@ -4,6 +4,7 @@
 // Searches for the first point of the surface on a ray, by steps where the min-max pyramid lets it
 // be. Needs vtkTerrainPyramid.glsl and its uniforms.
 // Defines: TERRAIN_LINEAR, TERRAIN_EXPONENTIAL or, else, the equidistant search.
+// Constants: terrainJustBelow (src/render/Features.h).
 //
 // Twins in src/core/: rays/HeightSearch.h, which documents the method and its parameters.
 
@@ -120,16 +121,17 @@ bool terrainHasStepped(TerrainMarch march)
 #endif
 }
 
-// Samples where steps begin, unless the last step has ended there. What rounding puts just below
-// the surface counts as on it.
+// Samples where steps begin, unless the last step has ended there. What lies within rounding of
+// the surface counts as on the side that the ray comes from.
 void terrainBeginSteps(TerrainPath path, TerrainStep at, inout TerrainMarch march)
 {
   if (at.s != march.last.s || !march.last.valid)
   {
     TerrainSpan span = terrainStepSpan(path, at);
     march.last = terrainSamplePath(path, at.cell, span.lastCell, at.s);
-    march.last.above =
-      abs(march.last.above) < 2.0 * path.slack ? max(march.last.above, 0.0) : march.last.above;
+    float above = march.last.above;
+    float side = march.last.slope > 0.0 ? min(above, -terrainJustBelow) : max(above, 0.0);
+    march.last.above = abs(above) < 2.0 * path.slack ? side : above;
     march.begin = march.steps == 0 ? at.s : march.begin;
     ++march.crossings;
   }

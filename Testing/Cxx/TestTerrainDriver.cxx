@@ -78,6 +78,14 @@ public:
     return vtkTerrainTesting::Render(this->Scene.Window);
   }
 
+  /// True if the driver can draw in the ways of a word. NVIDIA's has outputs of vertex shaders for
+  /// fewer uniforms than there are.
+  bool CanDraw(const std::string& word) const
+  {
+    const std::string driver = this->Scene.Window->ReportCapabilities();
+    return word != "passed" || driver.find("NVIDIA") == std::string::npos;
+  }
+
   /// True if the shader of the last picture has a text.
   bool Has(const std::string& text) const
   {
@@ -113,6 +121,10 @@ TEST_P(TerrainDriverWords, ChooseTheWayAndNotThePicture)
   const Choice& choice = GetParam();
   Drawing first;
   Drawing second;
+  if (!first.CanDraw(choice.With))
+  {
+    GTEST_SKIP() << "this driver has too few outputs of vertex shaders";
+  }
   const auto with = first.Draw(choice.With);
   const auto without = second.Draw(choice.Without);
   EXPECT_GT(vtkTerrainTesting::DrawnShare(with), 0.1);
@@ -140,6 +152,10 @@ TEST_P(TerrainDriverPrograms, AreBuiltAnewForOtherWords)
 {
   const Choice& choice = GetParam();
   Drawing drawing;
+  if (!drawing.CanDraw(choice.With))
+  {
+    GTEST_SKIP() << "this driver has too few outputs of vertex shaders";
+  }
   for (const bool with : { true, false, true })
   {
     drawing.Draw(with ? choice.With : choice.Without);

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <random>
 #include <vector>
 
 namespace
@@ -208,9 +209,37 @@ TEST(HeightSearch, StartOnAFlatSurfaceIsAHit)
   const auto search = MakeSearch(field, SearchKind::Equidistant, FineParameters());
   for (const float above : { 0.0f, 1e-6f, -4e-6f })
   {
-    const auto hit = search.Search(MakeRay({ 7.0f, 7.0f, 5.0f + above }, { 0.3f, 0.4f, -0.1f }));
-    EXPECT_TRUE(hit.found);
-    EXPECT_NEAR(hit.s, 0.0f, 1e-3f);
+    for (const float down : { 0.1f, -0.1f })
+    {
+      const auto hit = search.Search(MakeRay({ 7.0f, 7.0f, 5.0f + above }, { 0.3f, 0.4f, -down }));
+      EXPECT_TRUE(hit.found);
+      EXPECT_NEAR(hit.s, 0.0f, 1e-3f);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Steps over a floor of one height begin on it, where rounding decides the side. A floor without any
+// relief has code 0.
+TEST(HeightSearch, FindsEveryHitOnAFlatFloor)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> place(1.0f, 38.0f);
+  std::uniform_real_distribution<float> height(0.1f, 4.0f);
+  for (const float floor : { 0.0f, 5.0f })
+  {
+    const terrain::CodedField<float> field(terrain::TestField("floor", 40, 40,
+      [floor](int i, int j) { return i == 0 && j == 0 ? 0.0 : static_cast<double>(floor); }));
+    const auto search = MakeSearch(field, SearchKind::Equidistant, FineParameters());
+    for (int k = 0; k < 2000; ++k)
+    {
+      const float side = k % 2 == 0 ? 1.0f : -1.0f;
+      const glm::vec3 eye(place(random), place(random), floor + side * height(random));
+      const glm::vec3 ground(place(random), place(random), floor);
+      const auto hit = search.Search(MakeRay(eye, 2.0f * (ground - eye)));
+      ASSERT_TRUE(hit.found) << floor << ", " << k;
+      ASSERT_NEAR(hit.s, 0.5f, 1e-5f) << floor << ", " << k;
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "render/Features.h"
 
+#include "core/rays/HeightSearch.h"
 #include "core/rays/PyramidBeam.h"
 #include "core/rays/ShadowBounds.h"
 #include "core/surface/Columns.h"
@@ -92,7 +93,7 @@ std::string Features::Constants()
     "terrainOfCrossings" };
   std::string lines = Define("terrainBeamSteps", kBeamSteps) +
     Define("terrainBeamMargin", kBeamMargin) + Define("terrainBeamReach", kBeamReach) +
-    Define("terrainColumnReach", kColumnReach) +
+    Define("terrainColumnReach", kColumnReach) + Define("terrainJustBelow", kJustBelow) +
     Define("terrainFirstSlopeLevel", 1.0 * kFirstSlopeLevel) +
     Define("terrainShadowMargin", kShadowMargin) + Define("terrainShareSteps", 1.0 * kShareSteps) +
     Define("terrainNotANumber", kNotANumber) + Define("terrainColorMapSize", kColorMapSize) +

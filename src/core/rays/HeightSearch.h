@@ -111,6 +111,9 @@ constexpr int kMostSecantSteps = 32;
 constexpr float kLeastStepLength = 0.125f;
 constexpr float kLargestStepLength = 1e6f;
 
+/// Codes below the surface that tell its side and nothing else.
+constexpr float kJustBelow = 1e-30f;
+
 /// A search through heights and their pyramid.
 template <typename Texel>
 struct HeightSearch
@@ -191,8 +194,8 @@ struct HeightSearch
     return march.steps >= this->Parameters.Steps + further;
   }
 
-  /// Samples where steps begin, unless the last step has ended there. What rounding puts just below
-  /// the surface counts as on it.
+  /// Samples where steps begin, unless the last step has ended there. What lies within rounding of
+  /// the surface counts as on the side that the ray comes from.
   template <typename Visit>
   void BeginSteps(const Path& path, const Step& at, March& march, Visit&& visit) const;
   /// Where a step has got to: in its cell or the next, or, with longer steps, to be visited again.
@@ -280,9 +283,10 @@ void HeightSearch<Texel>::BeginSteps(
   {
     const Span span = this->StepSpan(path, at);
     march.last = this->SamplePath(path, at.cell, span.lastCell, at.s, visit);
-    march.last.above = std::abs(march.last.above) < 2.0f * path.slack
-      ? glm::max(march.last.above, 0.0f)
-      : march.last.above;
+    const float above = march.last.above;
+    march.last.above = std::abs(above) >= 2.0f * path.slack ? above
+      : march.last.slope > 0.0f                             ? glm::min(above, -kJustBelow)
+                                                            : glm::max(above, 0.0f);
     march.begin = march.steps == 0 ? at.s : march.begin;
     ++march.crossings;
   }
