@@ -290,7 +290,7 @@ terrain::Features vtkOpenGLTerrainMapper::FindFeatures(vtkRenderer* ren, vtkActo
   features.ShiftsDepth = factor != 0.0f || offset != 0.0f;
   if (this->Internals->Scene.IsFound(act))
   {
-    features.Textured = this->HaveTextures(act);
+    features.Textured = terrain::Scene::IsTextured(act);
     this->Internals->Scene.AddFeatures(features);
   }
   return features;
@@ -352,7 +352,7 @@ void vtkOpenGLTerrainMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
   {
     this->CurrentInput = scene.Proxy.GetBox();
   }
-  if (scene.IsFound(act) && this->HaveTextures(act))
+  if (scene.IsFound(act) && terrain::Scene::IsTextured(act))
   {
     this->CurrentInput = scene.Proxy.WithTextureCoordinates(this->CurrentInput);
   }

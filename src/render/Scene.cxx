@@ -269,6 +269,12 @@ void Scene::Finish()
 }
 
 //------------------------------------------------------------------------------
+bool Scene::IsTextured(vtkActor* actor)
+{
+  return actor->GetTexture() || !actor->GetProperty()->GetAllTextures().empty();
+}
+
+//------------------------------------------------------------------------------
 void Scene::AddFeatures(Features& features) const
 {
   const Technique technique = this->GetTechnique();
