@@ -27,11 +27,11 @@ cp Testing/.clang-tidy "$separate/Testing/"
 checks=$(cat .clang-tidy Testing/.clang-tidy Testing/check-lint.sh | cksum | tr -d ' ')
 [ $# -gt 0 ] || set -- 'src/*.cxx' 'Examples/*.cxx' 'Testing/*.cxx' 'Module/ParaView/*.cxx'
 # shellcheck disable=SC2046 # file names here have no spaces
-python3 Testing/list-lint-units.py "$passed" "$plugin" -- $(git ls-files "$@") |
-  while read -r commands unit content; do
-    stamp=$passed/$content-$checks
-    [ -e "$stamp" ] || printf '%s\n%s\n%s\n' "$commands" "$unit" "$stamp"
-  done | xargs -r -n 3 -P "$(nproc)" sh -c '
+python3 Testing/list-lint-units.py "$passed" "$plugin" -- $(git ls-files "$@") >"$passed/units"
+while read -r commands unit content; do
+  stamp=$passed/$content-$checks
+  [ -e "$stamp" ] || printf '%s\n%s\n%s\n' "$commands" "$unit" "$stamp"
+done <"$passed/units" | xargs -r -n 3 -P "$(nproc)" sh -c '
   if clang-tidy-16 --quiet -p "$0" --checks=-bugprone-suspicious-include \
     --header-filter="(src|Testing|Examples|Module)/.*\.(h|cxx)$" "$1" 2>"$2.log"; then
     mv "$2.log" "$2"

@@ -25,12 +25,19 @@ INCLUDE = re.compile(rb'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
 @functools.cache
+def own_files() -> frozenset[pathlib.Path]:
+    """The files of the repository."""
+    listed = subprocess.run(["git", "ls-files"], check=True, capture_output=True, text=True)
+    return frozenset(pathlib.Path(line) for line in listed.stdout.splitlines())
+
+
+@functools.cache
 def headers_by_name() -> dict[str, list[pathlib.Path]]:
     """The repository's headers, by the last part of their paths."""
-    listed = subprocess.run(["git", "ls-files", "*.h"], check=True, capture_output=True, text=True)
     by_name: dict[str, list[pathlib.Path]] = {}
-    for line in listed.stdout.splitlines():
-        by_name.setdefault(pathlib.Path(line).name, []).append(pathlib.Path(line))
+    for path in own_files():
+        if path.suffix == ".h":
+            by_name.setdefault(path.name, []).append(path)
     return by_name
 
 
@@ -64,7 +71,8 @@ def members(unit: pathlib.Path) -> list[pathlib.Path]:
     if "Unity" in unit.parts:
         files = [pathlib.Path(name.decode()) for name in INCLUDE.findall(unit.read_bytes())]
     root = pathlib.Path.cwd()
-    return [file.relative_to(root) for file in files if file.is_relative_to(root)]
+    inside = [file.relative_to(root) for file in files if file.is_relative_to(root)]
+    return [file for file in inside if file in own_files()]
 
 
 def checksum(files: list[pathlib.Path]) -> str:
