@@ -5,6 +5,7 @@
 #include "data/ImageHeights.h"
 #include "data/Setting.h"
 #include "place/PlacedRaster.h"
+#include "raster/RasterMessages.h"
 #include "vtkTerrainGeoreference.h"
 
 #include "vtkCellData.h"
@@ -139,12 +140,12 @@ GDALWarpOptions* ValueWarp::MakeOptions(GDALDatasetH target, int number, bool ar
 /// Fills in Size[0] x Size[1] values, southern row first.
 std::string ValueWarp::WarpValues(int number, bool areClasses, float* values)
 {
-  const QuietGDAL messages;
+  const GDALMessages messages;
   const Dataset target = Own(GDALCreate(
     GDALGetDriverByName("MEM"), "", this->Size[0], this->Size[1], 1, GDT_Float32, nullptr));
   if (!target)
   {
-    return "its values need more memory than there is (" + QuietGDAL::LastMessage() + ")";
+    return "its values need more memory than there is (" + messages.GetFailure() + ")";
   }
   std::string why =
     this->Warp(this->MakeOptions(target.get(), number, areClasses), this->Size[0], this->Size[1]);
@@ -156,7 +157,7 @@ std::string ValueWarp::WarpValues(int number, bool areClasses, float* values)
     this->Size[0], this->Size[1], values, this->Size[0], this->Size[1], GDT_Float32, 0, 0);
   if (result != CE_None)
   {
-    return "it cannot be warped (" + QuietGDAL::LastMessage() + ")";
+    return "it cannot be warped (" + messages.GetFailure() + ")";
   }
   int isScaled = 0;
   int isShifted = 0;

@@ -4,6 +4,7 @@
 #include "core/files/OutputFile.h"
 #include "parts/ColorsInternals.h"
 #include "place/PlacedRaster.h"
+#include "raster/RasterMessages.h"
 
 #include <algorithm>
 #include <sstream>
@@ -122,7 +123,7 @@ ColorFileResult ReadRasterColors(const std::string& path, int band)
     return result;
   }
   GDALAllRegister();
-  const QuietGDAL messages;
+  const GDALMessages messages;
   const Dataset file =
     Own(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
   const int bands = file ? GDALGetRasterCount(file.get()) : 0;

@@ -6,6 +6,7 @@
 #include "core/grid/HeightSampling.h"
 #include "data/GlobePaths.h"
 #include "data/ImageHeights.h"
+#include "raster/RasterMessages.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -70,11 +71,10 @@ std::string ImageWarp::OpenColors(const std::string& name, const std::string& sy
   {
     return why;
   }
-  const QuietGDAL messages;
+  const GDALMessages messages;
   this->Colors = AsColors(this->File.get());
-  return this->Colors
-    ? ""
-    : "'" + name + "' cannot be read as colours (" + QuietGDAL::LastMessage() + ")";
+  return this->Colors ? ""
+                      : "'" + name + "' cannot be read as colours (" + messages.GetFailure() + ")";
 }
 
 /// The overlap with the heights: west, east, south, north. Without one, west >= east or
@@ -219,12 +219,12 @@ GDALWarpOptions* ImageWarp::MakeOptions(GDALDatasetH target)
 
 std::string ImageWarp::WarpColors(unsigned char* rgba)
 {
-  const QuietGDAL messages;
+  const GDALMessages messages;
   const Dataset target = Own(
     GDALCreate(GDALGetDriverByName("MEM"), "", this->Size[0], this->Size[1], 4, GDT_Byte, nullptr));
   if (!target)
   {
-    return "the picture needs more memory than there is (" + QuietGDAL::LastMessage() + ")";
+    return "the picture needs more memory than there is (" + messages.GetFailure() + ")";
   }
   const std::string why = this->Warp(this->MakeOptions(target.get()), this->Size[0], this->Size[1]);
   if (!why.empty())
@@ -234,6 +234,6 @@ std::string ImageWarp::WarpColors(unsigned char* rgba)
   const CPLErr result = GDALDatasetRasterIOEx(target.get(), GF_Read, 0, 0, this->Size[0],
     this->Size[1], rgba, this->Size[0], this->Size[1], GDT_Byte, 4, nullptr, 4,
     4 * static_cast<GSpacing>(this->Size[0]), 1, nullptr);
-  return result == CE_None ? "" : "the picture cannot be warped (" + QuietGDAL::LastMessage() + ")";
+  return result == CE_None ? "" : "the picture cannot be warped (" + messages.GetFailure() + ")";
 }
 }

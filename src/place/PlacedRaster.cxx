@@ -6,6 +6,7 @@
 #include "core/grid/HeightSampling.h"
 #include "data/GlobePaths.h"
 #include "data/ImageHeights.h"
+#include "raster/RasterMessages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ namespace terrain
 namespace
 {
 using Frame = vtkTerrainGeoreference::FrameType;
-
 }
 
 Dataset Own(GDALDatasetH dataset)
@@ -31,22 +31,6 @@ Dataset Own(GDALDatasetH dataset)
     } };
 }
 
-QuietGDAL::QuietGDAL()
-{
-  CPLPushErrorHandler(CPLQuietErrorHandler);
-  CPLErrorReset();
-}
-
-QuietGDAL::~QuietGDAL()
-{
-  CPLPopErrorHandler();
-}
-
-std::string QuietGDAL::LastMessage()
-{
-  return CPLGetLastErrorMsg();
-}
-
 std::string PlacedRaster::Open(const std::string& name, const std::string& system)
 {
   if (!WhyNoGDAL().empty())
@@ -59,12 +43,12 @@ std::string PlacedRaster::Open(const std::string& name, const std::string& syste
     return "'" + name + "': " + whyNot;
   }
   GDALAllRegister();
-  const QuietGDAL messages;
+  const GDALMessages messages;
   this->File =
     Own(GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
   if (!this->File || GDALGetRasterCount(this->File.get()) < 1)
   {
-    const std::string reason = QuietGDAL::LastMessage();
+    const std::string& reason = messages.GetFailure();
     return "'" + name + "' is no picture that can be read" +
       (reason.empty() ? "" : " (" + reason + ")");
   }
@@ -209,6 +193,7 @@ int PlacedRaster::Transform(
 
 std::string PlacedRaster::Warp(GDALWarpOptions* options, int columns, int rows)
 {
+  const GDALMessages messages;
   void* approximate = nullptr;
   options->pfnTransformer = PlacedRaster::Transform;
   options->pTransformerArg = this;
@@ -230,6 +215,6 @@ std::string PlacedRaster::Warp(GDALWarpOptions* options, int columns, int rows)
   {
     GDALDestroyApproxTransformer(approximate);
   }
-  return result == CE_None ? "" : "it cannot be warped (" + QuietGDAL::LastMessage() + ")";
+  return result == CE_None ? "" : "it cannot be warped (" + messages.GetFailure() + ")";
 }
 }

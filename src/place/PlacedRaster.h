@@ -30,18 +30,6 @@ using Dataset = std::unique_ptr<void, void (*)(void*)>;
 
 Dataset Own(GDALDatasetH dataset);
 
-/// GDAL's messages of this thread are kept, not printed.
-class QuietGDAL
-{
-public:
-  QuietGDAL();
-  ~QuietGDAL();
-  QuietGDAL(const QuietGDAL&) = delete;
-  void operator=(const QuietGDAL&) = delete;
-
-  static std::string LastMessage();
-};
-
 /// The file, where its pixels are in a scene, and the grid of the scene that it is warped onto.
 class PlacedRaster
 {

@@ -4,6 +4,7 @@
 
 #include "core/grid/Constants.h"
 #include "raster/GDALTable.h"
+#include "raster/RasterMessages.h"
 #include "raster/SystemAxes.h"
 
 #include <algorithm>
@@ -22,23 +23,6 @@ using Reference = std::unique_ptr<void, void (*)(void*)>;
 
 // Points transformed by one call of OGR.
 constexpr std::int64_t kBatch = 1024;
-
-/// GDAL's messages of the calling thread go nowhere while this lives; results tell what went wrong.
-class Quiet
-{
-public:
-  Quiet()
-  {
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-  ~Quiet()
-  {
-    CPLPopErrorHandler();
-  }
-  Quiet(const Quiet&) = delete;
-  void operator=(const Quiet&) = delete;
-};
 
 Reference NewReference()
 {
@@ -201,11 +185,11 @@ std::string CoordinateSystem::Read(const std::string& definition)
     return WhyNoGDAL();
   }
 
-  const Quiet quiet;
+  const GDALMessages messages;
   const Reference whole = NewReference();
   if (!ReadInto(whole.get(), definition))
   {
-    const std::string reason = CPLGetLastErrorMsg();
+    const std::string& reason = messages.GetFailure();
     return "the coordinate system '" + Shortened(definition) + "' is not understood" +
       (reason.empty() ? "" : " (" + reason + ")");
   }
@@ -329,7 +313,7 @@ std::string CoordinateSystem::WhyNotLongitudeLatitude() const
 
 bool CoordinateSystem::Transform(double* points, std::int64_t count, int stride, bool forward) const
 {
-  const Quiet quiet;
+  const GDALMessages messages;
   const int way = forward ? 0 : 1;
   OGRCoordinateTransformationH transformation = this->Transformations->Take(way);
   if (!transformation)
@@ -411,7 +395,7 @@ std::string CoordinateSystem::ToWkt(const std::string& definition)
   {
     return {};
   }
-  const Quiet quiet;
+  const GDALMessages messages;
   const Reference reference = NewReference();
   return ReadInto(reference.get(), definition) ? Wkt(reference.get()) : std::string();
 }

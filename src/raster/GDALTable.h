@@ -38,12 +38,9 @@
   ENTRY(CPLGetErrorHandlerUserData)                                                                \
   ENTRY(CPLGetExtension)                                                                           \
   ENTRY(CPLGetFilename)                                                                            \
-  ENTRY(CPLGetLastErrorMsg)                                                                        \
   ENTRY(CPLMalloc)                                                                                 \
   ENTRY(CPLPopErrorHandler)                                                                        \
-  ENTRY(CPLPushErrorHandler)                                                                       \
   ENTRY(CPLPushErrorHandlerEx)                                                                     \
-  ENTRY(CPLQuietErrorHandler)                                                                      \
   ENTRY(CPLResetExtension)                                                                         \
   ENTRY(CPLSPrintf)                                                                                \
   ENTRY(CPLSetConfigOption)                                                                        \
