@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainValues.h"
 
+#include "data/GlobeData.h"
 #include "data/ImageHeights.h"
 #include "data/Setting.h"
 #include "place/PlacedRaster.h"
@@ -147,6 +148,8 @@ std::string ValueWarp::WarpValues(int number, bool areClasses, float* values)
   {
     return "its values need more memory than there is (" + messages.GetFailure() + ")";
   }
+  // The warper leaves pixels alone that have no part of the raster near them.
+  GDALFillRaster(GDALGetRasterBand(target.get(), 1), std::numeric_limits<double>::quiet_NaN(), 0.0);
   std::string why =
     this->Warp(this->MakeOptions(target.get(), number, areClasses), this->Size[0], this->Size[1]);
   if (!why.empty())
@@ -246,6 +249,7 @@ std::string vtkTerrainValues::AddValues(vtkImageData* image)
   terrain::ValueWarp warp;
   warp.Heights = image;
   warp.Scene = this->Georeference;
+  warp.Globe = terrain::GlobeData::Get(image);
   why = warp.OpenBand(this->FileName, this->CoordinateSystem, this->Band);
   if (!why.empty())
   {

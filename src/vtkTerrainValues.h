@@ -4,8 +4,8 @@
  * @class   vtkTerrainValues
  * @brief   brings the values of another raster of any CRS to the samples of heights
  *
- * Input: heights of a scene, vtkImageData of W x H x 1 points (vtkTerrainReproject, or any heights
- * in the frame of Georeference). FileName: any raster that GDAL opens, such as rain, geology, land
+ * Input: heights of a scene, vtkImageData of W x H x 1 points (vtkTerrainReproject, vtkTerrainGlobe,
+ * or any heights in the frame of Georeference). FileName: any raster that GDAL opens, such as rain, geology, land
  * cover, or another band of the file of heights.
  *
  * Output: the heights, sharing their samples, with the array "Values" (float): band's value times
@@ -31,7 +31,7 @@
  * @endcode
  *
  * Errors: one sentence in GetErrorMessage and an empty output: no file, no such band, no CRS, no
- * value on the terrain.
+ * value on the terrain, heights on a globe in a scene of another frame.
  *
  * @sa vtkTerrainImageWarp vtkTerrainColors
  */

@@ -145,6 +145,31 @@ TEST_F(TerrainRenderGlobe, PicturesAndShadowsLieOnIt)
   EXPECT_LT(shade({ "--shadows" }), shade({}) - 20);
 }
 
+// Values of the west and of the east half of the world, on all rasters of a globe.
+TEST_F(TerrainRenderGlobe, ValuesOfAnotherRasterColorIt)
+{
+  const std::string path = this->WriteWorld();
+  RasterDescription halves = Degrees(-180.0, 90.0, 1.0, 360, 180);
+  halves.Sample = [](int i, int) { return i < 180 ? 0.0 : 100.0; };
+  const std::string values = this->WriteRaster("halves.tif", halves);
+  RasterDescription region = Degrees(-10.0, 20.0, 0.1, 200, 200);
+  region.Sample = [](int, int) { return 3000.0; };
+  const std::string finer = this->WriteRaster("region.tif", region);
+  for (const std::vector<std::string>& more :
+    { std::vector<std::string>(), std::vector<std::string>{ "--finer", finer } })
+  {
+    std::vector<std::string> arguments{ "--color-by", values, "--colors", "viridis" };
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    this->ExpectDrawn(this->Draw(path, arguments), 100);
+    const Picture drawn = this->ReadPicture();
+    const auto red = [&drawn](double part)
+    { return drawn.At(static_cast<int>(part * drawn.Width), drawn.Height / 2, 0); };
+    EXPECT_GT(red(0.53), red(0.47) + 80);
+  }
+  const std::string none = this->WriteRaster("values.tif", Degrees(30.001, 40.0, 0.0001, 9, 9));
+  ExpectRefused(this->Draw(path, { "--color-by", none }), 1, "no values on the terrain");
+}
+
 // A region in fine cells on a world in coarse ones: the finest counts, however the other one rises.
 TEST_F(TerrainRenderGlobe, FinerHeightsWin)
 {

@@ -11,12 +11,38 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace terrain
 {
 namespace
 {
 using Frame = vtkTerrainGeoreference::FrameType;
+
+/// A pixel coordinate on the outer border of a raster, or beyond it by rounding, inside: the warper
+/// takes no border in the east and south.
+double InsideBorder(double pixel, double size)
+{
+  constexpr double kRounding = 1e-6; // pixels
+  return pixel > -kRounding && pixel < size + kRounding ? std::clamp(pixel, 0.0, size - kRounding)
+                                                        : pixel;
+}
+
+/// The part of a raster that an output needs is not found by its border where that runs round a
+/// globe: points of a grid find it, and what may lie between two of them is added.
+void SearchInside(GDALWarpOptions* options)
+{
+  constexpr int kSteps = 101;
+  constexpr int kFewest = 16;
+  const int longest =
+    std::max(GDALGetRasterXSize(options->hSrcDS), GDALGetRasterYSize(options->hSrcDS));
+  for (const auto& [name, value] : { std::pair("SAMPLE_GRID", std::string("YES")),
+         std::pair("SAMPLE_STEPS", std::to_string(kSteps)),
+         std::pair("SOURCE_EXTRA", std::to_string(kFewest + 2 * longest / kSteps)) })
+  {
+    options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, name, value.c_str());
+  }
+}
 }
 
 Dataset Own(GDALDatasetH dataset)
@@ -51,6 +77,11 @@ std::string PlacedRaster::Open(const std::string& name, const std::string& syste
     const std::string& reason = messages.GetFailure();
     return "'" + name + "' is no picture that can be read" +
       (reason.empty() ? "" : " (" + reason + ")");
+  }
+  if (this->Globe && this->Scene->GetFrame() != Frame::Globe &&
+    this->Scene->GetFrame() != Frame::Geocentric)
+  {
+    return "the heights lie on a globe, and the frame of their georeference is another one: Globe";
   }
   const char* own = GDALGetProjectionRef(this->File.get());
   const std::string definition = own && *own ? own : system;
@@ -175,20 +206,20 @@ int PlacedRaster::Transform(
   {
     internals.PixelsToScene(points);
   }
-  bool all = true;
+  const double width = GDALGetRasterXSize(internals.File.get());
+  const double height = GDALGetRasterYSize(internals.File.get());
   for (int i = 0; i < count; ++i)
   {
     const double* point = points.data() + 3 * static_cast<std::ptrdiff_t>(i);
     success[i] = std::isfinite(point[0]) && std::isfinite(point[1]) ? 1 : 0;
-    all = all && success[i];
-    x[i] = success[i]
-      ? (dstToSrc ? point[0] : (point[0] - internals.Corner[0]) / internals.Spacing[0])
-      : HUGE_VAL;
-    y[i] = success[i]
-      ? (dstToSrc ? point[1] : (point[1] - internals.Corner[1]) / internals.Spacing[1])
-      : HUGE_VAL;
+    x[i] = success[i] ? (dstToSrc ? InsideBorder(point[0], width)
+                                  : (point[0] - internals.Corner[0]) / internals.Spacing[0])
+                      : HUGE_VAL;
+    y[i] = success[i] ? (dstToSrc ? InsideBorder(point[1], height)
+                                  : (point[1] - internals.Corner[1]) / internals.Spacing[1])
+                      : HUGE_VAL;
   }
-  return all ? 1 : 0;
+  return 1; // points that fail are told one by one
 }
 
 std::string PlacedRaster::Warp(GDALWarpOptions* options, int columns, int rows)
@@ -202,6 +233,10 @@ std::string PlacedRaster::Warp(GDALWarpOptions* options, int columns, int rows)
     approximate = GDALCreateApproxTransformer(PlacedRaster::Transform, this, kInterpolationError);
     options->pfnTransformer = GDALApproxTransform;
     options->pTransformerArg = approximate;
+  }
+  if (this->Globe)
+  {
+    SearchInside(options);
   }
   GDALWarpOperationH operation = GDALCreateWarpOperation(options);
   CPLErr result = CE_Failure;

@@ -77,6 +77,7 @@
   ENTRY(GDALDimensionGetSize)                                                                      \
   ENTRY(GDALExtendedDataTypeCreate)                                                                \
   ENTRY(GDALExtendedDataTypeRelease)                                                               \
+  ENTRY(GDALFillRaster)                                                                            \
   ENTRY(GDALFlushRasterCache)                                                                      \
   ENTRY(GDALGCPsToGeoTransform)                                                                    \
   ENTRY(GDALGetBlockSize)                                                                          \

@@ -124,7 +124,6 @@ void RefuseOnGlobe(const Options& options)
   refuse(wanted.Cell > 0.0, "--cell", "heights are drawn as they are");
   refuse(wanted.Cubic, "--cubic", "heights are drawn as they are, or choose --frame map");
   refuse(wanted.Vertical != HeightType::AsIs, "--vertical", "heights count from the ellipsoid");
-  refuse(options.ColorBy.IsFile(), "--color-by", "choose --frame map");
   refuse(options.Surface.Block > 0.0, "--block", "choose --frame map");
   refuse(options.Marks.ContourLabels, "--contour-labels", "choose --frame map");
   refuse(!options.Marks.Outline.empty(), "--outline", "choose --frame map");

@@ -142,10 +142,11 @@ std::vector<Terrain> PrepareFiner(const PlacedHeights& heights, const Options& o
   for (vtkImageData* image : heights.Finer)
   {
     Statistics unused;
-    finer.push_back(PrepareTerrain(
-      { image, nullptr }, heights.Exaggeration, heights.Colors, options, progress, unused));
     PlacedHeights placed = heights;
     placed.Image = image;
+    placed.Colors = ReadColorSource(placed, options, unused);
+    finer.push_back(PrepareTerrain(
+      { placed.Image, nullptr }, heights.Exaggeration, placed.Colors, options, progress, unused));
     DrapePicture(finer.back(), placed, options, unused);
     terrain.Bounds.AddBox(finer.back().Bounds);
     std::array<double, 2> range{};
