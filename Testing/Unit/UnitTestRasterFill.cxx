@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fill values that nobody declares, among heights of many kinds.
+// Fill values that nobody declares, among heights of many kinds, and needles that are none.
+#include "UnitTestTown.h"
+
 #include "raster/RasterHoles.h"
 
 #include <gtest/gtest.h>
@@ -115,5 +117,93 @@ TEST(UnitTestRasterFill, SharesAndGaps)
   EXPECT_DOUBLE_EQ(found.WidestGap, 100.0);
   EXPECT_DOUBLE_EQ(found.GapShare, 0.01);
   EXPECT_FALSE(found.IsGapLow);
+}
+
+/// A town with a sample a metre, roofs up to 30 m and 38 with chimneys.
+class TownWith
+{
+public:
+  /// A square of samples from the middle of the town on, of heights that a function gives.
+  template <typename Height>
+  TownWith& Square(int side, const Height& height)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      for (int i = 0; i < side; ++i)
+      {
+        this->Values[kSize * (kMiddle + j) + kMiddle + i] = height(i, j);
+      }
+    }
+    return *this;
+  }
+  TownWith& One(double height)
+  {
+    return this->Square(1, [height](int, int) { return height; });
+  }
+  bool HasNeedles(double cell = 1.0, double perUnit = 1.0) const
+  {
+    FillFindings findings = FindFill(this->Values);
+    terrain::FindLone(this->Values, kSize, findings);
+    return terrain::AreNeedles(findings, perUnit, cell);
+  }
+  const std::vector<double>& GetValues() const
+  {
+    return this->Values;
+  }
+
+private:
+  static constexpr int kSize = 250;
+  static constexpr int kMiddle = 100;
+  std::vector<double> Values = terrain::MakeTown(kSize).Samples;
+};
+
+TEST(UnitTestRasterFill, TowersAreNoNeedles)
+{
+  const auto roof = [](double height)
+  { return [height](int i, int j) { return height + 0.1 * (i % 3) + 0.2 * (j % 2); }; };
+  EXPECT_FALSE(TownWith().HasNeedles());
+  EXPECT_FALSE(TownWith().Square(12, roof(280.0)).HasNeedles());
+  EXPECT_FALSE(TownWith().Square(20, roof(928.0)).HasNeedles()); // the tallest there is
+  // a block of one height, as models of building blocks have it
+  EXPECT_FALSE(TownWith().Square(12, [](int, int) { return 283.0; }).HasNeedles());
+  // a spire that one sample shows above the roofs, and a mast
+  EXPECT_FALSE(TownWith().One(190.0).HasNeedles());
+  EXPECT_FALSE(TownWith().Square(2, roof(420.0)).HasNeedles());
+  EXPECT_FALSE(TownWith().Square(12, roof(280.0)).HasNeedles(2.5));
+  // in centimetres
+  EXPECT_FALSE(TownWith().Square(12, roof(28000.0)).HasNeedles(1.0, 0.01));
+}
+
+TEST(UnitTestRasterFill, NeedlesAreFound)
+{
+  const auto flat = [](double height) { return [height](int, int) { return height; }; };
+  EXPECT_TRUE(TownWith().One(400.0).HasNeedles());
+  EXPECT_TRUE(TownWith().One(1733.0).HasNeedles());
+  EXPECT_TRUE(TownWith().One(-40.0).HasNeedles());
+  EXPECT_TRUE(TownWith().Square(12, flat(-40.0)).HasNeedles());
+  EXPECT_TRUE(TownWith().Square(12, flat(0.0)).HasNeedles()); // the town stands at 100 m
+  EXPECT_TRUE(TownWith().Square(12, flat(255.0)).HasNeedles());
+  EXPECT_TRUE(TownWith().Square(12, flat(500.0)).HasNeedles());
+  EXPECT_TRUE(TownWith().Square(12, flat(1733.0)).HasNeedles());
+  // in cells of open country nothing that is built rises so far
+  EXPECT_TRUE(TownWith().Square(2, flat(733.0)).HasNeedles(30.0));
+  // heights that are depths rise where the numbers fall
+  EXPECT_TRUE(TownWith().Square(12, flat(283.0)).HasNeedles(1.0, -1.0));
+  // and what is not far, or not rare, is none
+  EXPECT_FALSE(TownWith().One(400.0).HasNeedles(40.0));
+  EXPECT_FALSE(TownWith().Square(60, flat(-40.0)).HasNeedles());
+}
+
+TEST(UnitTestRasterFill, FillAmongTowersIsFound)
+{
+  for (const double value : { 32767.0, -9999.0, 1e6, 65535.0, -32768.0 })
+  {
+    SCOPED_TRACE(value);
+    TownWith town;
+    town.Square(12, [](int i, int) { return 280.0 + 0.1 * i; });
+    town.Square(4, [value](int, int) { return value; });
+    EXPECT_EQ(FindFill(town.GetValues()).Values, std::vector<double>{ value });
+    EXPECT_FALSE(town.HasNeedles()); // without them
+  }
 }
 }

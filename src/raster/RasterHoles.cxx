@@ -109,6 +109,17 @@ std::size_t CountFill(
   return 0;
 }
 
+/// True for values that programs fill with, and for those that a byte or a round number would be.
+bool LooksLikeFill(double value)
+{
+  constexpr double kRound = 100.0;
+  constexpr double kLeastPower = 127.0;
+  const double power = std::exp2(std::round(std::log2(std::max(std::abs(value), 1.0))));
+  const double above = power - std::abs(value);
+  return IsUsualFill(value) || std::fmod(value, kRound) == 0.0 ||
+    (std::abs(value) >= kLeastPower && (above == 0.0 || above == 1.0));
+}
+
 /// Fills in what there is to say of the levels [first, end) that are no fill.
 void Summarize(
   const std::vector<Level>& levels, std::size_t first, std::size_t end, FillFindings& findings)
@@ -133,6 +144,8 @@ void Summarize(
       findings.WidestGap = gap;
       findings.GapShare = std::min(below, count - below) / count;
       findings.IsGapLow = below < count - below;
+      findings.GapEnd = levels[findings.IsGapLow ? k - 1 : k].Value;
+      findings.IsGapOne = findings.IsGapLow ? k - 1 == first : k + 1 == end;
     }
   }
 }
@@ -160,5 +173,65 @@ FillFindings FindFill(std::vector<double> values)
     Summarize(levels, first, end, findings);
   }
   return findings;
+}
+
+//------------------------------------------------------------------------------
+void FindLone(const std::vector<double>& values, std::size_t width, FillFindings& findings)
+{
+  const auto isFar = [&](std::size_t k)
+  {
+    const double value = values[k];
+    return findings.IsGapLow ? value <= findings.GapEnd && value >= findings.Low
+                             : value >= findings.GapEnd && value <= findings.High;
+  };
+  const std::size_t height = width > 0 ? values.size() / width : 0;
+  std::size_t far = 0;
+  std::size_t lone = 0;
+  for (std::size_t k = 0; k < width * height; ++k)
+  {
+    if (!isFar(k))
+    {
+      continue;
+    }
+    ++far;
+    const std::size_t row = k / width;
+    const std::size_t column = k % width;
+    bool hasOther = false;
+    for (std::size_t j = row - std::min<std::size_t>(row, 1); j <= row + 1 && j < height; ++j)
+    {
+      for (std::size_t i = column - std::min<std::size_t>(column, 1); i <= column + 1 && i < width;
+           ++i)
+      {
+        hasOther = hasOther || (j * width + i != k && isFar(j * width + i));
+      }
+    }
+    lone += hasOther ? 0 : 1;
+  }
+  findings.LoneShare = far > 0 ? static_cast<double>(lone) / static_cast<double>(far) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool AreNeedles(const FillFindings& findings, double perUnit, double cell)
+{
+  constexpr double kFewest = 0.01;
+  constexpr double kCells = 10.0;
+  constexpr double kShareOfAll = 1.0 / 3.0; // of the range with them
+  constexpr double kWidestOfTowns = 15.0;   // metres a cell
+  constexpr double kTallest = 900.0;        // the tallest building has 828 m
+  constexpr double kTallestMast = 100.0;    // of those that one sample shows
+  constexpr double kMostlyLone = 0.5;
+  const double gap = std::abs(perUnit) * findings.WidestGap;
+  if (!(findings.GapShare < kFewest) || !(gap > kCells * cell) ||
+    !(findings.WidestGap > kShareOfAll * (findings.High - findings.Low)))
+  {
+    return false;
+  }
+  const bool rises = findings.IsGapLow == (perUnit < 0.0);
+  if (!rises || gap > kTallest || cell > kWidestOfTowns ||
+    (findings.IsGapOne && LooksLikeFill(findings.GapEnd)))
+  {
+    return true;
+  }
+  return findings.LoneShare > kMostlyLone && gap > kTallestMast;
 }
 }

@@ -35,9 +35,24 @@ struct FillFindings
   double GapShare = 0.0;
   /// True if that side is the lower one.
   bool IsGapLow = false;
+  /// The value on that side that is next to the gap, and whether it is the only one there.
+  double GapEnd = 0.0;
+  bool IsGapOne = false;
+  /// Share of the samples on that side that have none of them beside them; see FindLone().
+  double LoneShare = 0.0;
 };
 
 /// Finds fill among at least 16 values (NaN, infinities and magnitudes from 1e30 on are left out).
 FillFindings FindFill(std::vector<double> values);
+
+/// Fills in LoneShare from all samples of a raster, row by row.
+void FindLone(const std::vector<double>& values, std::size_t width, FillFindings& findings);
+
+/// True if the samples beyond the widest gap are no ground and nothing that stands on it: fewer
+/// than 1 % of all, farther from all others than 10 cells and half of what those span, and neither
+/// buildings nor masts. These rise, by less than 900 m, in cells of less than 15 m; several samples
+/// of one show them, of heights that look like no fill, or single ones up to 100 m.
+/// perUnit: metres of a unit of the values, below 0 for depths; cell: metres.
+bool AreNeedles(const FillFindings& findings, double perUnit, double cell);
 }
 #endif

@@ -267,6 +267,11 @@ void RasterFile::FindHoles(const RasterOptions& options)
   this->FindValidRange();
   const std::vector<double> samples = this->SampleBand();
   this->Holes.Seen = FindFill(samples);
+  const auto width = static_cast<std::size_t>(this->GetWidth());
+  if (samples.size() == width * static_cast<std::size_t>(this->GetHeight()))
+  {
+    FindLone(samples, width, this->Holes.Seen);
+  }
   this->Holes.Low = this->Holes.Seen.Low;
   this->Holes.High = this->Holes.Seen.High;
   if (!options.DetectNoData || options.UseNoData)
@@ -534,8 +539,6 @@ void RasterFile::CheckSanity()
 {
   constexpr double kSteepestRelief = 3.0; // times the longer side
   constexpr double kMostOfOne = 0.9;
-  constexpr double kNeedle = 10.0; // cells
-  constexpr double kFewest = 0.01;
   constexpr double kSmallestRaster = 64.0;
   const FillFindings& seen = this->Holes.Seen;
   if (this->Layout.CRS.rfind("GEODCRS", 0) == 0 &&
@@ -577,8 +580,7 @@ void RasterFile::CheckSanity()
       (low ? "lowest" : "highest") + " value (" + range + "): --nodata " + NumberText(value) +
       " if that is no height");
   }
-  if (std::abs(scale) * seen.WidestGap > kNeedle * std::max(cellX, cellY) &&
-    seen.GapShare < kFewest && 3.0 * seen.WidestGap > seen.High - seen.Low)
+  if (AreNeedles(seen, scale, std::max(cellX, cellY)))
   {
     this->Record.Warn("few samples lie " + NumberText(std::abs(scale) * seen.WidestGap) +
       " m beyond all others, as needles or a block with sheer sides (" + range + "): --nodata " +
