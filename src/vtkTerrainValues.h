@@ -4,9 +4,9 @@
  * @class   vtkTerrainValues
  * @brief   brings the values of another raster of any CRS to the samples of heights
  *
- * Input: heights of a scene, vtkImageData of W x H x 1 points (vtkTerrainReproject, vtkTerrainGlobe,
- * or any heights in the frame of Georeference). FileName: any raster that GDAL opens, such as rain, geology, land
- * cover, or another band of the file of heights.
+ * Input: heights of a scene, vtkImageData of W x H x 1 points (vtkTerrainReproject,
+ * vtkTerrainGlobe, or any heights in the frame of Georeference). FileName: any raster that GDAL
+ * opens, such as rain, geology, land cover, or another band of the file of heights.
  *
  * Output: the heights, sharing their samples, with the array "Values" (float): band's value times
  * its scale plus its offset, NaN where the raster has none.

@@ -6,8 +6,6 @@ bands by name. By name, in a folder beside a second tile, and as a DataArray. Sk
 import importlib.util
 import os
 import re
-import shlex
-import subprocess
 import unittest
 import zipfile
 
@@ -315,17 +313,25 @@ class TestKinds(RasterCase):
             file.write("# made by hand\n# x y z\n" + "".join(f"{c} {r} 5\n" for r in range(4) for c in range(4)))
         self.assertIn("sed ", self.refusal(self.path("a.xyz")))
 
-    def test_the_remedy_for_a_byte_order_mark_takes_it_out(self):
+    def test_texts_are_read_behind_a_byte_order_mark(self):
         rows = "\n".join(" ".join(f"{value:.6f}" for value in row) for row in ground())
         header = f"ncols {COLUMNS}\nnrows {ROWS}\nxllcorner {UTM[0]}\nyllcorner {UTM[3] - 10 * ROWS}\ncellsize 10\n"
         with open(self.path("a.asc"), "w", encoding="utf-8-sig") as file:
             file.write(header + rows + "\n")
-        told = self.refusal(self.path("a.asc"))
-        self.assertIn("byte order mark", told)
-        command = re.search(r"\((sed .*) IN > OUT.asc\)", told)[1]
-        with open(self.path("b.asc"), "wb") as file:
-            subprocess.run([*shlex.split(command), self.path("a.asc")], stdout=file, check=True)
-        self.check(self.path("b.asc"), ground())
+        with open(self.path("a.prj"), "w", encoding="utf-8-sig") as file:
+            reference = osr.SpatialReference()
+            reference.ImportFromEPSG(32631)
+            reference.MorphToESRI()
+            file.write(reference.ExportToWkt())
+        self.check(self.path("a.asc"), ground())
+        self.write("east.tif", np.full((ROWS, 8), 7.0), (UTM[0] + 10.0 * COLUMNS, *UTM[1:]))
+        heights, _, _ = self.read(self.folder)
+        np.testing.assert_allclose(heights, np.hstack([ground(), np.full((ROWS, 8), 7.0)]), atol=1e-3)
+        points = "\n".join(f"{UTM[0] + 10 * i},{UTM[3] - 10 * j},{ground()[j, i]}" for j in range(ROWS)
+                           for i in range(COLUMNS))
+        with open(self.path("points.csv"), "w", encoding="utf-8-sig") as file:
+            file.write("x,y,z\n" + points + "\n")
+        np.testing.assert_allclose(self.read(self.path("points.csv"))[0], ground(), atol=1e-3)
 
 
 class TestFolderFiles(RasterCase):
@@ -340,10 +346,49 @@ class TestFolderFiles(RasterCase):
         lines = [record.GetValue(k) for k in range(record.GetNumberOfValues())]
         self.assertTrue(any("left out: 1 file (readme.txt)" in line for line in lines), lines)
 
+    def write_png(self, name, heights, west, system=None):
+        """A grey PNG of 16 bits, its place in a world file beside it."""
+        path = self.write(name, heights, kind=gdal.GDT_UInt16, driver="PNG", system=None)
+        os.remove(path + ".aux.xml")
+        with open(path[:-4] + ".pgw", "w") as file:
+            file.write(f"10\n0\n0\n-10\n{west + 5}\n{UTM[3] - 5}\n")
+        if system:
+            with open(path[:-4] + ".prj", "w") as file:
+                file.write(osr.GetUserInputAsWKT(system))
+
+    def test_pictures_of_16_bits_with_a_place_are_tiles(self):
+        east = UTM[0] + 10.0 * COLUMNS
+        self.write_png("png/a.png", ground(), UTM[0])
+        self.write_png("png/b.png", ground() + 1.0, east)
+        self.write("png/thumbnail.png", ground() / 2, kind=gdal.GDT_Byte, driver="PNG")
+        heights, _, warning = self.read(self.path("png"))
+        np.testing.assert_allclose(heights, np.hstack([ground(), ground() + 1.0]))
+        self.assertIn("thumbnail.png", warning)
+        # beside a tile with a CRS they need one
+        self.write("png/c.tif", ground() + 2.0, (east + 10.0 * COLUMNS, *UTM[1:]))
+        heights, _, warning = self.read(self.path("png"))
+        np.testing.assert_allclose(heights, ground() + 2.0)
+        for text in ("a.png names no CRS", "b.png names no CRS", "gdal_translate -a_srs"):
+            self.assertIn(text, warning)
+        self.write_png("png/a.png", ground(), UTM[0], "EPSG:32631")
+        self.write_png("png/b.png", ground() + 1.0, east, "EPSG:32631")
+        heights, _, warning = self.read(self.path("png"))
+        np.testing.assert_allclose(heights, np.hstack([ground(), ground() + 1.0, ground() + 2.0]))
+        self.assertNotIn("CRS", warning)
+
+    def test_pictures_without_a_place_are_none(self):
+        self.write("mixed/a.tif", ground())
+        file = gdal.GetDriverByName("MEM").Create("", COLUMNS, ROWS, 1, gdal.GDT_UInt16)
+        file.GetRasterBand(1).WriteArray(ground())
+        gdal.GetDriverByName("PNG").CreateCopy(self.path("mixed/b.png"), file)
+        heights, _, warning = self.read(self.path("mixed"))
+        np.testing.assert_allclose(heights, ground())
+        self.assertIn("b.png", warning)
+
     def test_what_is_left_out_is_told_once_with_its_number(self):
         self.write("all/a.tif", ground())
         self.write("all/picture.png", ground(), kind=gdal.GDT_Byte, driver="PNG")
-        self.write("all/other.vrt", ground())  # of no extension of a tile
+        gdal.GetDriverByName("VRT").CreateCopy(self.path("all/other.vrt"), gdal.Open(self.path("all/a.tif")))
         for name in ("points.las", "b.zip", "c.tar.gz"):
             with open(self.path("all/" + name), "wb") as file:
                 file.write(b"not looked at")

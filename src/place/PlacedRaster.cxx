@@ -96,10 +96,17 @@ std::string PlacedRaster::Open(const std::string& name, const std::string& syste
   {
     return "'" + name + "' has no georeference";
   }
-  if (this->IsOfHeights)
+  if (!this->IsOfHeights)
   {
-    return {};
+    this->SetPicture(definition);
   }
+  const std::string why = this->IsOfHeights ? std::string() : this->Picture->GetWhyNot();
+  return why.empty() ? why : "'" + name + "': " + why;
+}
+
+/// Tells the picture's georeference its CRS and where in that its corners are.
+void PlacedRaster::SetPicture(const std::string& definition)
+{
   const double width = GDALGetRasterXSize(this->File.get());
   const double height = GDALGetRasterYSize(this->File.get());
   double extent[4] = { HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL };
@@ -118,8 +125,6 @@ std::string PlacedRaster::Open(const std::string& name, const std::string& syste
   this->Picture->SetExtent(extent[0], extent[1], extent[2], extent[3]);
   this->Picture->SetFrame(
     this->Scene && this->Scene->IsOnOtherWorld() ? Frame::Globe : Frame::Geocentric);
-  const std::string why = this->Picture->GetWhyNot();
-  return why.empty() ? why : "'" + name + "': " + why;
 }
 
 bool PlacedRaster::PixelsToScene(std::vector<double>& points)

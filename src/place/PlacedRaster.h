@@ -64,6 +64,7 @@ public:
   std::string Warp(GDALWarpOptions* options, int columns, int rows);
 
 private:
+  void SetPicture(const std::string& definition);
   static int Transform(
     void* self, int dstToSrc, int count, double* x, double* y, double* z, int* success);
 };

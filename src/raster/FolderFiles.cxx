@@ -7,6 +7,7 @@
 #include "raster/Words.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -21,13 +22,10 @@ constexpr int kDeepestFolder = 6;
 // Files of no known kind that GDAL is asked about, for each is opened.
 constexpr std::size_t kMostAsked = 500;
 
-// Pictures and virtual rasters, which lie beside tiles, are none.
-bool IsTile(const std::string& extension)
+/// Of rasters that are heights or pictures: each is opened, however many there are.
+bool IsAmbiguous(const std::string& extension)
 {
-  return IsOneOf(extension,
-    { "tif", "tiff", "hgt", "dem", "asc", "img", "dt0", "dt1", "dt2", "bil", "bip", "bsq", "flt",
-      "grd", "jp2", "sdat", "nc", "xyz", "bag", "bt", "cub", "gxf", "grb", "grib", "grib2", "hf2",
-      "mtw", "ntf", "rst", "sigdem" });
+  return IsOneOf(extension, { "png", "gpkg", "mrf", "h5", "hdf5", "zarr", "ers" });
 }
 
 bool IsText(const std::string& extension)
@@ -52,8 +50,8 @@ bool IsSidecar(const std::string& extension)
 {
   return IsOneOf(extension,
     { "prj", "hdr", "tfw", "tifw", "pgw", "jgw", "wld", "blw", "bpw", "bqw", "j2w", "gfw", "stx",
-      "clr", "ovr", "msk", "aux", "rrd", "ige", "ers", "rdc", "rsc", "tab", "sgrd", "mgrd", "gri",
-      "shx", "dbf", "cpg", "sbn", "sbx", "qpj", "qml", "tfwx", "adf", "lrc", "idx", "ppg", "pjg" });
+      "clr", "ovr", "msk", "aux", "rrd", "ige", "rdc", "rsc", "tab", "sgrd", "mgrd", "gri", "shx",
+      "dbf", "cpg", "sbn", "sbx", "qpj", "qml", "tfwx", "adf", "lrc", "idx", "ppg", "pjg" });
 }
 
 bool OpensAsRaster(const std::string& path)
@@ -67,6 +65,27 @@ bool OpensAsRaster(const std::string& path)
     GDALClose(dataset);
   }
   return opens;
+}
+
+/// True if a raster may be heights: it has a place and more than bytes, or parts of its own, and is
+/// not virtual, for then its sources may lie beside it.
+bool MayBeHeights(const std::string& path)
+{
+  const GDALMessages messages;
+  GDALDatasetH dataset =
+    GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
+  if (!dataset)
+  {
+    return false;
+  }
+  const std::string driver = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
+  std::array<double, 6> transform{};
+  const bool isAlone = GDALGetRasterCount(dataset) > 0;
+  const bool isPlaced = GDALGetGeoTransform(dataset, transform.data()) == CE_None;
+  const bool isWide = isAlone && GDALGetRasterDataType(GDALGetRasterBand(dataset, 1)) != GDT_Byte;
+  GDALClose(dataset);
+  return isAlone ? driver != "VRT" && isPlaced && isWide
+                 : IsOneOf(driver, { "Zarr", "HDF5", "GPKG" });
 }
 
 bool IsKnownRaster(const std::string& path)
@@ -86,7 +105,7 @@ void SortFile(const std::string& path, FolderFiles& files, std::size_t& asked)
   const std::string name = LowerCase(CPLGetFilename(path.c_str()));
   const std::string extension = LowerCase(CPLGetExtension(path.c_str()));
   const bool isAuxiliary = name.size() > 8 && name.rfind(".aux.xml") == name.size() - 8;
-  if (IsTile(extension) || name == "hdr.adf" || (IsText(extension) && OpensAsRaster(path)))
+  if (IsCalledTile(path) || (IsText(extension) && OpensAsRaster(path)))
   {
     files.Rasters.push_back(path);
   }
@@ -100,8 +119,11 @@ void SortFile(const std::string& path, FolderFiles& files, std::size_t& asked)
   }
   else if (!isAuxiliary && !IsSidecar(extension) && name.front() != '.')
   {
-    const bool isRaster = !IsText(extension) && ++asked <= kMostAsked && IsKnownRaster(path);
-    (isRaster ? files.OtherRasters : files.Documents).push_back(path);
+    const bool isAsked = !IsText(extension) && (IsAmbiguous(extension) || ++asked <= kMostAsked);
+    const bool isRaster = isAsked && IsKnownRaster(path);
+    std::vector<std::string>& rasters =
+      isRaster && MayBeHeights(path) ? files.Rasters : files.OtherRasters;
+    (isRaster ? rasters : files.Documents).push_back(path);
   }
 }
 
@@ -125,6 +147,16 @@ void AddGroup(std::string& text, const std::vector<std::string>& paths, const ch
 }
 
 //------------------------------------------------------------------------------
+bool IsCalledTile(const std::string& path)
+{
+  return LowerCase(CPLGetFilename(path.c_str())) == "hdr.adf" ||
+    IsOneOf(LowerCase(CPLGetExtension(path.c_str())),
+      { "tif", "tiff", "hgt", "dem", "asc", "img", "dt0", "dt1", "dt2", "bil", "bip", "bsq", "flt",
+        "grd", "jp2", "sdat", "nc", "xyz", "bag", "bt", "cub", "gxf", "grb", "grib", "grib2", "hf2",
+        "mtw", "ntf", "rst", "sigdem" });
+}
+
+//------------------------------------------------------------------------------
 FolderFiles FindFolderFiles(const std::string& directory)
 {
   VSIDIR* entries = VSIOpenDir(directory.c_str(), kDeepestFolder, nullptr);
@@ -138,11 +170,8 @@ FolderFiles FindFolderFiles(const std::string& directory)
   {
     const std::string path = CPLFormFilename(directory.c_str(), entry->pszName, nullptr);
     const bool isFolder = VSI_ISDIR(entry->nMode);
-    if (isFolder && EQUAL(CPLGetExtension(entry->pszName), "zarr"))
-    {
-      files.OtherRasters.push_back(path);
-    }
-    else if (!isFolder && !IsInStore(entry->pszName))
+    const bool isStore = isFolder && EQUAL(CPLGetExtension(entry->pszName), "zarr");
+    if ((isStore || !isFolder) && !IsInStore(entry->pszName))
     {
       paths.push_back(path);
     }

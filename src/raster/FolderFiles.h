@@ -18,18 +18,22 @@ namespace terrain
 /// is in none of the lists.
 struct FolderFiles
 {
-  /// Elevation tiles: files called as those are, and texts that GDAL opens as rasters.
+  /// Elevation tiles: files called as those are, texts that GDAL opens as rasters, and other
+  /// rasters that may be heights (IsCalledTile() is false): of more than bytes, with a place, not
+  /// virtual.
   std::vector<std::string> Rasters;
   /// .zip, .tar and others.
   std::vector<std::string> Archives;
-  /// Other files that GDAL knows as rasters: pictures, virtual rasters, files of several parts,
-  /// stores of Zarr.
+  /// Other files that GDAL knows as rasters: pictures, virtual rasters.
   std::vector<std::string> OtherRasters;
   /// Points, lines and meshes.
   std::vector<std::string> Shapes;
   /// All others, such as a read-me.
   std::vector<std::string> Documents;
 };
+
+/// True for names that elevation tiles have.
+bool IsCalledTile(const std::string& path);
 
 /// Looks at the files of a directory or archive and of six levels below it. Throws RasterError if
 /// it cannot be listed.

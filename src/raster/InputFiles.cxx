@@ -5,6 +5,7 @@
 #include "core/files/OutputFile.h"
 #include "raster/GDALTable.h"
 #include "raster/RasterFile.h"
+#include "raster/RasterRepairs.h"
 #include "raster/RasterTiles.h"
 
 #include <algorithm>
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 /// "/vsizip/{/data/a.zip}/b.tif" it is "/data/a.zip".
 std::string FileOnDisk(std::string name)
 {
+  name = BeforeByteOrderMark(name);
   while (name.compare(0, 4, "/vsi") == 0 && name.find('/', 1) != std::string::npos)
   {
     name = name.substr(name.find('/', 1) + 1);

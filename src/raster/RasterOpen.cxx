@@ -140,11 +140,6 @@ std::string WhyNotOpened(const std::string& name, const std::string& failure)
     remedy = "it is a text with lines before its first point or header that GDAL does not skip: "
              "take them out (sed '/^[#%/!]/d' IN > OUT.xyz)";
   }
-  if (remedy.empty() && HasByteOrderMark(name))
-  {
-    remedy = "it is a text that begins with a byte order mark, which GDAL does not skip: take it "
-             "out (sed '1s/^\\xEF\\xBB\\xBF//' IN > OUT.asc)";
-  }
   // GDAL's driver XYZ takes the first three columns where it does not know their names.
   if (remedy.empty() && failure.find("Ungridded") != std::string::npos)
   {
@@ -223,6 +218,23 @@ GDALDatasetH OpenArchive(std::string& name, std::string& part, RasterRecord& rec
   record.Take("file", name, "the one raster in the archive");
   GDALDatasetH dataset = OpenPlain(name);
   return dataset ? dataset : OpenArchive(name, part, record, held, openFolder);
+}
+
+/// A text behind the byte order mark that it begins with; null if there is none.
+GDALDatasetH OpenBehindMark(std::string& name, RasterRecord& record)
+{
+  if (name.empty() || IsDirectory(name) || !HasByteOrderMark(name))
+  {
+    return nullptr;
+  }
+  const std::string inside = BehindByteOrderMark(name);
+  GDALDatasetH dataset = OpenPlain(inside);
+  if (dataset)
+  {
+    name = inside;
+    record.Take("file", inside, "the text behind its byte order mark");
+  }
+  return dataset;
 }
 
 /// Files that lie beside the data that they are for: the extensions of those, first come first
@@ -412,6 +424,10 @@ GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record,
   if (!dataset && !name.empty())
   {
     dataset = OpenGMTGrid(name, record);
+  }
+  if (!dataset)
+  {
+    dataset = OpenBehindMark(name, record);
   }
   if (!dataset)
   {

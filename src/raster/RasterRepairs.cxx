@@ -19,6 +19,9 @@ namespace terrain
 {
 namespace
 {
+// GDAL's name for a file without the 3 bytes of the mark of UTF-8.
+const char* const kBehindMark = "/vsisubfile/3,";
+
 // Samples of a raster that is held in memory whole, at most.
 constexpr std::int64_t kMostHeldSamples = std::int64_t{ 1 } << 29;
 
@@ -412,9 +415,23 @@ bool HasByteOrderMark(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
+std::string BehindByteOrderMark(const std::string& file)
+{
+  return kBehindMark + file;
+}
+
+//------------------------------------------------------------------------------
+std::string BeforeByteOrderMark(const std::string& name)
+{
+  const std::string prefix = kBehindMark;
+  return name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : name;
+}
+
+//------------------------------------------------------------------------------
 std::string SystemBeside(const std::string& file)
 {
-  const std::string text = ReadHead(CPLResetExtension(file.c_str(), "prj"));
+  std::string text = ReadHead(CPLResetExtension(BeforeByteOrderMark(file).c_str(), "prj"));
+  text.erase(0, text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0);
   for (const char* word :
     { "PROJCS[", "GEOGCS[", "COMPD_CS[", "PROJCRS[", "GEOGCRS[", "COMPOUNDCRS[" })
   {

@@ -51,6 +51,12 @@ bool HasComments(const std::string& file);
 /// True if a file begins with the byte order mark of UTF-8, as some editors on Windows write it.
 bool HasByteOrderMark(const std::string& file);
 
+/// The name under which GDAL reads such a file from the byte behind the mark on.
+std::string BehindByteOrderMark(const std::string& file);
+
+/// The file that such a name is of; another name as it is.
+std::string BeforeByteOrderMark(const std::string& name);
+
 /// The CRS in the .prj beside a file, as OSRSetFromUserInput takes it; empty if there is none.
 std::string SystemBeside(const std::string& file);
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -173,6 +174,60 @@ std::string DescribeSource(const Mosaic& mosaic, const RasterTile& tile, int ban
   return text + "</ComplexSource>";
 }
 
+/// Why a tile that is not called as tiles are is none; empty if it is one.
+std::string WhyNoTile(const RasterTile& tile, bool hasSystems)
+{
+  if (!IsFromNorth(tile))
+  {
+    return "its tile " + tile.FileName() +
+      " has no place, or its rows do not run from the north (gdalwarp IN OUT.tif)";
+  }
+  return hasSystems && tile.System.empty() ? "its tile " + tile.FileName() +
+      " names no CRS, as others do (gdal_translate -a_srs EPSG:N IN OUT.tif)"
+                                           : std::string();
+}
+
+/// The tiles of these files. Those that are not called as tiles are left out, with a warning, where
+/// they cannot be read or have no place, or no CRS beside others that have one.
+std::vector<RasterTile> ReadTiles(
+  const std::vector<std::string>& paths, HeldFiles& held, RasterRecord& record)
+{
+  std::vector<RasterTile> read;
+  std::vector<bool> isCalled;
+  for (const std::string& path : paths)
+  {
+    try
+    {
+      read.push_back(ReadRasterTile(path, held));
+      isCalled.push_back(IsCalledTile(path));
+    }
+    catch (const RasterError& error)
+    {
+      if (IsCalledTile(path))
+      {
+        throw;
+      }
+      record.Warn(std::string("left out of the folder: ") + error.what());
+    }
+  }
+  const bool hasSystems = std::any_of(
+    read.begin(), read.end(), [](const RasterTile& tile) { return !tile.System.empty(); });
+  std::vector<RasterTile> tiles;
+  for (std::size_t k = 0; k < read.size(); ++k)
+  {
+    const std::string why = isCalled[k] ? std::string() : WhyNoTile(read[k], hasSystems);
+    if (why.empty())
+    {
+      tiles.push_back(std::move(read[k]));
+    }
+    else
+    {
+      record.Warn("left out of the folder: " + why);
+    }
+  }
+  return tiles;
+}
+
 std::string DescribeMosaic(const Mosaic& mosaic)
 {
   const RasterTile& first = mosaic.Tiles.front();
@@ -212,12 +267,8 @@ std::string DescribeMosaic(const Mosaic& mosaic)
 GDALDatasetH OpenRasterTiles(
   const std::string& directory, const std::string& site, RasterRecord& record, HeldFiles& held)
 {
-  std::vector<RasterTile> tiles;
   const FolderFiles files = FindFolderFiles(directory);
-  for (const std::string& path : files.Rasters)
-  {
-    tiles.push_back(ReadRasterTile(path, held));
-  }
+  std::vector<RasterTile> tiles = ReadTiles(files.Rasters, held, record);
   if (tiles.empty())
   {
     const std::string others = DescribeOthers(files);
