@@ -166,6 +166,13 @@ vtkTerrainGeoreference* vtkTerrainViewpoint::GetGeoreference() const
 void vtkTerrainViewpoint::SetHeights(vtkImageData* heights)
 {
   terrain::Setting::Set(this, this->Heights, heights);
+  this->MoreHeights.clear();
+}
+
+void vtkTerrainViewpoint::AddHeights(vtkImageData* heights)
+{
+  this->MoreHeights.emplace_back(heights);
+  this->Modified();
 }
 
 vtkImageData* vtkTerrainViewpoint::GetHeights() const
@@ -249,28 +256,58 @@ std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene
   {
     return why;
   }
-  double place[3] = { written.Longitude, written.Latitude,
+  const double place[3] = { written.Longitude, written.Latitude,
     written.IsAboveGround ? 0.0 : written.Height };
-  if (const auto* globe = this->Internals->GlobeOf(this->Heights))
+  if (!written.IsAboveGround)
   {
-    place[2] = written.Height + (written.IsAboveGround ? this->GetGlobeGround(*globe, place) : 0.0);
-    place[2] = terrain::DrawnOnGlobe(this->Exaggeration).RiseToModel(place[2]);
-    this->Georeference->PlacesToScene(place, scene, 1);
-    return std::isfinite(scene[0]) ? "" : "'" + text + "' does not lie on the terrain";
+    this->PutAtHeight(this->Heights, place, scene);
+    return std::isfinite(scene[0]) ? "" : "'" + text + "' has no image in the scene";
   }
-  if (written.IsAboveGround)
+  const bool isFound = this->PutOnGround(this->Heights, written.Height, place, scene) ||
+    std::any_of(this->MoreHeights.begin(), this->MoreHeights.end(),
+      [&](vtkImageData* more)
+      {
+        return terrain::ImageHeights::WhyNotHeights(more).empty() &&
+          this->PutOnGround(more, written.Height, place, scene);
+      });
+  return isFound ? "" : "'" + text + "' does not lie on the terrain";
+}
+
+/// Scene point of a place so many metres above the ground of some heights; false if there is none.
+bool vtkTerrainViewpoint::PutOnGround(
+  vtkImageData* heights, double height, const double place[3], double scene[3])
+{
+  std::vector<double> ground(place, place + 3);
+  if (const auto* globe = this->Internals->GlobeOf(heights))
   {
-    std::vector<double> ground(place, place + 3);
-    terrain::LowerToGround(this->Georeference, this->Heights, ground);
-    if (std::isnan(ground[2]))
-    {
-      return "'" + text + "' does not lie on the terrain";
-    }
-    place[2] = ground[2] + written.Height;
+    ground[2] = this->GetGlobeGround(*globe, place);
   }
-  this->Georeference->PlacesToScene(place, scene, 1);
-  scene[2] = terrain::ImageHeights::Geometry(this->Heights, this->Exaggeration).ToDrawnZ(scene[2]);
-  return std::isfinite(scene[0]) ? "" : "'" + text + "' has no image in the scene";
+  else
+  {
+    terrain::LowerToGround(this->Georeference, heights, ground);
+  }
+  ground[2] += height;
+  if (std::isnan(ground[2]))
+  {
+    return false;
+  }
+  this->PutAtHeight(heights, ground.data(), scene);
+  return std::isfinite(scene[0]);
+}
+
+/// Scene point of a place, among heights as they are drawn.
+void vtkTerrainViewpoint::PutAtHeight(
+  vtkImageData* heights, const double place[3], double scene[3]) const
+{
+  std::copy(place, place + 3, scene);
+  if (this->Internals->GlobeOf(heights))
+  {
+    scene[2] = terrain::DrawnOnGlobe(this->Exaggeration).RiseToModel(scene[2]);
+    this->Georeference->PlacesToScene(scene, scene, 1);
+    return;
+  }
+  this->Georeference->PlacesToScene(scene, scene, 1);
+  scene[2] = terrain::ImageHeights::Geometry(heights, this->Exaggeration).ToDrawnZ(scene[2]);
 }
 
 double vtkTerrainViewpoint::GetGlobeGround(
@@ -509,6 +546,7 @@ void vtkTerrainViewpoint::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Georeference: " << this->Georeference.Get() << "\n";
   os << indent << "Heights: " << this->Heights.Get() << "\n";
+  os << indent << "MoreHeights: " << this->MoreHeights.size() << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "Refraction: " << this->Refraction << "\n";
 }

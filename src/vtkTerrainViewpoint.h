@@ -25,6 +25,7 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 namespace terrain
 {
@@ -51,6 +52,10 @@ public:
   void SetHeights(vtkImageData* heights);
   vtkImageData* GetHeights() const;
   ///@}
+
+  /// Further heights of the scene, on whose ground FindPlace and Look find places that lie on none
+  /// before them; all else counts with those of SetHeights, which takes these away.
+  void AddHeights(vtkImageData* heights);
 
   ///@{
   /// Vertical exaggeration of the terrain as drawn, which scene points given and returned include;
@@ -115,12 +120,15 @@ private:
   class vtkInternals;
 
   std::string WhyNot() const;
+  bool PutOnGround(vtkImageData* heights, double height, const double place[3], double scene[3]);
+  void PutAtHeight(vtkImageData* heights, const double place[3], double scene[3]) const;
   bool ToPlace(const double scene[3], double place[3]);
   bool ToEarth(const double scene[3], double place[3]);
   double GetGlobeGround(const terrain::GlobeSurface& globe, const double place[3]) const;
 
   vtkSmartPointer<vtkTerrainGeoreference> Georeference;
   vtkSmartPointer<vtkImageData> Heights;
+  std::vector<vtkSmartPointer<vtkImageData>> MoreHeights;
   double Exaggeration = 1.0;
   double Refraction = 0.13;
   std::unique_ptr<vtkInternals> Internals;

@@ -55,6 +55,26 @@ bool Contains(const std::string& text, const std::string& part)
 }
 }
 
+TEST(TerrainViewpoint, PlacesOnTheGroundOfFurtherHeights)
+{
+  Wall wall;
+  double scene[3];
+  // 0.5 degrees to the east, 49 km
+  EXPECT_TRUE(Contains(wall.View->FindPlace("87.4,28", scene), "does not lie on the terrain"));
+  vtkNew<vtkImageData> east;
+  east->DeepCopy(wall.Heights);
+  east->SetOrigin(30000.0, -20000.0, 0.0);
+  east->GetPointData()->GetScalars()->Fill(300.0);
+  wall.View->AddHeights(east);
+  EXPECT_EQ(wall.View->FindPlace("87.4,28,20agl", scene), "");
+  EXPECT_NEAR(scene[2], 320.0, 1e-6);
+  EXPECT_EQ(wall.View->FindPlace("86.9,28", scene), "");
+  EXPECT_NEAR(scene[2], 1000.0, 1e-6) << "the first ones count";
+  EXPECT_TRUE(Contains(wall.View->FindPlace("88.4,28", scene), "does not lie on the terrain"));
+  wall.View->SetHeights(wall.Heights);
+  EXPECT_TRUE(Contains(wall.View->FindPlace("87.4,28", scene), "does not lie on the terrain"));
+}
+
 TEST(TerrainViewpoint, PlacesByText)
 {
   Wall wall;

@@ -251,6 +251,32 @@ TEST_F(TerrainRenderInput, SitesOfAFolderAreTerrainsOfOnePicture)
   EXPECT_NEAR(stats["height_range"][0].asDouble(), 100.0, 1e-5);
 }
 
+// The middles of the sites, by OGR.
+TEST_F(TerrainRenderInput, PlacesLieOnTheGroundOfEachSite)
+{
+  const std::string isles = this->WriteSites();
+  const std::vector<std::string> middles{ "3.00015266,45.15336916", "3.01924002,45.16687005" };
+  for (const std::string& middle : middles)
+  {
+    const std::string ground = this->WriteText("one.csv", "lon,lat,name\n" + middle + ",Here\n");
+    this->ExpectDrawn(this->Draw(isles,
+      { "--look-from", middle + ",50agl", "--look-at", middle, "--labels", ground, "--stats",
+        "stats.json" }));
+    const Depths depths = this->ReadDepths();
+    EXPECT_NEAR(depths.At(depths.Width / 2, depths.Height / 2), 50.0, 0.1) << middle;
+    EXPECT_NE(this->ReadText("stats.json").find("Here"), std::string::npos);
+  }
+  // from one to the other; between them is no ground
+  this->ExpectDrawn(this->Draw(isles,
+                      { "--look-from", middles[0] + ",500agl", "--look-at", middles[1] + ",0agl",
+                        "--view-angle", "5" }),
+    1);
+  const RunResult none =
+    this->Draw(isles, { "--look-from", middles[0] + ",50agl", "--look-at", "3.01,45.16" });
+  EXPECT_EQ(none.Status, 1);
+  EXPECT_NE(none.Errors.find("'3.01,45.16' does not lie on the terrain"), std::string::npos);
+}
+
 TEST_F(TerrainRenderInput, WarningsAreToldOnce)
 {
   // two sites, in two zones: the folder is read once for each of them

@@ -39,15 +39,6 @@ namespace
 /// Point array of vtkTerrainReproject in round scenes.
 const char* const kHeightOfPlace = "PlaceHeight";
 
-vtkSmartPointer<vtkTerrainViewpoint> ViewpointOf(const PlacedHeights& heights)
-{
-  auto viewpoint = vtkSmartPointer<vtkTerrainViewpoint>::New();
-  viewpoint->SetGeoreference(heights.Georeference);
-  viewpoint->SetHeights(heights.Image);
-  viewpoint->SetExaggeration(heights.Exaggeration);
-  return viewpoint;
-}
-
 std::string MetresText(double height)
 {
   return GroupedNumber(std::round(height), 1.0) + " m";
@@ -256,7 +247,7 @@ void LabelFile::AddLayer(OGRLayerH layer)
   file->SetCoordinateSystem(definition ? definition : "EPSG:4326"); // tables name none
   CPLFree(definition);
   file->SetFrame(vtkTerrainGeoreference::FrameType::Geocentric);
-  const vtkSmartPointer<vtkTerrainViewpoint> ground = ViewpointOf(this->Heights);
+  const vtkSmartPointer<vtkTerrainViewpoint> ground = MakeViewpoint(this->Heights);
   OGR_L_ResetReading(layer);
   while (OGRFeatureH feature = OGR_L_GetNextFeature(layer))
   {
@@ -371,7 +362,7 @@ std::vector<Label> FindPeakLabels(
   peaks->SetNumberOfPeaks(water ? std::numeric_limits<int>::max() : count);
   peaks->Update();
   ThrowOnError("--peaks");
-  const vtkSmartPointer<vtkTerrainViewpoint> ground = ViewpointOf(heights);
+  const vtkSmartPointer<vtkTerrainViewpoint> ground = MakeViewpoint(heights);
   vtkPolyData* found = peaks->GetOutput();
   vtkDataArray* of = found->GetPointData()->GetArray("Height");
   const auto most = static_cast<std::size_t>(count);

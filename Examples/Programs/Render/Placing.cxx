@@ -333,6 +333,26 @@ PlacedHeights PlaceHeights(
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkTerrainViewpoint> MakeViewpoint(const PlacedHeights& heights)
+{
+  std::vector<vtkImageData*> images{ heights.Image };
+  images.insert(images.end(), heights.Sites.begin(), heights.Sites.end());
+  images.insert(images.end(), heights.Finer.begin(), heights.Finer.end());
+  if (!heights.Finer.empty())
+  {
+    std::stable_sort(images.begin(), images.end(),
+      [](vtkImageData* a, vtkImageData* b) { return a->GetSpacing()[1] < b->GetSpacing()[1]; });
+  }
+  auto viewpoint = vtkSmartPointer<vtkTerrainViewpoint>::New();
+  viewpoint->SetGeoreference(heights.Georeference);
+  viewpoint->SetExaggeration(heights.Exaggeration);
+  viewpoint->SetHeights(images.front());
+  std::for_each(images.begin() + 1, images.end(),
+    [&viewpoint](vtkImageData* image) { viewpoint->AddHeights(image); });
+  return viewpoint;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> PlaceBeside(
   const PlacedHeights& first, vtkImageData* read, const Options& options, ProgressBar& progress)
 {

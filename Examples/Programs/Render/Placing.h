@@ -12,6 +12,7 @@
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTerrainGeoreference.h"
+#include "vtkTerrainViewpoint.h"
 
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct PlacedHeights
   vtkSmartPointer<vtkImageData> Image;
   /// Further heights of the same globe, of which the finest are seen: a terrain each.
   std::vector<vtkSmartPointer<vtkImageData>> Finer;
+  /// Heights of the other sites of a folder.
+  std::vector<vtkSmartPointer<vtkImageData>> Sites;
   vtkSmartPointer<vtkTerrainGeoreference> Georeference;
   /// Empty if the scene has places on earth, else one sentence that says why not.
   std::string WhyNoPlaces;
@@ -55,6 +58,9 @@ struct PlacedHeights
  */
 PlacedHeights PlaceHeights(
   vtkImageData* read, const Options& options, ProgressBar& progress, Statistics& statistics);
+
+/// What brings places into the scene, on the ground of all its heights, the finest first.
+vtkSmartPointer<vtkTerrainViewpoint> MakeViewpoint(const PlacedHeights& heights);
 
 /// Brings other heights of the same CRS into the scene of the first. Throws a Failure.
 vtkSmartPointer<vtkImageData> PlaceBeside(

@@ -96,7 +96,7 @@ void WarnOf(const std::string& text, const Options& options, Statistics& statist
 }
 
 //------------------------------------------------------------------------------
-std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, const PlacedHeights& heights,
+std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, PlacedHeights& heights,
   const Options& options, Terrain& terrain, ProgressBar& progress, Statistics& statistics)
 {
   std::vector<Terrain> sites;
@@ -109,6 +109,7 @@ std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, const PlacedHei
     try
     {
       sites.push_back(PrepareSite(site, heights, options, progress));
+      heights.Sites.emplace_back(sites.back().Actor->GetHeights());
       terrain.Bounds.AddBox(sites.back().Bounds);
       std::array<double, 2> range{};
       sites.back().Actor->GetHeightRange(range.data());

@@ -15,9 +15,9 @@
 struct PlacedHeights;
 
 /// Prepares the sites beside the one that was read and is `terrain`, placed in the scene of its
-/// heights. All get the colours of one range, and the terrain's bounds hold them all. A site that
+/// heights, which know them then. All get the colours of one range, and the terrain's bounds hold them all. A site that
 /// cannot join the scene is left out with a warning.
-std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, const PlacedHeights& heights,
+std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, PlacedHeights& heights,
   const Options& options, Terrain& terrain, ProgressBar& progress, Statistics& statistics);
 
 /// A terrain for each raster of finer cells on the globe of the first. The first one's bounds grow

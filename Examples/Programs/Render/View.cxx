@@ -20,7 +20,6 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkTerrainViewpoint.h"
 
 #include <algorithm>
 #include <array>
@@ -41,16 +40,6 @@ void ThrowIf(const std::string& option, const std::string& why)
   {
     throw Failure(option, why);
   }
-}
-
-/// What brings the places and times of the options into the scene.
-vtkSmartPointer<vtkTerrainViewpoint> MakeViewpoint(const PlacedHeights& heights)
-{
-  auto viewpoint = vtkSmartPointer<vtkTerrainViewpoint>::New();
-  viewpoint->SetGeoreference(heights.Georeference);
-  viewpoint->SetHeights(heights.Image);
-  viewpoint->SetExaggeration(heights.Exaggeration);
-  return viewpoint;
 }
 
 void AddLights(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options)

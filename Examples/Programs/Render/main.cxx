@@ -181,7 +181,7 @@ void Render(Options options)
   Statistics statistics;
   CheckOutputs(options);
   auto progress = std::make_unique<ProgressBar>();
-  const auto [read, heights] = ReadAndPlace(options, *progress, statistics);
+  auto [read, heights] = ReadAndPlace(options, *progress, statistics);
   Terrain terrain = PrepareTerrain({ heights.Image, read.Tiles }, heights.Exaggeration,
     heights.Colors, options, *progress, statistics);
   std::vector<Terrain> sites = PrepareSites(read, heights, options, terrain, *progress, statistics);
