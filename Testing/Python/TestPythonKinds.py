@@ -169,7 +169,7 @@ class TestKinds(RasterCase):
         memory = gdal.GetDriverByName("MEM").Create("", COLUMNS, ROWS, 1, gdal.GDT_Float32)
         memory.GetRasterBand(1).WriteArray(ground())
         points = [gdal.GCP(UTM[0] + 10.0 * c, UTM[3] - 10.0 * r + shift * r * c, 0.0, c, r)
-                  for r in (0, ROWS) for c in (0, COLUMNS)]
+                  for r in range(0, ROWS + 1, 8) for c in range(0, COLUMNS + 1, 10)]
         memory.SetGCPs(points, osr.GetUserInputAsWKT("EPSG:32631"))
         gdal.GetDriverByName("GTiff").CreateCopy(self.path(name), memory)
         return self.path(name)
@@ -177,9 +177,39 @@ class TestKinds(RasterCase):
     def test_ground_control_points(self):
         self.check(self.write_points("points/a.tif"), ground())
         self.check_tile("points/a.tif", ground())
-        self.assertIn("gdalwarp", self.check(self.write_points("bent.tif", 0.02), ground(), None))
 
-    def test_rational_polynomials_are_told(self):
+    def test_points_that_no_affine_transform_fits(self):
+        path = self.write_points("bent/a.tif", 0.02)
+        heights, image, warning = self.read(path)
+        self.assertIn("thin plate spline", warning)
+        # where a sample lies by the formula of the points, off the block and the border
+        scale, shift = (image.GetFieldData().GetArray(name).GetTuple(0) for name in ("LayoutScale", "LayoutOrigin"))
+        j, i = np.mgrid[0:heights.shape[0], 0:heights.shape[1]]
+        x = shift[0] + (image.GetOrigin()[0] + i * image.GetSpacing()[0]) / scale[0]
+        y = shift[1] + (image.GetOrigin()[1] + (heights.shape[0] - 1 - j) * image.GetSpacing()[1]) / scale[1]
+        column = (x - UTM[0]) / 10.0
+        row = (UTM[3] - y) / (10.0 - 0.02 * column)
+        is_plain = ((row > 1.5) & (row < ROWS - 1.5) & (column > 1.5) & (column < COLUMNS - 1.5)
+                    & ((row > 10.0) | (column > 10.0)))
+        self.assertGreater(is_plain.sum(), 1000)
+        np.testing.assert_allclose(heights[is_plain], (100.0 + 2.0 * (column - 0.5) + row - 0.5)[is_plain], atol=0.2)
+        # and in a folder
+        self.write("bent/b.tif", np.full((8, 8), 7.0), (UTM[0] + 2000.0, *UTM[1:]))
+        both = self.read(self.path("bent"))[0]
+        self.assertAlmostEqual(np.nanmax(both[:, :COLUMNS]), np.nanmax(heights), delta=5.0)
+
+    def test_what_is_told_of_points_and_polynomials_works(self):
+        path = self.write_points("bent.tif", 0.02)
+        for told in (self.read(path)[2], self.rational()):
+            options = re.search(r"gdalwarp (.*?) IN OUT.tif", told)[1]
+            out = self.path("out.tif")
+            gdal.Warp(out, self.path("rpc.tif") if "rpc" in options else path, options=options)
+            heights, _, warning = self.read(out)
+            self.assertGreater(np.isfinite(heights).sum(), 1000)
+            self.assertNotIn("gdalwarp", warning)
+
+    def rational(self):
+        """What is told of a raster that is placed by rational polynomials."""
         self.write("rpc.tif", ground(), (0.0, 1.0, 0.0, 0.0, 0.0, 1.0), None)
         with open(self.path("rpc_RPC.TXT"), "w") as file:
             for word, value in {"LINE_OFF": 20, "SAMP_OFF": 25, "LAT_OFF": 50, "LONG_OFF": 10, "HEIGHT_OFF": 0,
@@ -189,7 +219,7 @@ class TestKinds(RasterCase):
             for word, place in {"LINE_NUM": 2, "LINE_DEN": 0, "SAMP_NUM": 1, "SAMP_DEN": 0}.items():
                 for k in range(20):
                     file.write(f"{word}_COEFF_{k + 1}: {1 if k == place else 0}\n")
-        self.assertIn("gdalwarp -rpc", self.read(self.path("rpc.tif"))[2])
+        return self.read(self.path("rpc.tif"))[2]
 
     def test_a_crs_beside_the_file(self):
         for name in ("beside/a.tif", "text/a.xyz"):

@@ -63,6 +63,7 @@
   ENTRY(GDALClose)                                                                                 \
   ENTRY(GDALCreate)                                                                                \
   ENTRY(GDALCreateApproxTransformer)                                                               \
+  ENTRY(GDALCreateTPSTransformer)                                                                  \
   ENTRY(GDALCreateWarpOperation)                                                                   \
   ENTRY(GDALCreateWarpOptions)                                                                     \
   ENTRY(GDALDataTypeIsComplex)                                                                     \
@@ -70,6 +71,7 @@
   ENTRY(GDALDatasetRasterIOEx)                                                                     \
   ENTRY(GDALDeleteRasterNoDataValue)                                                               \
   ENTRY(GDALDestroyApproxTransformer)                                                              \
+  ENTRY(GDALDestroyTPSTransformer)                                                                 \
   ENTRY(GDALDestroyWarpOperation)                                                                  \
   ENTRY(GDALDestroyWarpOptions)                                                                    \
   ENTRY(GDALDimensionGetIndexingVariable)                                                          \
@@ -165,6 +167,7 @@
   ENTRY(GDALSetRasterScale)                                                                        \
   ENTRY(GDALSetRasterUnitType)                                                                     \
   ENTRY(GDALSetSpatialRef)                                                                         \
+  ENTRY(GDALTPSTransform)                                                                          \
   ENTRY(GDALTranslate)                                                                             \
   ENTRY(GDALTranslateOptionsFree)                                                                  \
   ENTRY(GDALTranslateOptionsNew)                                                                   \

@@ -12,13 +12,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace terrain
 {
 namespace
 {
-// Cells by which ground control points may be off an affine transform.
+// Cells by which ground control points may be off an affine transform, and places off a spline.
 constexpr double kPointTolerance = 0.01;
+// Samples of a raster that is bent in memory.
+constexpr std::int64_t kMostBent = std::int64_t{ 1 } << 27;
 
 /// True if a transform maps the pixels of all points to their places.
 bool FitsAll(const std::array<double, 6>& t, const GDAL_GCP* points, int count)
@@ -81,15 +88,21 @@ void RasterFile::PlaceByPoints()
     GDALGCPsToGeoTransform(count, GDALGetGCPs(this->Dataset), transform.data(), TRUE) &&
     FitsAll(transform, GDALGetGCPs(this->Dataset), count))
   {
+    // what is left of a fit is no rotation
+    const double slip = kPointTolerance * std::hypot(transform[1], transform[4]);
+    transform[2] *=
+      std::abs(transform[2]) * static_cast<double>(this->GetHeight()) < slip ? 0.0 : 1.0;
+    transform[4] *=
+      std::abs(transform[4]) * static_cast<double>(this->GetWidth()) < slip ? 0.0 : 1.0;
     this->Transform = transform;
     this->HasTransform = true;
     this->Record.Take("place", "an affine transform that fits all of them",
       std::to_string(count) + " ground control points");
-    const std::string system = WktOf(GDALGetGCPSpatialRef(this->Dataset));
-    if (!system.empty() && !this->Reference)
-    {
-      this->SetReference(system, "ground control points");
-    }
+    this->TakeSystemOfPoints();
+  }
+  else if (count > 3 && this->BendToPoints(std::hypot(transform[1], transform[4])))
+  {
+    this->TakeSystemOfPoints();
   }
   else if (count > 0)
   {
@@ -102,6 +115,64 @@ void RasterFile::PlaceByPoints()
       "it is placed by rational polynomials (RPC), which are not used: warp it first "
       "(gdalwarp -rpc -t_srs EPSG:4326 -dstnodata -9999 IN OUT.tif)");
   }
+}
+
+//------------------------------------------------------------------------------
+void RasterFile::TakeSystemOfPoints()
+{
+  const std::string system = WktOf(GDALGetGCPSpatialRef(this->Dataset));
+  if (!system.empty() && !this->Reference)
+  {
+    this->SetReference(system, "ground control points");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Gives each sample a place of its own, by a thin plate spline through the points. False if there is
+// none, or too many samples. cell: the size of one, in the unit of the points.
+bool RasterFile::BendToPoints(double cell)
+{
+  const std::int64_t width = this->GetWidth();
+  const std::int64_t height = this->GetHeight();
+  const int count = GDALGetGCPCount(this->Dataset);
+  if (!(cell > 0.0) || width * height > kMostBent)
+  {
+    return false;
+  }
+  const std::unique_ptr<void, void (*)(void*)> spline(
+    GDALCreateTPSTransformer(count, GDALGetGCPs(this->Dataset), FALSE),
+    [](void* made) { made ? GDALDestroyTPSTransformer(made) : void(); });
+  const std::unique_ptr<void, void (*)(void*)> near(spline
+      ? GDALCreateApproxTransformer(GDALTPSTransform, spline.get(), kPointTolerance * cell)
+      : nullptr,
+    [](void* made) { made ? GDALDestroyApproxTransformer(made) : void(); });
+  GridPlace place;
+  place.IsField = true;
+  const auto columns = static_cast<std::size_t>(width);
+  std::vector<double> z(columns, 0.0);
+  std::vector<int> done(columns, 0);
+  bool isDone = near != nullptr;
+  for (std::int64_t row = 0; row < height && isDone; ++row)
+  {
+    for (std::int64_t column = 0; column < width; ++column)
+    {
+      place.X.push_back(static_cast<double>(column) + 0.5);
+      place.Y.push_back(static_cast<double>(row) + 0.5);
+    }
+    double* x = place.X.data() + (place.X.size() - columns);
+    double* y = place.Y.data() + (place.Y.size() - columns);
+    isDone = GDALApproxTransform(
+               near.get(), FALSE, static_cast<int>(width), x, y, z.data(), done.data()) != 0 &&
+      std::all_of(x, x + columns, [](double each) { return std::isfinite(each); });
+  }
+  if (isDone)
+  {
+    this->Uneven = std::move(place);
+    this->Record.Warn("no affine transform fits its " + std::to_string(count) +
+      " ground control points: it is bent to them by a thin plate spline (gdalwarp "
+      "-dstnodata -9999 IN OUT.tif lays a polynomial among them)");
+  }
+  return isDone;
 }
 
 //------------------------------------------------------------------------------

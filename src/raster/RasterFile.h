@@ -254,6 +254,8 @@ private:
   void CheckUnitOfAxes();
   double FactorOfAxes(double metres);
   void PlaceByPoints();
+  void TakeSystemOfPoints();
+  bool BendToPoints(double cell);
   void TakeSystemBeside();
 
   // RasterIntake.cxx
