@@ -68,6 +68,19 @@ TEST(UnitTestRasterUnits, GeopotentialsAreHeightsTimesGravity)
   }
 }
 
+TEST(UnitTestRasterUnits, WordsForNoUnitAreNone)
+{
+  for (const char* name : { "-", "unspecified", "Unknown", "none" })
+  {
+    HeightFacts facts;
+    facts.BandUnit = name;
+    EXPECT_EQ(Find(facts).Warnings, "") << name;
+    facts.VerticalMetres = 0.3048;
+    facts.VerticalUnit = "foot";
+    EXPECT_EQ(Find(facts).Factor, 0.3048) << name;
+  }
+}
+
 TEST(UnitTestRasterUnits, AnUnknownUnitIsToldWithItsRemedy)
 {
   HeightFacts facts;

@@ -24,6 +24,13 @@ bool Contains(const std::string& text, std::initializer_list<const char*> words)
     [&lower](const char* word) { return lower.find(word) != std::string::npos; });
 }
 
+/// True for no unit, and for words that formats put in the place of one.
+bool SaysNothing(const std::string& unit)
+{
+  return IsOneOf(LowerCase(unit),
+    { "", "-", "--", "?", "unspecified", "unknown", "undefined", "none", "null", "n/a", "na" });
+}
+
 /// Names of the unit of a geopotential, which is a height times the standard gravity.
 bool IsGeopotential(const std::string& unit)
 {
@@ -79,7 +86,7 @@ Unit UnitOfBand(const HeightFacts& facts, RasterRecord& record)
 
 Unit FindUnit(const HeightFacts& facts, RasterRecord& record)
 {
-  if (!facts.BandUnit.empty())
+  if (!SaysNothing(facts.BandUnit))
   {
     return UnitOfBand(facts, record);
   }
