@@ -90,7 +90,7 @@ bool vtkTerrainGlobe::Suits(vtkImageData* heights)
 int vtkTerrainGlobe::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // what is added is known with the samples only: one cell each way at most, or divided cells
+  // what is added or left out is known with the samples only
   vtkInformation* info = outputs->GetInformationObject(0);
   int extent[6];
   inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
@@ -168,6 +168,9 @@ int vtkTerrainGlobe::RequestData(
     latitudes[second] / terrain::kDegree - static_cast<double>(second) * along, 0.0);
   output->SetSpacing(step, along, 1.0);
   output->SetDirectionMatrix(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
+  vtkInformation* info = outputs->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), output->GetExtent(), 6);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), output->GetExtent(), 6);
   output->GetFieldData()->RemoveArray("LayoutOrigin");
   output->GetFieldData()->RemoveArray("LayoutScale");
   terrain::GlobeData::Add(output, plan.Grid);

@@ -23,6 +23,8 @@ namespace
 {
 /// Degrees by which coordinates of files are rounded.
 constexpr double kRounding = 1e-6;
+/// Parts of a cell by which rounded steps add up over a planet.
+constexpr double kDrift = 0.05;
 /// Widest cells that are not divided, degrees.
 constexpr double kWidest = 1.0;
 
@@ -62,10 +64,49 @@ std::vector<GlobePlan::Line> Divide(const std::vector<GlobePlan::Line>& lines, i
   return divided;
 }
 
-std::string PlanColumns(const Degrees& degrees, GlobePlan& plan)
+/// True if columns from a number on are those from the first on, with the same samples.
+bool RepeatsColumns(vtkImageData* heights, int around)
+{
+  bool repeats = true;
+  ImageHeights::Dispatch(heights,
+    [&repeats, around](const auto& view)
+    {
+      for (std::int64_t j = 0; j < view.Height && repeats; ++j)
+      {
+        for (std::int64_t i = around; i < view.Width && repeats; ++i)
+        {
+          const double first = view.At(i - around, j);
+          const double again = view.At(i, j);
+          repeats = first == again || (std::isnan(first) && std::isnan(again));
+        }
+      }
+    });
+  return repeats;
+}
+
+/// Columns that are used: those of one round, where more of them repeat the first.
+int CountColumns(vtkImageData* heights, const Degrees& degrees, GlobePlan& plan)
+{
+  const int count = degrees.Count.x;
+  const double step = degrees.Step.x;
+  if (!(count * step > 360.0 + 1.5 * step))
+  {
+    return count;
+  }
+  const auto around = static_cast<int>(std::lround(360.0 / step));
+  if (around < 3 || !(std::abs(around * step - 360.0) < kDrift * step) ||
+    !RepeatsColumns(heights, around))
+  {
+    return count;
+  }
+  plan.IsPlain = false;
+  return around;
+}
+
+std::string PlanColumns(vtkImageData* heights, const Degrees& degrees, GlobePlan& plan)
 {
   GlobeGrid& grid = plan.Grid;
-  const int count = degrees.Count.x;
+  const int count = CountColumns(heights, degrees, plan);
   const double slack = 0.5 * degrees.Step.x;
   grid.West = degrees.First.x * kDegree;
   grid.Step = degrees.Step.x * kDegree;
@@ -90,33 +131,73 @@ std::string PlanColumns(const Degrees& degrees, GlobePlan& plan)
     : std::string();
 }
 
-void PlanRows(const Degrees& degrees, GlobePlan& plan)
+/// Rows that are used, the first and the last: those beyond a pole are left out where they are
+/// empty.
+glm::ivec2 RowsOnPlanet(
+  vtkImageData* heights, const std::vector<double>& latitudes, GlobePlan& plan)
 {
-  std::vector<double>& latitudes = plan.Grid.Latitudes;
-  const bool joined = plan.Grid.IsJoined();
-  const auto near = [](double latitude)
+  glm::ivec2 used(0, static_cast<int>(latitudes.size()) - 1);
+  const auto isOff = [&latitudes](int j)
+  { return std::abs(latitudes[static_cast<std::size_t>(j)]) > 90.0; };
+  if (!isOff(used[0]) && !isOff(used[1]))
   {
-    return std::abs(std::abs(latitude) - 90.0) < kRounding ? std::copysign(90.0, latitude)
-                                                           : latitude;
-  };
-  const double south = near(degrees.First.y);
-  const double north = near(degrees.First.y + (degrees.Count.y - 1) * degrees.Step.y);
-  const double most = 90.0 - 1.01 * degrees.Step.y;
-  if (joined && south > -90.0 && south < -most)
-  {
-    latitudes.push_back(-90.0);
-    plan.Rows.push_back({ -1, 0.0 });
-    plan.IsPlain = false;
+    return used;
   }
+  ImageHeights::Dispatch(heights,
+    [&](const auto& view)
+    {
+      const auto isEmpty = [&view](int j)
+      {
+        bool empty = true;
+        for (std::int64_t i = 0; i < view.Width && empty; ++i)
+        {
+          empty = std::isnan(static_cast<double>(view.At(i, j)));
+        }
+        return empty;
+      };
+      for (; used[0] <= used[1] && isOff(used[0]) && isEmpty(used[0]); ++used[0])
+      {
+      }
+      for (; used[0] < used[1] && isOff(used[1]) && isEmpty(used[1]); --used[1])
+      {
+      }
+    });
+  plan.IsPlain = plan.IsPlain && used[0] == 0 && used[1] + 1 == static_cast<int>(latitudes.size());
+  return used;
+}
+
+void PlanRows(vtkImageData* heights, const Degrees& degrees, GlobePlan& plan)
+{
+  const bool joined = plan.Grid.IsJoined();
+  std::vector<double> all;
   for (int j = 0; j < degrees.Count.y; ++j)
   {
-    latitudes.push_back(near(degrees.First.y + j * degrees.Step.y));
+    const double latitude = degrees.First.y + j * degrees.Step.y;
+    const double beyond = std::abs(latitude) - 90.0;
+    const bool isPole =
+      std::abs(beyond) < kRounding || (beyond > 0.0 && beyond < kDrift * degrees.Step.y);
+    all.push_back(isPole ? std::copysign(90.0, latitude) : latitude);
+  }
+  plan.Used = RowsOnPlanet(heights, all, plan);
+  std::vector<double>& latitudes = plan.Grid.Latitudes;
+  const double most = 90.0 - 1.01 * degrees.Step.y;
+  const auto isNear = [joined, most](double latitude)
+  { return joined && latitude < 90.0 && latitude > most; };
+  for (int j = plan.Used[0]; j <= plan.Used[1]; ++j)
+  {
+    latitudes.push_back(all[static_cast<std::size_t>(j)]);
     plan.Rows.push_back({ j, 0.0 });
   }
-  if (joined && north < 90.0 && north > most)
+  if (!latitudes.empty() && isNear(-latitudes.front()))
+  {
+    latitudes.insert(latitudes.begin(), -90.0);
+    plan.Rows.insert(plan.Rows.begin(), { plan.Used[0] - 1, 0.0 });
+    plan.IsPlain = false;
+  }
+  if (!latitudes.empty() && isNear(latitudes.back()))
   {
     latitudes.push_back(90.0);
-    plan.Rows.push_back({ degrees.Count.y, 0.0 });
+    plan.Rows.push_back({ plan.Used[1] + 1, 0.0 });
     plan.IsPlain = false;
   }
   for (double& latitude : latitudes)
@@ -165,12 +246,12 @@ void DivideCells(const Degrees& degrees, GlobePlan& plan)
   plan.Rows = resolve(rows, plan.Rows);
 }
 
-/// The samples of one row of the heights, as doubles with NaN for none; the mean of the first row
-/// for -1, of the last for the number of rows.
+/// The samples of one row of the heights, as doubles with NaN for none; before the first row that
+/// is used and behind the last one the mean of that.
 template <typename T>
-std::vector<double> RowOf(const HeightfieldView<T>& view, int row)
+std::vector<double> RowOf(const HeightfieldView<T>& view, int row, const glm::ivec2& used)
 {
-  const std::int64_t at = std::clamp<std::int64_t>(row, 0, view.Height - 1);
+  const int at = std::clamp(row, used[0], used[1]);
   std::vector<double> samples(static_cast<std::size_t>(view.Width));
   double sum = 0.0;
   int count = 0;
@@ -253,8 +334,8 @@ GlobePlan PlanGlobe(vtkImageData* heights, const double radii[2])
   plan.Grid.Body = radii[0] > 0.0 ? Ellipsoid{ radii[0], radii[1] }
                                   : Ellipsoid{ system.GetSemiMajor(), system.GetSemiMinor() };
   const Degrees degrees = DegreesOf(heights, system.GetDegrees());
-  plan.WhyNot = PlanColumns(degrees, plan);
-  PlanRows(degrees, plan);
+  plan.WhyNot = PlanColumns(heights, degrees, plan);
+  PlanRows(heights, degrees, plan);
   if (plan.WhyNot.empty())
   {
     plan.WhyNot = plan.Grid.WhyNot();
@@ -301,8 +382,9 @@ void FillGlobe(
           for (vtkIdType j = begin; j < end; ++j)
           {
             const GlobePlan::Line& row = plan.Rows[static_cast<std::size_t>(j)];
-            const std::vector<double> south = RowOf(view, row.First);
-            const std::vector<double> north = row.At > 0.0 ? RowOf(view, row.First + 1) : south;
+            const std::vector<double> south = RowOf(view, row.First, plan.Used);
+            const std::vector<double> north =
+              row.At > 0.0 ? RowOf(view, row.First + 1, plan.Used) : south;
             for (int i = 0; i < plan.Grid.Columns; ++i)
             {
               const double height =

@@ -17,8 +17,8 @@ class vtkImageData;
 namespace terrain
 {
 /// The grid of a globe and what its columns and rows are made from: the sample at part At of the
-/// way from First to the sample after it, First -1 for the mean of the first row and Count for that
-/// of the last.
+/// way from First to the sample after it. Rows before the first and behind the last one that are used
+/// stand for the mean of that.
 struct GlobePlan
 {
   struct Line
@@ -29,6 +29,8 @@ struct GlobePlan
   GlobeGrid Grid;
   std::vector<Line> Columns;
   std::vector<Line> Rows;
+  /// First and last row of samples that are used.
+  glm::ivec2 Used{ 0 };
   /// True if there is nothing to make.
   bool IsPlain = true;
   /// True if samples lie between samples.

@@ -55,9 +55,10 @@ void LayOutDegrees(OGRSpatialReferenceH srs, double width, double height, Raster
     transform[3] + 0.5 * height * transform[5] } };
   const double latitude = layout.Origin[1] * degrees;
   const double extent = std::fabs(width * transform[1]) * degrees;
-  // Half a cell beyond a pole, or a repeated column, is usual in global grids.
+  // Half a cell beyond a pole, or repeated columns, are usual in global grids; what goes round more
+  // than twice is none.
   const double slack = std::fabs(transform[1] * degrees) + 1e-6;
-  if (std::fabs(latitude) > 90.0 || extent > 360.0 + slack)
+  if (std::fabs(latitude) > 90.0 || extent > 720.0 + slack)
   {
     std::ostringstream text;
     text << "its CRS is in degrees, but its centre lies at latitude " << latitude << " and it is "

@@ -232,10 +232,16 @@ void LayAllOnGlobe(PlacedHeights& placed, const Options& options, ProgressBar& p
 void PlaceOnGlobe(PlacedHeights& placed, const Options& options, ProgressBar& progress)
 {
   placed.Georeference->SetFrame(FrameType::Globe);
-  const std::string name = HeightsName(options);
-  if (!placed.Georeference->GetWhyNot().empty())
+  const auto refuse = [&placed, &options]
   {
-    throw Failure(name, placed.Georeference->GetWhyNot());
+    if (!placed.Georeference->GetWhyNot().empty())
+    {
+      throw Failure(HeightsName(options), placed.Georeference->GetWhyNot());
+    }
+  };
+  if (!placed.Georeference->IsGeographic())
+  {
+    refuse();
   }
   RefuseOnGlobe(options);
   if (!options.Place.Finer.empty())
@@ -243,6 +249,8 @@ void PlaceOnGlobe(PlacedHeights& placed, const Options& options, ProgressBar& pr
     RefuseBesideFiner(options);
   }
   LayAllOnGlobe(placed, options, progress);
+  placed.Georeference->SetFromHeights(placed.Image); // without what a globe leaves out of a raster
+  refuse();
 }
 
 /// Sets the frame of heights that are drawn flat: a warning, or nothing.

@@ -154,9 +154,10 @@ def lay_out(image, scene=None):
     warning says why.
     """
     if scene is not None and scene.GetFrame() == vtkTerrainGeoreference.FrameType.Globe:
+        globe = lay_on_globe(image)
         if not scene.GetCoordinateSystem():
-            scene.SetFromHeights(image)
-        return lay_on_globe(image)
+            scene.SetFromHeights(globe)
+        return globe
     place = vtkTerrainGeoreference()
     place.SetFromHeights(image)
     if not place.GetCoordinateSystem():
