@@ -13,8 +13,8 @@
  * - The ellipsoid is that of the coordinate system, of any planet or moon, or that of SetRadii().
  * - Samples that go round are joined at the date line: where they stand for cells, the first column
  *   is repeated.
- * - Where columns go on after a full round with the samples of the first ones, these are left out; so
- *   are rows beyond a pole without a height. Where there are others, there is no globe.
+ * - Columns that go on after a full round with the samples of the first ones are left out; so are
+ *   rows beyond a pole without a height. Where there are others, there is no globe.
  * - Samples that go round and end within a cell of a pole are closed there by the mean of the last
  *   row. Where the last row lies at a pole, it stays as it is.
  * - Heights that are radii (all of them above half the polar one) count from a sphere's surface.

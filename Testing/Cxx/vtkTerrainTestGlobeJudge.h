@@ -204,8 +204,8 @@ inline double JudgedHills(double longitude, double latitude)
     900.0 * std::sin(2.0 * y + 0.3));
 }
 
-/// Kinds of global rasters that files come in: wherever longitudes begin, more than once round, rows
-/// beyond the poles, at them or beside them.
+/// Kinds of global rasters that files come in: wherever longitudes begin, more than once round,
+/// rows beyond the poles, at them or beside them.
 inline std::vector<DegreesRaster> KindsOfDegrees()
 {
   std::vector<DegreesRaster> kinds;

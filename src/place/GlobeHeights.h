@@ -17,8 +17,8 @@ class vtkImageData;
 namespace terrain
 {
 /// The grid of a globe and what its columns and rows are made from: the sample at part At of the
-/// way from First to the sample after it. Rows before the first and behind the last one that are used
-/// stand for the mean of that.
+/// way from First to the sample after it. Rows before the first and behind the last one that are
+/// used stand for the mean of that.
 struct GlobePlan
 {
   struct Line

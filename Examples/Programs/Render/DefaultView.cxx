@@ -248,6 +248,18 @@ void LightGlobe(vtkCamera* camera, vtkLight* sun)
 }
 
 //------------------------------------------------------------------------------
+bool IsInsidePlanet(vtkCamera* camera, const PlacedHeights& heights)
+{
+  if (!heights.IsGlobe())
+  {
+    return false;
+  }
+  Vector place{};
+  heights.Georeference->SceneToPlaces(camera->GetPosition(), place.data(), 1);
+  return place[2] < DrawnRange(heights)[0];
+}
+
+//------------------------------------------------------------------------------
 void SetClippingRange(vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights& heights)
 {
   double nearest = VTK_DOUBLE_MAX;

@@ -21,6 +21,9 @@ void LookAtAll(
 /// Light on a globe from over the left shoulder of who looks at it.
 void LightGlobe(vtkCamera* camera, vtkLight* sun);
 
+/// True if an eye is below all of the ground of a globe, whose underside is not drawn.
+bool IsInsidePlanet(vtkCamera* camera, const PlacedHeights& heights);
+
 /// From as near as the contract of the near plane allows to beyond the farthest corner; on a globe
 /// to the horizon of its highest heights, and as near as a hundred-thousandth of that.
 void SetClippingRange(vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights& heights);

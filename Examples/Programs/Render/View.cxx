@@ -153,6 +153,11 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
       camera, terrain.Framed, heights, static_cast<double>(options.Size[0]) / options.Size[1]);
   }
   SetClippingRange(camera, box, heights);
+  if (IsInsidePlanet(camera, heights))
+  {
+    Warn("the eye is inside the planet, whose underside is not drawn: raise it (--look-from "
+         "LONGITUDE,LATITUDE,2agl)");
+  }
   SetBackground(renderer, options);
   AddLights(renderer, heights, options);
   return renderer;
