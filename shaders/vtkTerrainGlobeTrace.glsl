@@ -282,8 +282,9 @@ vec2 terrainGlobeHeightNear(TerrainGlobePath path, vec4 line, float radius, floa
   float above = terrainGlobeAbove(path, line, t, off);
   radius += terrainGlobeScene.z + above;
   float drop = north * north / (sqrt(north * north + radius * radius) + radius);
-  float rounding =
-    4.8e-7 * (abs(off) + abs(line.w) + abs(path.origin.z + t * path.direction.z));
+  float rounding = 4.8e-7 *
+    (abs(off) + abs(line.w) + abs(path.origin.z + t * path.direction.z) +
+      abs(t) * dot(abs(path.direction), vec3(1.0)));
   float slack = terrainGlobeOuter.w * drop + rounding;
   return vec2(above + drop - slack, above + drop + slack);
 }
@@ -309,9 +310,11 @@ bool terrainGlobeVisitNode(
     : min(begin.x, end.x);
   float fall = begin.x > bounds.x ? (begin.x - bounds.x) / (sag - change) : 0.0;
   float rise = begin.y < bounds.y ? (bounds.y - begin.y) / (end.y - begin.y) : 0.0;
-  from = at.t + min(max(max(fall, rise), 0.0), 1.0) * length;
-  side = begin.x > bounds.x ? 1.0 : begin.y < bounds.y ? -1.0 : side;
-  return least <= bounds.x && max(begin.y, end.y) >= bounds.y;
+  // rounded past flat ground that the path came to from the other side
+  bool through = (side > 0.0 && begin.y < bounds.y) || (side < 0.0 && begin.x > bounds.x);
+  from = at.t + (through ? 0.0 : min(max(max(fall, rise), 0.0), 1.0) * length);
+  side = through ? side : begin.x > bounds.x ? 1.0 : begin.y < bounds.y ? -1.0 : side;
+  return through || (least <= bounds.x && max(begin.y, end.y) >= bounds.y);
 }
 
 // atan(x), radians, of the angles in a cell, which are small: to kGlobeAngleError

@@ -148,6 +148,42 @@ TEST(Globe, HasNoHolesInFlatGround)
   EXPECT_EQ(holes, 0);
 }
 
+// Flat ground about an anchor, along its parallel, whose lines rays follow: what is rounded is then a
+// part of the way along the ray alone, for the place itself is near the anchor.
+TEST(Globe, HasNoHolesAboutItsAnchor)
+{
+  const double step = 1.0 / 120.0;
+  const terrain::TestGlobe globe{ "flat",
+    terrain::MakeGrid({}, 24.0, step, 1025, terrain::Parallels(24.0, step, 1025)),
+    [](int i, int j) { return (i / 97 + j / 61) % 5 == 0 ? 8000.0 : 0.0; } };
+  const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
+  const terrain::Ellipsoid& body = globe.Grid.Body;
+  std::mt19937 generator(29);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int holes = 0;
+  for (int view = 0; view < 40; ++view)
+  {
+    // the eye is above a place near the line of its anchor and the planet's centre
+    const glm::dvec2 place(
+      kDegree * (28.0 + 2.0 * uniform(generator)), kDegree * (28.0 + 2.0 * uniform(generator)));
+    const glm::dvec3 anchor = body.ToPosition({ place, 0.0 });
+    const glm::dvec3 eye = 3.2 * anchor;
+    const terrain::WorldTracer<float, std::uint16_t> tracer(world, anchor);
+    for (int k = 0; k < 8000; ++k)
+    {
+      const glm::dvec3 target = body.ToPosition(
+        { place.x + 0.03 * uniform(generator), place.y + 0.0003 * uniform(generator), 0.0 });
+      terrain::GlobeReferenceRay ray;
+      ray.Direction = glm::normalize(target - eye);
+      ray.Origin = target - 1.8e5 * ray.Direction;
+      ray.End = 1e8;
+      const auto hit = tracer.Trace(ray);
+      holes += hit.Found && hit.Front && hit.T < 1.81e5f ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(holes, 0);
+}
+
 // A million points of a planet, poles and date line among them, each seen by one of a thousand
 // eyes.
 TEST(Globe, PicksPlacesToAMillimetre)

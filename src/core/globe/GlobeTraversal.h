@@ -372,7 +372,8 @@ glm::vec<2, Real> GlobeTraversal<Real, Texel>::HeightNear(const Path& path, int 
   const Real radius = grid.Curves[static_cast<std::size_t>(row)].x + grid.Height + above;
   const Real drop = north * north / (std::sqrt(north * north + radius * radius) + radius);
   const Real rounding = 4 * std::numeric_limits<Real>::epsilon() *
-    (std::abs(off) + std::abs(line.w) + std::abs(path.Origin.z + t * path.Direction.z));
+    (std::abs(off) + std::abs(line.w) + std::abs(path.Origin.z + t * path.Direction.z) +
+      std::abs(t) * glm::dot(glm::abs(path.Direction), Vec3(1)));
   const Real slack = grid.Spread * drop + rounding;
   return { above + drop - slack, above + drop + slack };
 }
@@ -397,6 +398,12 @@ bool GlobeTraversal<Real, Texel>::VisitNode(
     ? begin.x + Real(0.5) * change - Real(0.25) * (sag + change * change / sag)
     : std::min(begin.x, end.x);
   from = at.T;
+  // float may round the place of a path past flat ground: one that came to the node from above and
+  // is below all of it met the surface there, and the cell there is to say so
+  if ((side > 0 && begin.y < lowest) || (side < 0 && begin.x > highest))
+  {
+    return true;
+  }
   if (!(least <= highest && std::max(begin.y, end.y) >= lowest))
   {
     return false;
@@ -405,8 +412,7 @@ bool GlobeTraversal<Real, Texel>::VisitNode(
   const Real fall = begin.x > highest ? (begin.x - highest) / (sag - change) : Real(0);
   const Real rise = begin.y < lowest ? (lowest - begin.y) / (end.y - begin.y) : Real(0);
   from = at.T + std::min(std::max(std::max(fall, rise), Real(0)), Real(1)) * length;
-  // what came from above or below all of the node is on that side there, although float may round
-  // the place past flat ground
+  // what comes from above or below all of the node is on that side there
   side = begin.x > highest ? Real(1) : (begin.y < lowest ? Real(-1) : side);
   return true;
 }
