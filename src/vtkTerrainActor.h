@@ -127,8 +127,9 @@ public:
   ///@}
   /// An exaggeration with which a view of all the heights shows their relief, a round number: 1 for
   /// mountains, 5 for a country of hills, 20 for a continent (terrain::SuggestExaggeration). Less
-  /// for a globe, whose relief is seen against the sky. Heights and spacing must have the same
-  /// unit. 1 where there are no heights or they are all alike.
+  /// for a globe, whose relief is seen against the sky: for heights on one (vtkTerrainGlobe), or
+  /// that will be drawn so. Heights and spacing of others must have the same unit. 1 where there
+  /// are no heights or they are all alike.
   static double SuggestExaggeration(vtkImageData* heights, bool onGlobe = false);
   /// The relief, without the highest and lowest 2 % of the samples, over the extent: the square
   /// root of the area. 0 where there is none.

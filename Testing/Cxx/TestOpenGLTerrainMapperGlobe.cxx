@@ -6,8 +6,10 @@
 #include "vtkTerrainTestGlobeDrawing.h"
 
 #include "render/Globe.h"
+#include "vtkTerrainActor.h"
 #include "vtkTerrainPicker.h"
 
+#include "vtkAssembly.h"
 #include "vtkCommand.h"
 #include "vtkTestErrorObserver.h"
 
@@ -265,6 +267,39 @@ TEST(OpenGLTerrainMapperGlobe, PicksAndSees)
   double obstacle[3];
   EXPECT_FALSE(picker->HasLineOfSight(globe.Shown.Actor, &from.x, &far.x, obstacle));
   EXPECT_TRUE(picker->HasLineOfSight(globe.Shown.Actor, &from.x, &near.x, obstacle));
+}
+
+// An actor of the module has a mesh for VTK's pickers, but on a globe: there it is picked by rays as
+// elsewhere, by itself and in an assembly that is moved.
+TEST(OpenGLTerrainMapperGlobe, IsPickedAsAnActor)
+{
+  const auto heights = MakeWorld();
+  Globe globe(heights);
+  globe.Look({ 25.0, 30.0, 3e6 }, { 25.0, 30.0, 0.0 });
+  vtkRenderer* renderer = globe.Shown.Scene.Renderer;
+  globe.Shown.Scene.Window->Render();
+  const vtkNew<vtkTerrainPicker> picker;
+  ASSERT_TRUE(picker->Pick(30.5, 20.5, 0.0, renderer));
+  const double expected[2] = { picker->GetGridPosition()[0], picker->GetGridPosition()[1] };
+  const double height = picker->GetHeight();
+  renderer->RemoveActor(globe.Shown.Actor);
+  const vtkNew<vtkTerrainActor> actor;
+  actor->SetInputData(heights);
+  const vtkNew<vtkAssembly> assembly;
+  for (vtkProp* prop : { static_cast<vtkProp*>(actor), static_cast<vtkProp*>(assembly) })
+  {
+    renderer->AddViewProp(prop);
+    globe.Shown.Scene.Window->Render();
+    ASSERT_TRUE(picker->Pick(30.5, 20.5, 0.0, renderer));
+    EXPECT_NEAR(picker->GetGridPosition()[0], expected[0], 1e-6);
+    EXPECT_NEAR(picker->GetGridPosition()[1], expected[1], 1e-6);
+    EXPECT_NEAR(picker->GetHeight(), height, 1e-3);
+    renderer->RemoveViewProp(prop);
+    assembly->AddPart(actor);
+  }
+  actor->PickableOff();
+  renderer->AddActor(actor);
+  EXPECT_FALSE(picker->Pick(30.5, 20.5, 0.0, renderer));
 }
 
 // What is not to be had is one sentence, not a wrong picture.

@@ -4,6 +4,7 @@
 #include "vtkTerrainActor.h"
 
 #include "core/grid/Relief.h"
+#include "data/GlobeData.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -39,8 +40,17 @@ std::vector<double> SomeHeights(vtkImageData* heights)
   return samples;
 }
 
+/// In the unit of heights; on a globe along the lines of its grid through the middle of the heights.
 double ExtentOf(vtkImageData* heights)
 {
+  if (const auto globe = terrain::GlobeData::Get(heights); globe && globe->WhyNot().empty())
+  {
+    const double south = globe->Latitudes.front();
+    const double north = globe->Latitudes.back();
+    const double radius = globe->Body.Equatorial;
+    const double across = globe->Cells().x * globe->Step * radius * std::cos(0.5 * (south + north));
+    return std::sqrt(across * (north - south) * radius);
+  }
   const int* dimensions = heights->GetDimensions();
   const double* spacing = heights->GetSpacing();
   return std::sqrt(std::abs(spacing[0] * (dimensions[0] - 1) * spacing[1] * (dimensions[1] - 1)));
@@ -64,5 +74,6 @@ double vtkTerrainActor::SuggestExaggeration(vtkImageData* heights, bool onGlobe)
 {
   // all the world is as wide as the way round it, 3.1 diameters
   constexpr double kOfGlobe = 2.0;
-  return terrain::SuggestExaggeration(GetReliefShare(heights), onGlobe ? 1.0 / kOfGlobe : 1.0);
+  const bool round = onGlobe || terrain::GlobeData::Has(heights);
+  return terrain::SuggestExaggeration(GetReliefShare(heights), round ? 1.0 / kOfGlobe : 1.0);
 }

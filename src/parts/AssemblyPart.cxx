@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parts/AssemblyPart.h"
 
+#include "data/GlobeData.h"
 #include "render/SurfaceScope.h"
 #include "vtkTerrainActor.h"
 
@@ -116,7 +117,10 @@ vtkTypeBool AssemblyPart::GetVisibility()
 //------------------------------------------------------------------------------
 vtkTypeBool AssemblyPart::GetPickable()
 {
-  return this->TakeSurface() && this->Terrain->GetPickable();
+  // a globe has no mesh, and the picker of this module asks for none
+  const bool isFound = this->TakeSurface() ||
+    (SurfaceScope::IsOpen() && this->Terrain && GlobeData::Has(this->Terrain->GetHeights()));
+  return isFound && this->Terrain->GetPickable();
 }
 
 //------------------------------------------------------------------------------

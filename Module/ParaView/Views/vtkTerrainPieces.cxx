@@ -9,6 +9,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -134,7 +135,8 @@ bool AreSame(vtkImageData* a, vtkImageData* b)
     areSameNumbers(a->GetSpacing(), b->GetSpacing(), 3) &&
     a->GetPointData()->GetScalars() == b->GetPointData()->GetScalars() &&
     areSameArrays(a->GetPointData(), b->GetPointData()) &&
-    areSameArrays(a->GetCellData(), b->GetCellData());
+    areSameArrays(a->GetCellData(), b->GetCellData()) &&
+    areSameArrays(a->GetFieldData(), b->GetFieldData());
 }
 
 //------------------------------------------------------------------------------
@@ -169,6 +171,16 @@ void AddBox(const double bounds[6], vtkMatrix4x4* toWorld, vtkBoundingBox& box)
 //------------------------------------------------------------------------------
 void AddOwnBox(vtkImageData* heights, vtkTerrainActor* terrain, vtkBoundingBox& box)
 {
+  if (heights->GetFieldData()->HasArray("GlobeLatitudes"))
+  {
+    // heights of vtkTerrainGlobe: on no plane
+    vtkNew<vtkTerrainActor> globe;
+    globe->SetInputData(heights);
+    globe->SetVerticalExaggeration(terrain->GetVerticalExaggeration());
+    terrain->ComputeMatrix();
+    AddBox(globe->GetBounds(), terrain->GetMatrix(), box);
+    return;
+  }
   std::array<int, 2> first{};
   std::array<int, 2> last{};
   OwnSamples(heights, first, last);

@@ -9,6 +9,7 @@ from .places import Placement
 from .vtkTerrain import vtkTerrainDrape
 
 _LIFT = 0.2  # of a cell: keeps what lies on the surface visible
+_MOST_LIFT = 3e-4  # of a globe's radius
 
 
 def _points(terrain, points, coordinates):
@@ -21,10 +22,20 @@ def _points(terrain, points, coordinates):
     if coordinates not in ("scene", "file", "places"):
         raise ValueError(f'coordinates must be "scene", "file" or "places", not {coordinates!r}')
     on_map = points[:, :2]
+    placement = Placement(terrain.GetHeights())
+    if placement.globe_radius is not None:
+        return placement.on_globe(points, coordinates)
     if coordinates != "scene":
-        placement = Placement(terrain.GetHeights())
         on_map = (placement.from_places if coordinates == "places" else placement.from_coordinates)(on_map)
     return np.column_stack([on_map, np.zeros(len(points))])
+
+
+def lift_of(terrain):
+    """What keeps a line above a terrain visible, in the unit of its heights as drawn."""
+    heights = terrain.GetHeights()
+    cell = min(heights.GetSpacing()[:2])
+    radius = Placement(heights).globe_radius
+    return _LIFT * cell if radius is None else min(_LIFT * np.radians(cell), _MOST_LIFT) * radius
 
 
 def _lay(terrain, mesh, offset):
@@ -34,8 +45,7 @@ def _lay(terrain, mesh, offset):
     drape.SetInputData(mesh)
     drape.SetHeightsData(heights)
     drape.SetExaggeration(terrain.GetVerticalExaggeration())
-    drape.SetOffset(_LIFT * min(heights.GetSpacing()[:2]) / terrain.GetVerticalExaggeration()
-                    if offset is None else float(offset))
+    drape.SetOffset(lift_of(terrain) / terrain.GetVerticalExaggeration() if offset is None else float(offset))
     drape.Update()
     laid = pyvista.wrap(drape.GetOutput())
     if not laid.n_points:
@@ -70,12 +80,13 @@ def add_track(plotter, terrain, points, *, coordinates="scene", offset=None, col
     terrain : Terrain
         What ``add_terrain`` returned.
     points : array_like of N x 2 or N x 3, or pyvista.PolyData
-        Its corners, or lines of any number in the scene; z does not matter.
+        Its corners, or lines of any number in the scene; z does not matter, except in the scene of a
+        globe, where points are geocentric.
     coordinates : {"scene", "file", "places"}
         What x and y are: those of the heights as drawn, of the heights' own coordinate system, or
-        longitude and latitude in degrees on WGS84.
+        longitude and latitude in degrees on WGS84, on a globe of another world its own.
     offset : float, optional
-        Added to the heights, in their unit; 0.2 cells by default.
+        Added to the heights, in their unit; 0.2 cells by default, on a globe at most 0.0003 radii.
     color, line_width, **options
         As those of ``pyvista.Plotter.add_mesh``.
     """

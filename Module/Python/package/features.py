@@ -4,11 +4,11 @@
 import numpy as np
 import pyvista
 
+from ._ground import lift_of
 from .places import Placement
 from .vtkTerrain import vtkTerrainDrape
 
 _POINT, _LINES, _POLYGON = 0, (1, 2), 3  # shapely's numbers of types
-_LIFT = 0.2  # of a cell: keeps what lies on the surface visible
 
 
 def _parts(frame):
@@ -27,6 +27,8 @@ def _parts(frame):
 
 def _in_scene(terrain, frame, coordinates):
     placement = Placement(terrain.GetHeights())
+    if placement.globe_radius is not None:
+        return placement.on_globe(coordinates, "file" if frame.crs is None else "places")
     on_map = placement.from_places if frame.crs is not None else placement.from_coordinates
     return np.column_stack([on_map(coordinates), np.zeros(len(coordinates))])
 
@@ -37,7 +39,7 @@ def _drape(terrain, mesh, offset):
     drape.SetInputData(mesh)
     drape.SetHeightsData(heights)
     drape.SetExaggeration(terrain.GetVerticalExaggeration())
-    drape.SetOffset(_LIFT * min(heights.GetSpacing()[:2]) if offset is None else offset)
+    drape.SetOffset(lift_of(terrain) if offset is None else offset)
     drape.Update()
     return pyvista.wrap(drape.GetOutput())
 

@@ -20,6 +20,10 @@ class Placement:
         self._georeference.SetFromHeights(heights)
         self._origin = self._pair(heights, "LayoutOrigin", 0.0)
         self._scale = self._pair(heights, "LayoutScale", 1.0)
+        radii = heights.GetFieldData().GetArray("GlobeRadii")
+        self._radius = None if radii is None else radii.GetComponent(0, 0)
+        if radii is not None:
+            self._georeference.SetFrame(vtkTerrainGeoreference.FrameType.Globe)
 
     @staticmethod
     def _pair(heights, name, default):
@@ -30,6 +34,29 @@ class Placement:
     def is_on_earth(self):
         """Whether longitudes and latitudes can be told."""
         return not self._georeference.GetWhyNot() and self._georeference.IsOnEarth()
+
+    @property
+    def globe_radius(self):
+        """The equatorial one of the globe that the heights lie on, in metres; None where they lie flat."""
+        return self._radius
+
+    def on_globe(self, points, coordinates):
+        """Geocentric points, N x 3, of those of a globe's scene, of its coordinate system or of its own places.
+
+        ``points`` are N x 2 or N x 3 numbers, ``coordinates`` "scene", "file" or "places" (longitude and
+        latitude in degrees, on other worlds their own). Heights of places are 0.
+        """
+        points = np.asarray(points, dtype=float)
+        if coordinates == "scene":
+            if points.shape[1] != 3:
+                raise ValueError('points of the scene of a globe are N x 3: coordinates="places" takes longitudes and '
+                                 'latitudes')
+            return points
+        flat = np.column_stack([points[:, :2], np.zeros(len(points))]).ravel()
+        bring = self._georeference.PlacesToScene if coordinates == "places" else self._georeference.FileToScene
+        if not bring(flat, flat, len(points)):
+            raise ValueError(self._georeference.GetWhyNot() or "the heights have no coordinate system")
+        return flat.reshape(-1, 3)
 
     def from_places(self, places):
         """x and y in the image, N x 2, of longitudes and latitudes in degrees on WGS84, N x 2.

@@ -213,6 +213,19 @@ def _follow_theme(theme, technique, options):
                       "show_edges=False ends this warning", stacklevel=3)
 
 
+def _check_frame(frame, given, options):
+    if frame not in (None, "globe"):
+        raise ValueError(f"frame must be \"globe\" or None, not {frame!r}")
+    if frame is None:
+        return
+    if given["technique"] != "pyramid":
+        raise ValueError(f"a globe is drawn with the technique \"pyramid\", not {given['technique']!r}")
+    unwanted = [word for word in ("sky_light", "silhouette", "block", "extract", "detail")
+                if {**given, **options}.get(word)]
+    if unwanted:
+        raise ValueError(f"a globe has no {unwanted[0]}: leave it out, or draw the heights flat (frame=None)")
+
+
 def _check_size(heights):
     """Arrays are drawn whole or not at all."""
     columns, rows, _ = heights.GetDimensions()
@@ -282,7 +295,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     frame : {"globe"}, optional
         "globe" draws heights in longitude and latitude on the ellipsoid of their coordinate system, of
         any planet (``vtkTerrainGlobe``): the scene of the plotter is then geocentric, in metres. It
-        needs the technique "pyramid".
+        needs the technique "pyramid", and goes without sky_light, silhouette, block, extract and detail.
     shadows : bool
         Whether the surface lies in its own shadow, of all lights of the plotter but a headlight.
     sun_angle : float
@@ -317,8 +330,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     actor.exaggeration = 1.0 if is_auto else exaggeration
     actor.SetTechnique(techniques[technique])
     place = {key: options.pop(key) for key in tuple(options) if key in _OF_PLACE}
-    if frame not in (None, "globe"):
-        raise ValueError(f"frame must be \"globe\" or None, not {frame!r}")
+    _check_frame(frame, given, options)
     scene = scene or terrain_scene(plotter)
     tell_of_apart(scene)
     is_drawn_as_it_is = not place and frame is None and (_is_prepared(heights) or _is_large(heights))
