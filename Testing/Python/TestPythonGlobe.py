@@ -94,6 +94,14 @@ class TestGlobe(unittest.TestCase):
         plotter.camera.view_angle = 30.0
         return plotter.screenshot(return_img=True).astype(int), terrain, plotter
 
+    @staticmethod
+    def pixel_of(plotter, point):
+        """Row from the top and column of a point of the scene."""
+        plotter.renderer.SetWorldPoint(*point, 1.0)
+        plotter.renderer.WorldToDisplay()
+        column, row = plotter.renderer.GetDisplayPoint()[:2]
+        return np.array([SIZE - 1 - row, column])
+
     def test_pictures_show_the_whole_planet(self):
         for world in WORLDS:
             with self.subTest(world.name):
@@ -167,9 +175,16 @@ class TestGlobe(unittest.TestCase):
                     self.assertAlmostEqual(height, world.height_at(longitude, latitude) + 50.0, delta=2.0)
                     self.assertAlmostEqual(latitude, (longitude + 60.0) * 50.0 / 40.0, delta=1e-3)
                 plotting.add_track(plotter, terrain, [(-60.0, 0.0), (-20.0, 50.0)], coordinates="places", color="red")
-                plotting.add_places(plotter, terrain, [(-30.0, 10.0), (150.0, 10.0)], coordinates="places",
-                                    color="blue", labels=["near", "far"])
+                places = [(-30.0, 10.0), (-50.0, 30.0), (150.0, 10.0)]
+                plotting.add_places(plotter, terrain, places, coordinates="places", color="blue")
+                bare = plotter.screenshot(return_img=True).astype(int)
+                plotting.add_places(plotter, terrain, places, coordinates="places", color="blue",
+                                    labels=["HERE", "HERE", "BEHIND"])
                 picture = plotter.screenshot(return_img=True).astype(int)
+                written = np.argwhere((np.abs(picture - bare) > 30).any(axis=2))
+                self.assertGreater(len(written), 200)
+                behind = self.pixel_of(plotter, world.point_of(*places[-1], 0.0))
+                self.assertGreater(np.abs(written - behind).sum(axis=1).min(), 15)
                 self.assertGreater((picture[..., 0] > picture[..., 1] + 80).sum(), 60)
                 self.assertGreater((picture[..., 2] > picture[..., 1] + 60).sum(), 30)
                 self.assertFalse((plain[..., 0] > plain[..., 1] + 80).any())

@@ -9,7 +9,8 @@ from .places import Placement
 from .vtkTerrain import vtkTerrainDrape
 
 _LIFT = 0.2  # of a cell: keeps what lies on the surface visible
-_MOST_LIFT = 3e-4  # of a globe's radius
+_MOST_LIFT = 1e-3  # of a globe's radius
+_HIDDEN = 0.05  # of a globe's radius: labels of what lies so far behind what is seen are hidden
 
 
 def _points(terrain, points, coordinates):
@@ -36,6 +37,17 @@ def lift_of(terrain):
     cell = min(heights.GetSpacing()[:2])
     radius = Placement(heights).globe_radius
     return _LIFT * cell if radius is None else min(_LIFT * np.radians(cell), _MOST_LIFT) * radius
+
+
+def add_labels(plotter, terrain, points, texts):
+    """Texts beside points; on a globe those of points behind it are hidden."""
+    radius = Placement(terrain.GetHeights()).globe_radius
+    labels = plotter.add_point_labels(points, texts, show_points=False, always_visible=radius is None,
+                                      reset_camera=False)
+    if radius is not None:
+        visible = labels.GetMapper().GetInputAlgorithm().GetInputAlgorithm()
+        visible.SetTolerance(0.0)  # of the depth buffer, whose steps differ with the view
+        visible.SetToleranceWorld(_HIDDEN * radius)
 
 
 def _lay(terrain, mesh, offset):
@@ -86,7 +98,7 @@ def add_track(plotter, terrain, points, *, coordinates="scene", offset=None, col
         What x and y are: those of the heights as drawn, of the heights' own coordinate system, or
         longitude and latitude in degrees on WGS84, on a globe of another world its own.
     offset : float, optional
-        Added to the heights, in their unit; 0.2 cells by default, on a globe at most 0.0003 radii.
+        Added to the heights, in their unit; 0.2 cells by default, on a globe at most 0.001 radii.
     color, line_width, **options
         As those of ``pyvista.Plotter.add_mesh``.
     """
@@ -98,8 +110,8 @@ def add_places(plotter, terrain, places, *, labels=None, coordinates="scene", of
                point_size=12.0, **options):
     """Draws points on a terrain; returns PyVista's actor.
 
-    ``places`` are N x 2 or N x 3 numbers, ``labels`` N texts to write beside them. Places off the surface
-    are left out with their labels. All else as in ``add_track``.
+    ``places`` are N x 2 or N x 3 numbers, ``labels`` N texts to write beside them, on a globe of those that
+    are not behind it. Places off the surface are left out with their labels. All else as in ``add_track``.
     """
     points = _points(terrain, places, coordinates)
     if labels is not None and len(labels) != len(points):
@@ -109,7 +121,7 @@ def add_places(plotter, terrain, places, *, labels=None, coordinates="scene", of
     laid = _lay(terrain, mesh, offset)
     if labels is not None:
         texts = [str(labels[int(place)]) for place in np.rint(laid.point_data["place"])]
-        plotter.add_point_labels(laid.points, texts, show_points=False, always_visible=True, reset_camera=False)
+        add_labels(plotter, terrain, laid.points, texts)
     return plotter.add_mesh(laid, color=color, point_size=point_size, style="points",
                             **{"render_points_as_spheres": True, "reset_camera": False, **options})
 

@@ -4,7 +4,7 @@
 import numpy as np
 import pyvista
 
-from ._ground import lift_of
+from ._ground import add_labels, lift_of
 from .places import Placement
 from .vtkTerrain import vtkTerrainDrape
 
@@ -114,6 +114,6 @@ def add_points(plotter, terrain, frame, *, labels=None, offset=None, color="whit
     points = points_from_frame(terrain, frame, offset)
     if labels is not None and points.n_points:
         texts = [str(frame[labels].iloc[row]) for row in points.point_data["row"]]
-        plotter.add_point_labels(points.points, texts, show_points=False, always_visible=True, reset_camera=False)
+        add_labels(plotter, terrain, points.points, texts)
     return plotter.add_mesh(points, color=color, point_size=point_size, style="points",
                             **{"render_points_as_spheres": True, "reset_camera": False, **options})
