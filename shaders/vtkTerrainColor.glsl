@@ -226,25 +226,33 @@ uniform float terrainContourWidth; // pixels
 uniform float terrainContourIndex; // every n-th line is twice as wide; 0 for none
 uniform vec4 terrainContourColor;  // alpha 0 for none
 
-// How much of a pixel, 0..1, contour lines cover. Lines closer than twice their width run into an
-// even grey, which fades where they are closer than their width: slopes that turn away have no dark
-// border.
+// How much of a pixel, 0..1, a line covers that is so far away, one of many; in pixels. Lines fade
+// where their spacing is less than twice their width and a pixel; at half of that there are none.
+float terrainLineCoverage(float distance, float spacing, float width)
+{
+  float line = clamp(min(0.5 * width + 0.5 - distance, width), 0.0, 1.0);
+  return line * clamp(spacing / (width + 1.0) - 1.0, 0.0, 1.0);
+}
+
+// How much of a pixel, 0..1, contour lines cover. Where they crowd, those between the index lines
+// fade first, as on maps; slopes that turn away have no dark border.
 float terrainContourCoverage(vec2 pixel, TerrainSurface surface)
 {
   mat2 footprint = terrainFootprint(pixel, surface);
   float change = terrainContourScale.x *
     length(vec2(dot(surface.gradient, footprint[0]), dot(surface.gradient, footprint[1])));
+  float spacing = 1.0 / max(change, 1e-6);
   float number = terrainContourScale.x * surface.code + terrainContourScale.y;
   float nearest = floor(number + 0.5);
-  float distancePixels = abs(number - nearest) / max(change, 1e-6);
-  float group = floor(nearest / max(terrainContourIndex, 1.0) + 0.5);
-  float width = abs(nearest - terrainContourIndex * group) < 0.5 && terrainContourIndex > 0.0
-    ? 2.0 * terrainContourWidth
-    : terrainContourWidth;
-  float line = clamp(0.5 * width + 0.5 - distancePixels, 0.0, 1.0);
-  float even = terrainContourWidth * change;
-  float grey = even / (1.0 + even * even);
-  return change < 1e-6 ? 0.0 : mix(line, grey, clamp(2.0 * even - 1.0, 0.0, 1.0));
+  float index = terrainContourIndex;
+  float group = index * floor(number / max(index, 1.0) + 0.5);
+  float lines =
+    terrainLineCoverage(spacing * abs(number - nearest), spacing, terrainContourWidth);
+  float indexLines = terrainLineCoverage(
+    spacing * abs(number - group), spacing * index, 2.0 * terrainContourWidth);
+  bool isIndex = index > 0.0 && abs(nearest - group) < 0.5;
+  lines = max(isIndex ? 0.0 : lines, index > 0.0 ? indexLines : 0.0);
+  return change < 1e-6 ? 0.0 : lines;
 }
 
 // What the surface's colour, a draped picture, hillshade and contour lines make of the material's

@@ -200,7 +200,7 @@ public:
   /// Draw contour lines: at multiples of an interval in the unit of heights, > 0 (default 100), of
   /// a width in pixels, >= 0 (default 1.5), with smooth edges, in a colour of parts 0..1 (default
   /// opaque black). Of an index n, every nth line, counted from height 0, is twice as wide; default
-  /// 0: none. Lines closer than their width run into a grey that fades as they come closer still.
+  /// 0: none. Lines closer than about twice their width fade, those between index lines first.
   /// Default off.
   void SetContours(bool show);
   bool GetContours() const;

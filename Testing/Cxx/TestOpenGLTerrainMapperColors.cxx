@@ -8,6 +8,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
@@ -15,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkTerrainPicker.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -25,7 +25,6 @@
 #include <cmath>
 #include <limits>
 
-using vtkTerrainTesting::CountPixels;
 using vtkTerrainTesting::Demands;
 using vtkTerrainTesting::DrawsAsTheMesh;
 using vtkTerrainTesting::DrawsAsThePlainMesh;
@@ -88,21 +87,6 @@ vtkSmartPointer<vtkImageData> makeField()
   image->GetPointData()->AddArray(paint);
   image->GetCellData()->AddArray(zone);
   image->GetCellData()->AddArray(stain);
-  return image;
-}
-
-/// Puts heights higher, in double.
-vtkSmartPointer<vtkImageData> raise(vtkImageData* heights, double by)
-{
-  vtkNew<vtkDoubleArray> raised;
-  raised->DeepCopy(heights->GetPointData()->GetScalars());
-  for (vtkIdType i = 0; i < raised->GetNumberOfTuples(); ++i)
-  {
-    raised->SetValue(i, raised->GetValue(i) + by);
-  }
-  vtkNew<vtkImageData> image;
-  image->CopyStructure(heights);
-  image->GetPointData()->SetScalars(raised);
   return image;
 }
 
@@ -491,81 +475,6 @@ TEST(OpenGLTerrainMapperColors, Hillshade)
   Demands demands;
   demands.Parts = 15; // each triangle of the mesh has one colour
   EXPECT_TRUE(DrawsAsThePlainMesh(terrain, mesh, demands));
-}
-
-class OpenGLTerrainMapperContours : public testing::TestWithParam<double>
-{
-};
-
-// Float tells heights of the second level 8 apart.
-TEST_P(OpenGLTerrainMapperContours, LieAtTheirHeights)
-{
-  const double level = this->GetParam();
-  constexpr double interval = 12.5;
-  constexpr double width = 2.0;
-  vtkNew<vtkTerrainPicker> picker;
-  int compared = 0;
-  TerrainScene scene(Techniques::Pyramid);
-  const TerrainProp terrain = scene.AddTerrain(raise(MakeHills(), level));
-  terrain.Actor->GetProperty()->LightingOff();
-  terrain.Actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
-  terrain.Mapper->SetContours(true);
-  terrain.Mapper->SetContourInterval(interval);
-  terrain.Mapper->SetContourWidth(width);
-  scene.Look({ 200.0, 500.0, level + 600.0 }, { 200.0, 190.0, level + 80.0 });
-  const auto picture = vtkTerrainTesting::Render(scene.Window);
-  auto height = [&](int x, int y)
-  {
-    picker->Pick(x + 0.5, y + 0.5, 0.0, scene.Renderer);
-    return picker->GetHeight(); // NaN beside the terrain
-  };
-  for (int y = 3; y < 147; y += 3)
-  {
-    for (int x = 3; x < 197; x += 3)
-    {
-      // slopes change within a pixel: the line's is between those to the neighbours
-      const double here = height(x, y);
-      const auto [flatX, steepX] =
-        std::minmax({ std::abs(height(x + 1, y) - here), std::abs(here - height(x - 1, y)) });
-      const auto [flatY, steepY] =
-        std::minmax({ std::abs(height(x, y + 1) - here), std::abs(here - height(x, y - 1)) });
-      const double flat = std::hypot(flatX, flatY);
-      const double steep = std::hypot(steepX, steepY);
-      const double off = std::abs(here - interval * std::round(here / interval));
-      if (std::isfinite(flat + steep) && flat > 0.05 && steep < 2.0)
-      {
-        const auto white = [&](double slope)
-        { return 1.0 - std::clamp(0.5 * width + 0.5 - off / slope, 0.0, 1.0); };
-        const double drawn = picture->GetScalarComponentAsDouble(x, y, 0, 0) / 255.0;
-        ++compared;
-        EXPECT_GE(drawn, white(steep) - 0.2) << x << " " << y;
-        EXPECT_LE(drawn, white(flat) + 0.2) << x << " " << y;
-      }
-    }
-  }
-  EXPECT_GT(compared, 500);
-}
-
-INSTANTIATE_TEST_SUITE_P(Levels, OpenGLTerrainMapperContours, testing::Values(0.0, 1.0e8 + 3.7));
-
-// As where the surface turns away: lines closer than pixels must not leave it black.
-TEST(OpenGLTerrainMapperColors, ContoursTooCloseToTellFade)
-{
-  auto draw = [](TerrainScene&, const TerrainProp& terrain)
-  {
-    terrain.Actor->GetProperty()->LightingOff();
-    terrain.Actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
-    terrain.Mapper->SetContours(true);
-    terrain.Mapper->SetContourInterval(0.2);
-  };
-  const auto picture = vtkTerrainTesting::DrawScene(draw);
-  using Pixel = const unsigned char*;
-  const auto isGrey = [](Pixel pixel) { return pixel[0] == pixel[2]; }; // the background is blue
-  const int terrain = CountPixels(picture, isGrey);
-  const int dark =
-    CountPixels(picture, [&](Pixel pixel) { return isGrey(pixel) && pixel[0] < 120; });
-  EXPECT_GT(terrain, 5000);
-  EXPECT_LT(dark, terrain / 20); // level places show single lines
 }
 
 TEST(OpenGLTerrainMapperColors, AllTogether)

@@ -209,6 +209,11 @@ struct SurfaceColors
       std::max(glm::dot(glm::normalize(glm::vec3(-slope, 1.0F)), this->SunDirection), 0.0F);
     return glm::mix(1.0F, shade, this->ShadeStrength);
   }
+  static double LineCoverage(double distance, double spacing, double width)
+  {
+    const double line = glm::clamp(std::min(0.5 * width + 0.5 - distance, width), 0.0, 1.0);
+    return line * glm::clamp(spacing / (width + 1.0) - 1.0, 0.0, 1.0);
+  }
   double ContourCoverage(
     const PixelRays& rays, const glm::dvec2& pixel, const ShadedPoint& point) const
   {
@@ -216,17 +221,17 @@ struct SurfaceColors
     const glm::dvec2 gradient(point.Gradient);
     const double change = this->ContourScale.x *
       std::hypot(glm::dot(gradient, footprint[0]), glm::dot(gradient, footprint[1]));
+    const double spacing = 1.0 / std::max(change, 1e-6);
     const double number = this->ContourScale.x * point.Code + this->ContourScale.y;
     const double nearest = std::floor(number + 0.5);
-    const double distance = std::abs(number - nearest) / std::max(change, 1e-6);
-    const double group = std::floor(nearest / std::max(this->ContourIndex, 1.0) + 0.5);
-    const bool isIndex =
-      std::abs(nearest - this->ContourIndex * group) < 0.5 && this->ContourIndex > 0.0;
-    const double width = isIndex ? 2.0 * this->ContourWidth : this->ContourWidth;
-    const double line = glm::clamp(0.5 * width + 0.5 - distance, 0.0, 1.0);
-    const double even = this->ContourWidth * change;
-    const double grey = even / (1.0 + even * even);
-    return change < 1e-6 ? 0.0 : glm::mix(line, grey, glm::clamp(2.0 * even - 1.0, 0.0, 1.0));
+    const double index = this->ContourIndex;
+    const double group = index * std::floor(number / std::max(index, 1.0) + 0.5);
+    const double lines =
+      LineCoverage(spacing * std::abs(number - nearest), spacing, this->ContourWidth);
+    const double indexLines =
+      LineCoverage(spacing * std::abs(number - group), spacing * index, 2.0 * this->ContourWidth);
+    const bool isIndex = index > 0.0 && std::abs(nearest - group) < 0.5;
+    return change < 1e-6 ? 0.0 : std::max(isIndex ? 0.0 : lines, index > 0.0 ? indexLines : 0.0);
   }
   SurfacePaint PaintSurface(
     const PixelRays& rays, const glm::dvec2& pixel, const ShadedPoint& point) const
