@@ -134,6 +134,10 @@ public:
   /// The relief, without the highest and lowest 2 % of the samples, over the extent: the square
   /// root of the area. 0 where there is none.
   static double GetReliefShare(vtkImageData* heights);
+  /// Where a scale of colours that shows the slopes of heights ends, in degrees, a round number:
+  /// about 98 % of the slopes lie below (terrain::SuggestSteepest). Slopes are those in the middle
+  /// of cells; heights and spacing must have the same unit. 60 where there is no cell.
+  static double SuggestSteepestSlope(vtkImageData* heights);
 
   ///@{
   /// Shadows of the surface on itself, the angular diameter of their sun and the light of the sky:

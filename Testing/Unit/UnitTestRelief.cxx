@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 TEST(Relief, LeavesOutSpikesAndHoles)
@@ -44,6 +45,28 @@ TEST(Relief, SuggestsRoundFactors)
     EXPECT_EQ(terrain::SuggestExaggeration(odd, 1.0), 1.0);
     EXPECT_EQ(terrain::SuggestExaggeration(1.0, odd), 1.0);
   }
+}
+
+TEST(Relief, ScalesOfSlopesEndWhereFewAreSteeper)
+{
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> gentle(0.0, 33.0);
+  std::vector<double> slopes(5000);
+  std::generate(slopes.begin(), slopes.end(), [&] { return gentle(random); });
+  EXPECT_EQ(terrain::SuggestSteepest(slopes), 35.0);
+  slopes.insert(slopes.end(), 90, 80.0); // less than 2 % are cliffs
+  slopes.insert(slopes.end(), 50, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(terrain::SuggestSteepest(slopes), 35.0);
+  slopes.insert(slopes.end(), 200, 80.0);
+  EXPECT_EQ(terrain::SuggestSteepest(slopes), 80.0);
+  for (const auto& [slope, end] : { std::pair(0.0, 0.1), std::pair(0.15, 0.2), std::pair(1.3, 2.0),
+         std::pair(4.0, 5.0), std::pair(89.9, 90.0) })
+  {
+    std::vector<double> plane(9, slope);
+    EXPECT_EQ(terrain::SuggestSteepest(plane), end);
+  }
+  std::vector<double> none(3, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(terrain::SuggestSteepest(none), 60.0);
 }
 
 TEST(Relief, DrawnReliefIsSeen)

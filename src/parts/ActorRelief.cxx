@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of vtkTerrainActor that judges how high a terrain is for its extent.
+// The part of vtkTerrainActor that judges how high a terrain is for its extent, and how steep.
 #include "vtkTerrainActor.h"
 
 #include "core/grid/Relief.h"
@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace
@@ -38,6 +39,46 @@ std::vector<double> SomeHeights(vtkImageData* heights)
     }
   }
   return samples;
+}
+
+/// Slope in the middle of a cell, in degrees; NaN where one of its samples has no height.
+double SlopeOfCell(vtkImageData* heights, int column, int row)
+{
+  constexpr double kDegrees = 57.29577951308232;
+  vtkDataArray* scalars = heights->GetPointData()->GetScalars();
+  vtkUnsignedCharArray* ghosts = heights->GetPointGhostArray();
+  const vtkIdType columns = heights->GetDimensions()[0];
+  const auto height = [&](int i, int j)
+  {
+    const vtkIdType at = (row + j) * columns + column + i;
+    const bool isHidden = ghosts && (ghosts->GetValue(at) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+    return isHidden ? std::numeric_limits<double>::quiet_NaN() : scalars->GetComponent(at, 0);
+  };
+  const double* spacing = heights->GetSpacing();
+  const double east = height(1, 0) + height(1, 1) - height(0, 0) - height(0, 1);
+  const double north = height(0, 1) + height(1, 1) - height(0, 0) - height(1, 0);
+  return kDegrees * std::atan(0.5 * std::hypot(east / spacing[0], north / spacing[1]));
+}
+
+/// Of cells in columns and rows at equal distances.
+std::vector<double> SomeSlopes(vtkImageData* heights)
+{
+  std::vector<double> slopes;
+  const int* dimensions = heights->GetDimensions();
+  if (!heights->GetPointData()->GetScalars())
+  {
+    return slopes;
+  }
+  const double share = static_cast<double>(heights->GetNumberOfPoints()) / kMostOfRelief;
+  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(share))));
+  for (int row = 0; row + 1 < dimensions[1]; row += step)
+  {
+    for (int column = 0; column + 1 < dimensions[0]; column += step)
+    {
+      slopes.push_back(SlopeOfCell(heights, column, row));
+    }
+  }
+  return slopes;
 }
 
 /// In the unit of heights; on a globe along the lines of its grid through the middle of the heights.
@@ -76,4 +117,11 @@ double vtkTerrainActor::SuggestExaggeration(vtkImageData* heights, bool onGlobe)
   constexpr double kOfGlobe = 2.0;
   const bool round = onGlobe || terrain::GlobeData::Has(heights);
   return terrain::SuggestExaggeration(GetReliefShare(heights), round ? 1.0 / kOfGlobe : 1.0);
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainActor::SuggestSteepestSlope(vtkImageData* heights)
+{
+  std::vector<double> slopes = heights ? SomeSlopes(heights) : std::vector<double>();
+  return terrain::SuggestSteepest(slopes);
 }

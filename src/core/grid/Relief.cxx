@@ -36,27 +36,34 @@ double RoundFactor(double factor)
   }
   return best;
 }
+
+void KeepFinite(std::vector<double>& samples)
+{
+  samples.erase(std::remove_if(samples.begin(), samples.end(),
+                  [](double sample) { return !std::isfinite(sample); }),
+    samples.end());
+}
+
+/// What a part of the samples, from 0 to 1, lies below.
+double SampleAt(std::vector<double>& samples, double part)
+{
+  const auto last = static_cast<double>(samples.size() - 1);
+  const auto place = samples.begin() + static_cast<std::ptrdiff_t>(std::lround(part * last));
+  std::nth_element(samples.begin(), place, samples.end());
+  return *place;
+}
 }
 
 //------------------------------------------------------------------------------
 double ReliefOf(std::vector<double>& samples)
 {
-  samples.erase(std::remove_if(samples.begin(), samples.end(),
-                  [](double sample) { return !std::isfinite(sample); }),
-    samples.end());
+  KeepFinite(samples);
   if (samples.size() < 2)
   {
     return 0.0;
   }
-  const auto last = static_cast<double>(samples.size() - 1);
-  const auto at = [&samples, last](double part)
-  {
-    const auto place = samples.begin() + static_cast<std::ptrdiff_t>(std::lround(part * last));
-    std::nth_element(samples.begin(), place, samples.end());
-    return *place;
-  };
-  const double low = at(kOutliers);
-  return at(1.0 - kOutliers) - low;
+  const double low = SampleAt(samples, kOutliers);
+  return SampleAt(samples, 1.0 - kOutliers) - low;
 }
 
 //------------------------------------------------------------------------------
@@ -73,5 +80,27 @@ double SuggestExaggeration(double relief, double extent)
   }
   constexpr double kExponent = 0.6;
   return share >= kSeenRelief ? 1.0 : RoundFactor(std::pow(kSeenRelief / share, kExponent));
+}
+
+//------------------------------------------------------------------------------
+double SuggestSteepest(std::vector<double>& slopes)
+{
+  constexpr double kOfNone = 60.0;
+  constexpr double kStep = 5.0;
+  constexpr double kMost = 90.0;
+  KeepFinite(slopes);
+  if (slopes.empty())
+  {
+    return kOfNone;
+  }
+  const double steep = SampleAt(slopes, 1.0 - kOutliers);
+  for (const double gentle : { 0.1, 0.2, 0.5, 1.0, 2.0 })
+  {
+    if (steep <= gentle)
+    {
+      return gentle;
+    }
+  }
+  return std::min(kStep * std::ceil(steep / kStep), kMost);
 }
 }

@@ -30,6 +30,11 @@ constexpr double kFlattestRelief = 0.01;
 /// what brings it down to kSteepestRelief. 1 where relief or extent is not > 0 and finite. Our own
 /// rule.
 double SuggestExaggeration(double relief, double extent);
+
+/// Where a scale of colours that shows slopes ends, in degrees: at the slope that 98 % of the
+/// samples lie below, up to the next of 0.1, 0.2, 0.5, 1, 2, 5, 10, 15 and so on by 5 to 90. NaN
+/// are left out; 60 for none others. Reorders the samples. Our own rule.
+double SuggestSteepest(std::vector<double>& slopes);
 }
 
 #endif
