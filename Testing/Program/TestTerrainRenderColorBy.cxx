@@ -104,6 +104,15 @@ TEST_F(TerrainRenderColorBy, SlopeAndAspectAreWhatTheyAre)
   }
 }
 
+// All of the slope has 26.6 degrees.
+TEST_F(TerrainRenderColorBy, SlopesReachOverTheirScale)
+{
+  const Picture own = this->DrawPicture({ "--color-by", "slope" });
+  EXPECT_EQ(CountOthers(own, this->DrawPicture({ "--color-by", "slope", "--range", "0,30" })), 0);
+  EXPECT_GT(
+    CountOthers(own, this->DrawPicture({ "--color-by", "slope", "--range", "0,60" })), 10000);
+}
+
 TEST_F(TerrainRenderColorBy, ValuesOfAnotherRasterLieInTheirPlaces)
 {
   this->WriteHalves("rain.tif", 10.0, 90.0);

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -266,6 +268,32 @@ TEST_F(TerrainRenderFlights, FilmsAreMadeOfFrames)
   command.back() = "spin.gif";
   EXPECT_EQ(this->RunCommand(command).Status, 0);
   EXPECT_NE(this->ReadText("bin/words").find("palettegen"), std::string::npos);
+  command.back() = "spin.webp";
+  EXPECT_EQ(this->RunCommand(command).Status, 0);
+  EXPECT_NE(this->ReadText("bin/words").find("libwebp_anim"), std::string::npos);
+}
+
+// As the container's specification has it: RIFF, WEBP, ANIM, and a chunk ANMF for each frame.
+TEST_F(TerrainRenderFlights, AnimatedWebPHasAllFrames)
+{
+  if (std::system("ffmpeg -loglevel quiet -encoders 2>/dev/null | grep -q libwebp_anim") != 0)
+  {
+    GTEST_SKIP() << "there is no ffmpeg with libwebp here";
+  }
+  const RunResult film =
+    this->Fly({ "--flight", "spin:0.5", "--fps", "6", "--output", "spin.webp" });
+  EXPECT_EQ(film.Status, 0) << film.Errors;
+  const std::string bytes = this->ReadText("spin.webp");
+  EXPECT_EQ(bytes.substr(0, 4), "RIFF");
+  EXPECT_EQ(bytes.substr(8, 4), "WEBP");
+  EXPECT_NE(bytes.find("ANIM"), std::string::npos);
+  int frames = 0;
+  for (std::size_t at = bytes.find("ANMF"); at != std::string::npos;
+       at = bytes.find("ANMF", at + 4))
+  {
+    ++frames;
+  }
+  EXPECT_EQ(frames, 3);
 }
 
 TEST_F(TerrainRenderFlights, FilmsThatCannotBeMade)
@@ -307,6 +335,59 @@ TEST_F(TerrainRenderFlights, TracksAreSeenFromBehind)
   EXPECT_GT(views.back()[4] - views.front()[4], 1000.0);
 }
 
+// Along 1,500 m: the first 500 m in 900 s, the rest in 100 s.
+TEST_F(TerrainRenderFlights, TimesOfTracksAreHonoured)
+{
+  RasterDescription plain;
+  plain.Width = 121;
+  plain.Height = 81;
+  plain.CoordinateSystem = "EPSG:32645";
+  plain.GeoTransform = { 490000.0, 30.0, 0.0, 3100000.0, 0.0, -30.0 };
+  plain.Sample = [](int i, int) { return 0.5 * i; };
+  this->Hill = this->WriteRaster("plain.tif", plain);
+  const auto writeTrack = [this](const std::array<const char*, 3>& times)
+  {
+    std::ostringstream text;
+    text << R"(<gpx version="1.1" xmlns="http://www.topografix.com/GPX/1/1"><trk><trkseg>)";
+    const std::array<double, 3> longitudes = { 86.908, 86.91308, 86.92324 };
+    for (std::size_t k = 0; k < times.size(); ++k)
+    {
+      text << "<trkpt lat=\"28.014\" lon=\"" << longitudes[k] << "\"><time>2024-06-21T" << times[k]
+           << "Z</time></trkpt>";
+    }
+    text << "</trkseg></trk></gpx>";
+    this->WriteText("track.gpx", text.str());
+  };
+  const auto fly = [this](const std::string& output, const std::string& more)
+  {
+    std::vector<std::string> options = { "--flight", "track.gpx", "--fps", "10", "--flight-seconds",
+      "10.1", "--output", output };
+    if (!more.empty())
+    {
+      options.push_back(more);
+    }
+    const RunResult result = this->Fly(options);
+    EXPECT_EQ(result.Status, 0) << result.Errors;
+    const std::vector<Numbers> views = this->ReadViews(output);
+    EXPECT_EQ(views.size(), 101U);
+    return std::pair(views, result.Errors);
+  };
+  writeTrack({ "10:00:00", "10:15:00", "10:16:40" });
+  const auto [timed, none] = fly("timed", "");
+  EXPECT_EQ(none, "");
+  const auto moved = [](const std::vector<Numbers>& views, std::size_t from, std::size_t to)
+  { return std::abs(views[to][4] - views[from][4]); };
+  // steps far from the ends: 5 m and 100 m a frame
+  EXPECT_NEAR(moved(timed, 40, 70) / 30.0, 500.0 / 90.0, 1.0);
+  EXPECT_GT(moved(timed, 92, 96) / 4.0, 40.0);
+  const auto [even, nothing] = fly("even", "--even-speed");
+  EXPECT_GT(moved(even, 40, 70) / 30.0, 12.0);
+  writeTrack({ "10:00:00", "09:15:00", "10:16:40" });
+  const auto [back, warning] = fly("back", "");
+  EXPECT_NE(warning.find("its times go back at 2024/06/21 09:15:00"), std::string::npos) << warning;
+  EXPECT_NEAR(back[50][4], even[50][4], 1e-6);
+}
+
 TEST_F(TerrainRenderFlights, WrongFlightsAreOneSentence)
 {
   const auto refuse =
@@ -333,6 +414,7 @@ TEST_F(TerrainRenderFlights, WrongFlightsAreOneSentence)
   misuse({ "--flight", "orbit", "--output", "x.png" }, "a flight makes many pictures");
   misuse({ "--flight", "orbit", "--depth", "x.tif" }, "--depth");
   misuse({ "--flight-seconds", "3" }, "needs --flight");
+  misuse({ "--even-speed" }, "needs --flight");
   misuse({ "--flight", "orbit", "--sun", "2024-06-21T01:30Z/2024-06-21T11:30Z/300" }, "one sun");
 }
 

@@ -5,6 +5,8 @@
 #include "Failure.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -20,6 +22,8 @@
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <set>
@@ -35,7 +39,12 @@ struct Vectors
   vtkNew<vtkCellArray> Vertices;
   vtkNew<vtkCellArray> Lines;
   vtkNew<vtkCellArray> Areas;
+  /// Of rings, the number of the polygon that each belongs to.
+  vtkNew<vtkIntArray> PolygonOfRing;
+  int PolygonCount = 0;
   Polygons Kind = Polygons::Outlines;
+  /// Name of the only layer that is read; empty for all that are not repeated.
+  std::string Layer{};
   /// Name of the field whose texts are kept, one for each point; empty for none.
   std::string Field{};
   std::vector<std::string> Texts{};
@@ -47,6 +56,7 @@ struct Vectors
 
 private:
   void AddPoints(OGRGeometryH geometry, vtkCellArray* cells);
+  void AddRings(OGRGeometryH polygon);
 };
 
 void Vectors::AddPoints(OGRGeometryH geometry, vtkCellArray* cells)
@@ -68,10 +78,39 @@ void Vectors::AddPoints(OGRGeometryH geometry, vtkCellArray* cells)
   }
 }
 
+void Vectors::AddRings(OGRGeometryH polygon)
+{
+  // long sides are no straight lines in another CRS
+  constexpr double kSides = 64.0;
+  OGREnvelope extent;
+  OGR_G_GetEnvelope(polygon, &extent);
+  OGR_G_CloseRings(polygon);
+  const double side = std::max(extent.MaxX - extent.MinX, extent.MaxY - extent.MinY) / kSides;
+  if (side > 0.0 && std::isfinite(side))
+  {
+    OGR_G_Segmentize(polygon, side);
+  }
+  for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i)
+  {
+    const vtkIdType before = this->Lines->GetNumberOfCells();
+    this->AddPoints(OGR_G_GetGeometryRef(polygon, i), this->Lines);
+    if (this->Lines->GetNumberOfCells() > before)
+    {
+      this->PolygonOfRing->InsertNextValue(this->PolygonCount);
+    }
+  }
+  ++this->PolygonCount;
+}
+
 void Vectors::Add(OGRGeometryH geometry)
 {
   const int parts = OGR_G_GetGeometryCount(geometry);
   const bool isPolygon = wkbFlatten(OGR_G_GetGeometryType(geometry)) == wkbPolygon;
+  if (isPolygon && this->Kind == Polygons::Rings)
+  {
+    this->AddRings(geometry);
+    return;
+  }
   if (isPolygon && parts > 0 && this->Kind == Polygons::Areas)
   {
     this->AddPoints(OGR_G_GetGeometryRef(geometry, 0), this->Areas);
@@ -81,7 +120,7 @@ void Vectors::Add(OGRGeometryH geometry)
   {
     this->Add(OGR_G_GetGeometryRef(geometry, i));
   }
-  if (parts > 0)
+  if (parts > 0 || this->Kind == Polygons::Rings)
   {
     return;
   }
@@ -205,20 +244,23 @@ void ReadFile(const std::string& path, vtkTerrainGeoreference* scene, Vectors& v
         GDALClose(open);
       }
     });
-  std::string why = file ? "" : "it cannot be read as points and lines";
+  std::string why = file ? "" : "it cannot be read as points, lines and polygons";
   const int layers = file ? GDALDatasetGetLayerCount(file.get()) : 0;
   for (int i = 0; i < layers && why.empty(); ++i)
   {
     OGRLayerH layer = GDALDatasetGetLayer(file.get(), i);
-    if (!IsRepeated(file.get(), layer))
+    const bool isWanted = vectors.Layer.empty() ? !IsRepeated(file.get(), layer)
+                                                : vectors.Layer == OGR_L_GetName(layer);
+    if (isWanted)
     {
       why = AddLayer(layer, scene, vectors);
     }
   }
   CPLPopErrorHandler();
-  if (why.empty() && vectors.Coordinates.empty())
+  if (why.empty() && vectors.Coordinates.empty() && vectors.Layer.empty())
   {
-    why = "there are no points and lines in it";
+    why = vectors.Kind == Polygons::Rings ? "there are no polygons in it"
+                                          : "there are no points and lines in it";
   }
   if (!why.empty())
   {
@@ -240,6 +282,21 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Vectors& vectors)
   result->SetVerts(vectors.Vertices);
   result->SetLines(vectors.Lines);
   result->SetPolys(vectors.Areas);
+  if (!vectors.Field.empty())
+  {
+    const vtkNew<vtkStringArray> texts;
+    texts->SetName("Field");
+    for (const std::string& text : vectors.Texts)
+    {
+      texts->InsertNextValue(text);
+    }
+    result->GetPointData()->AddArray(texts);
+  }
+  if (vectors.Kind == Polygons::Rings)
+  {
+    vectors.PolygonOfRing->SetName(kPolygonOfRing);
+    result->GetCellData()->AddArray(vectors.PolygonOfRing);
+  }
   return result;
 }
 }
@@ -248,20 +305,18 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Vectors& vectors)
 vtkSmartPointer<vtkPolyData> ReadVectors(
   const std::string& path, vtkTerrainGeoreference* scene, Polygons polygons)
 {
-  Vectors vectors;
-  vectors.Kind = polygons;
-  ReadFile(path, scene, vectors);
-  return ToPolyData(vectors);
+  return ReadVectorsWithField(path, scene, "", polygons);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ReadVectorsWithField(
-  const std::string& path, vtkTerrainGeoreference* scene, const std::string& field)
+vtkSmartPointer<vtkPolyData> ReadVectorsWithField(const std::string& path,
+  vtkTerrainGeoreference* scene, const std::string& field, Polygons polygons)
 {
   Vectors vectors;
+  vectors.Kind = polygons;
   vectors.Field = field;
   ReadFile(path, scene, vectors);
-  if (!vectors.HasField)
+  if (!field.empty() && !vectors.HasField)
   {
     std::string why = "no feature of it has '" + field + "'; there are height";
     for (const std::string& known : vectors.Fields)
@@ -270,13 +325,15 @@ vtkSmartPointer<vtkPolyData> ReadVectorsWithField(
     }
     throw Failure(path, why);
   }
-  vtkSmartPointer<vtkPolyData> result = ToPolyData(vectors);
-  const vtkNew<vtkStringArray> texts;
-  texts->SetName("Field");
-  for (const std::string& text : vectors.Texts)
-  {
-    texts->InsertNextValue(text);
-  }
-  result->GetPointData()->AddArray(texts);
-  return result;
+  return ToPolyData(vectors);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ReadTrackPoints(const std::string& path, vtkTerrainGeoreference* scene)
+{
+  Vectors vectors;
+  vectors.Layer = "track_points"; // as GDAL calls it in GPX
+  vectors.Field = "time";
+  ReadFile(path, scene, vectors);
+  return ToPolyData(vectors);
 }

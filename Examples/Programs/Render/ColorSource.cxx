@@ -22,9 +22,6 @@
 
 namespace
 {
-/// In degrees: slopes of more have the colour of this one.
-constexpr double kSteepSlope = 60.0;
-
 /// How often each class occurs among numbers of classes.
 std::vector<vtkIdType> CountClasses(vtkFloatArray* numbers, int classes)
 {
@@ -131,7 +128,8 @@ LegendKey ColorTerrain(vtkTerrainActor* terrain, vtkImageData* heights, const Co
     const bool isSlope = options.ColorBy.IsSlope();
     terrain->GetTerrainMapper()->SetColorSource(
       isSlope ? vtkTerrainLook::ColorSources::Slope : vtkTerrainLook::ColorSources::Aspect);
-    key.Table = source.Colors->MakeTable(0.0, isSlope ? kSteepSlope : 360.0);
+    key.Table = source.Colors->MakeTable(
+      0.0, isSlope ? vtkTerrainActor::SuggestSteepestSlope(heights) : 360.0);
   }
   else if (options.Colors.IsGiven())
   {

@@ -5,20 +5,24 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Placing.h"
+#include "PolygonLayer.h"
 #include "Statistics.h"
 #include "Terrain.h"
 
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkTerrainImageWarp.h"
 
-//------------------------------------------------------------------------------
-void DrapePicture(const Terrain& terrain, const PlacedHeights& heights, const Options& options,
-  Statistics& statistics)
+namespace
+{
+/// The picture that the options name, brought onto heights; null if they name none.
+vtkSmartPointer<vtkImageData> WarpPicture(
+  const PlacedHeights& heights, const Options& options, Statistics& statistics)
 {
   if (options.Place.Drape.empty())
   {
-    return;
+    return nullptr;
   }
   const Stopwatch watch;
   const vtkNew<vtkTerrainImageWarp> warp;
@@ -28,8 +32,24 @@ void DrapePicture(const Terrain& terrain, const PlacedHeights& heights, const Op
   warp->Update();
   ThrowOnError(options.Place.Drape);
   vtkImageData* picture = warp->GetOutput();
-  terrain.Actor->GetTerrainMapper()->SetDrape(picture);
   statistics.AddTime("drape", watch.GetMilliseconds());
   statistics.SetCount("drape_columns", picture->GetDimensions()[0]);
   statistics.SetCount("drape_rows", picture->GetDimensions()[1]);
+  return picture;
+}
+}
+
+//------------------------------------------------------------------------------
+void DrapePicture(const Terrain& terrain, const PlacedHeights& heights,
+  const PolygonLayer& polygons, const Options& options, Statistics& statistics)
+{
+  vtkSmartPointer<vtkImageData> picture = WarpPicture(heights, options, statistics);
+  if (const auto filled = FillPolygons(polygons, heights.Image, picture, options))
+  {
+    picture = filled;
+  }
+  if (picture)
+  {
+    terrain.Actor->GetTerrainMapper()->SetDrape(picture);
+  }
 }

@@ -10,11 +10,12 @@
 class Statistics;
 struct Options;
 struct PlacedHeights;
+struct PolygonLayer;
 struct Terrain;
 
-/// Lays the picture that the options ask for onto the terrain, of which it may cover a part. Throws
-/// a Failure: no picture, no coordinate system, no overlap.
-void DrapePicture(const Terrain& terrain, const PlacedHeights& heights, const Options& options,
-  Statistics& statistics);
+/// Lays the picture that the options ask for onto the terrain, of which it may cover a part, and
+/// what fills polygons over it. Throws a Failure: no picture, no coordinate system, no overlap.
+void DrapePicture(const Terrain& terrain, const PlacedHeights& heights,
+  const PolygonLayer& polygons, const Options& options, Statistics& statistics);
 
 #endif

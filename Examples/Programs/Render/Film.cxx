@@ -41,6 +41,11 @@ std::vector<std::string> EncoderOf(const std::string& extension)
     return { "-vf", even, "-c:v", "libvpx-vp9", "-crf", "30", "-b:v", "0", "-row-mt", "1",
       "-pix_fmt", "yuv420p", "-f", "webm" };
   }
+  if (extension == ".webp")
+  {
+    return { "-c:v", "libwebp_anim", "-quality", "80", "-compression_level", "3", "-loop", "0",
+      "-f", "webp" };
+  }
   return { "-vf", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=bayer", "-f", "gif" };
 }
 

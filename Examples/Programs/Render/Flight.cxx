@@ -117,9 +117,9 @@ std::size_t FramesOf(double usualSeconds, const FlightOptions& flight)
 /// Behind and above a track: a part of the extent of the track.
 std::vector<FlightView> FollowTrack(const FlightStage& stage, const FlightOptions& flight)
 {
-  const std::vector<Place3> track = ReadFlightTrack(flight.Flight, stage.Heights);
+  const FlightTrack track = ReadFlightTrack(flight.Flight, stage.Heights, !flight.HasEvenSpeed);
   vtkBoundingBox box;
-  for (Place3 point : track)
+  for (Place3 point : track.Points)
   {
     box.AddPoint(point.data());
   }

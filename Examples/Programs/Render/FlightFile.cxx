@@ -8,9 +8,13 @@
 #include "VectorFile.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTerrainDrape.h"
 #include "vtkTerrainViewpoint.h"
 
@@ -19,13 +23,19 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 
 namespace
 {
+/// Array of the times of points, in seconds.
+constexpr const char* kTime = "Time";
+
 using Row = std::map<std::string, std::string>;
 
 std::string LowerCase(std::string text)
@@ -153,6 +163,57 @@ void CheckTimes(const std::string& path, const std::vector<FlightKey>& keys)
     }
   }
 }
+
+/// Seconds since 1970 of a time as GDAL writes it; NaN for other texts.
+double ToSeconds(const std::string& text)
+{
+  std::tm time{};
+  double seconds = 0.0;
+  constexpr int kFields = 6;
+  const int read = std::sscanf(text.c_str(), "%d/%d/%d %d:%d:%lf", &time.tm_year, &time.tm_mon,
+    &time.tm_mday, &time.tm_hour, &time.tm_min, &seconds);
+  time.tm_year -= 1900;
+  time.tm_mon -= 1;
+  return read == kFields ? static_cast<double>(timegm(&time)) + seconds
+                         : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The points of the tracks of a GPX file as one line with the array kTime; null if they have no
+/// times that can be followed.
+vtkSmartPointer<vtkPolyData> ReadTimedLine(const std::string& path, const PlacedHeights& heights)
+{
+  const vtkSmartPointer<vtkPolyData> points = ReadTrackPoints(path, heights.Georeference);
+  auto* texts = vtkStringArray::SafeDownCast(points->GetPointData()->GetAbstractArray("Field"));
+  const vtkIdType count = points->GetNumberOfPoints();
+  const vtkNew<vtkDoubleArray> times;
+  times->SetName(kTime);
+  const vtkNew<vtkCellArray> line;
+  line->InsertNextCell(static_cast<int>(count));
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const double time = ToSeconds(texts->GetValue(k));
+    if (std::isnan(time))
+    {
+      return nullptr;
+    }
+    if (k > 0 && time < times->GetValue(k - 1))
+    {
+      Warn(path + ": its times go back at " + texts->GetValue(k) + ": the flight is at even speed");
+      return nullptr;
+    }
+    times->InsertNextValue(time);
+    line->InsertCellPoint(k);
+  }
+  if (count < 2 || times->GetValue(0) == times->GetValue(count - 1))
+  {
+    return nullptr;
+  }
+  auto timed = vtkSmartPointer<vtkPolyData>::New();
+  timed->SetPoints(points->GetPoints());
+  timed->SetLines(line);
+  timed->GetPointData()->AddArray(times);
+  return timed;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -210,14 +271,15 @@ std::vector<FlightKey> ReadFlightTable(const std::string& path, const PlacedHeig
 }
 
 //------------------------------------------------------------------------------
-std::vector<Place3> ReadFlightTrack(const std::string& path, const PlacedHeights& heights)
+FlightTrack ReadFlightTrack(const std::string& path, const PlacedHeights& heights, bool isTimed)
 {
   if (!heights.WhyNoPlaces.empty())
   {
     throw Failure(path, "a track needs a raster that is somewhere, but " + heights.WhyNoPlaces);
   }
+  const vtkSmartPointer<vtkPolyData> timed = isTimed ? ReadTimedLine(path, heights) : nullptr;
   const vtkNew<vtkTerrainDrape> drape;
-  drape->SetInputData(ReadVectors(path, heights.Georeference));
+  drape->SetInputData(timed ? timed : ReadVectors(path, heights.Georeference));
   drape->SetHeightsData(heights.Image);
   drape->SetGeoreference(heights.Georeference);
   drape->SetMode(vtkTerrainDrape::ModeType::Clamped);
@@ -225,7 +287,8 @@ std::vector<Place3> ReadFlightTrack(const std::string& path, const PlacedHeights
   drape->Update();
   ThrowOnError(path);
   vtkPolyData* lines = drape->GetOutput();
-  std::vector<Place3> track;
+  vtkDataArray* times = lines->GetPointData()->GetArray(kTime);
+  FlightTrack track;
   const vtkNew<vtkIdList> line;
   for (lines->GetLines()->InitTraversal(); lines->GetLines()->GetNextCell(line) != 0;)
   {
@@ -233,12 +296,16 @@ std::vector<Place3> ReadFlightTrack(const std::string& path, const PlacedHeights
     {
       Place3 point{};
       lines->GetPoint(line->GetId(k), point.data());
-      track.push_back(point);
+      track.Points.push_back(point);
+      if (times)
+      {
+        track.Times.push_back(times->GetComponent(line->GetId(k), 0));
+      }
     }
   }
-  const bool isOnePlace = std::all_of(track.begin(), track.end(),
+  const bool isOnePlace = std::all_of(track.Points.begin(), track.Points.end(),
     [&track](const Place3& point)
-    { return point[0] == track.front()[0] && point[1] == track.front()[1]; });
+    { return point[0] == track.Points[0][0] && point[1] == track.Points[0][1]; });
   if (isOnePlace)
   {
     throw Failure(path, "a flight needs a line of two places or more on the terrain");

@@ -26,8 +26,11 @@ bool IsFlightTable(const std::string& path);
  */
 std::vector<FlightKey> ReadFlightTable(const std::string& path, const PlacedHeights& heights);
 
-/// The lines of a vector file on the ground, one after another. Throws a Failure: no file, no
-/// lines, fewer than two places.
-std::vector<Place3> ReadFlightTrack(const std::string& path, const PlacedHeights& heights);
+/**
+ * The lines of a vector file on the ground, one after another. With times where all points of the
+ * tracks of a GPX file have one and none is before the one that precedes it; a warning tells of
+ * times that go back. Throws a Failure: no file, no lines, fewer than two places.
+ */
+FlightTrack ReadFlightTrack(const std::string& path, const PlacedHeights& heights, bool isTimed);
 
 #endif

@@ -21,7 +21,7 @@ constexpr double kLongestFlight = 86400.0;
 bool IsFilm(const std::string& output)
 {
   const std::string extension = std::filesystem::path(output).extension().string();
-  return extension == ".mp4" || extension == ".webm" || extension == ".gif";
+  return extension == ".mp4" || extension == ".webm" || extension == ".gif" || extension == ".webp";
 }
 
 //------------------------------------------------------------------------------
@@ -42,9 +42,11 @@ void FlightOptions::Declare(CLI::App& app)
   app
     .add_option("--flight", this->Flight,
       "orbit: once round, slow at both ends; spin:SECONDS: once round, to be repeated; a track of "
-      "GPX, seen from behind and above; a table of CSV: seconds, lon, lat, height[agl] or x, y, z, "
+      "GPX, seen from behind and above, as fast as its times say; a table of CSV: seconds, lon, "
+      "lat, height[agl] or x, y, z, "
       "and look_lon, look_lat, look_height or look_x, look_y, look_z. The output is a folder of "
-      "frames, or .mp4, .webm, .gif with the frames beside it; a flight that was stopped goes on")
+      "frames, or .mp4, .webm, .gif, .webp with the frames beside it; a flight that was stopped "
+      "goes on")
     ->type_name("orbit|spin:SECONDS|FILE")
     ->group(group);
   app.add_option("--fps", this->Rate, "frames a second; default 30")
@@ -57,6 +59,10 @@ void FlightOptions::Declare(CLI::App& app)
     ->type_name("SECONDS")
     ->group(group)
     ->check(CLI::Range(0.1, kLongestFlight).description(""));
+  app
+    .add_flag(
+      "--even-speed", this->HasEvenSpeed, "along a track at even speed, whatever its times are")
+    ->group(group);
 }
 
 //------------------------------------------------------------------------------
@@ -78,9 +84,9 @@ void FlightOptions::Check(const std::string& output) const
 {
   if (!this->IsWanted())
   {
-    if (this->Seconds > 0.0)
+    if (this->Seconds > 0.0 || this->HasEvenSpeed)
     {
-      Refuse("--flight-seconds", "needs --flight");
+      Refuse(this->HasEvenSpeed ? "--even-speed" : "--flight-seconds", "needs --flight");
     }
     return;
   }
@@ -92,8 +98,8 @@ void FlightOptions::Check(const std::string& output) const
   const std::string extension = std::filesystem::path(output).extension().string();
   if (!extension.empty() && !IsFilm(output))
   {
-    Refuse(
-      "--output", "a flight makes many pictures: name a folder, or a film .mp4, .webm or .gif");
+    Refuse("--output",
+      "a flight makes many pictures: name a folder, or a film .mp4, .webm, .gif or .webp");
   }
   if (IsFilm(output) && !HasFilmMaker())
   {

@@ -23,6 +23,8 @@ struct FlightOptions
   double Rate = 30.0;
   /// Duration in seconds; 0: that of the flight.
   double Seconds = 0.0;
+  /// True to take no notice of the times of a track.
+  bool HasEvenSpeed = false;
   /// The options of the scene, by which frames of an earlier run are known.
   std::string Scene;
 
@@ -43,7 +45,7 @@ struct FlightOptions
 /// Folder of the frames of a flight: the output itself, or beside a film of that name.
 std::string FramesFolder(const std::string& output);
 
-/// True for outputs that are films: .mp4, .webm, .gif.
+/// True for outputs that are films: .mp4, .webm, .gif, .webp.
 bool IsFilm(const std::string& output);
 
 #endif

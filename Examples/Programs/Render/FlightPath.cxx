@@ -65,9 +65,10 @@ Place3 Between(
 class Track
 {
 public:
-  explicit Track(const std::vector<Place3>& points)
+  explicit Track(const FlightTrack& track)
+    : Times(track.Times)
   {
-    for (const Place3& point : points)
+    for (const Place3& point : track.Points)
     {
       const double step = this->Points.empty() ? 0.0 : Flat(this->Points.back(), point);
       if (this->Points.empty() || step > 0.0)
@@ -75,7 +76,25 @@ public:
         this->Distances.push_back(this->Points.empty() ? 0.0 : this->Distances.back() + step);
         this->Points.push_back(point);
       }
+      this->WayOfPoints.push_back(this->Distances.back());
     }
+  }
+  /// Distance at a part of the duration, 0 to 1; without times from rest to rest.
+  double WayAt(double share) const
+  {
+    if (this->Times.empty())
+    {
+      return this->Length() * Ease(share);
+    }
+    constexpr int kSteps = 16;
+    const double reach = std::min({ kSmoothedTime, share, 1.0 - share }); // exact at both ends
+    double sum = 0.0;
+    for (int step = -kSteps; step <= kSteps; ++step)
+    {
+      sum += this->WayAtTime(this->Times.front() +
+        (share + reach * step / kSteps) * (this->Times.back() - this->Times.front()));
+    }
+    return sum / (2 * kSteps + 1);
   }
   double Length() const
   {
@@ -115,8 +134,21 @@ public:
   }
 
 private:
+  double WayAtTime(double time) const
+  {
+    const auto next = std::upper_bound(this->Times.begin() + 1, this->Times.end() - 1, time);
+    const auto k = static_cast<std::size_t>(next - this->Times.begin());
+    const double span = this->Times[k] - this->Times[k - 1];
+    const double within = span > 0.0 ? (time - this->Times[k - 1]) / span : 1.0;
+    return this->WayOfPoints[k - 1] +
+      std::clamp(within, 0.0, 1.0) * (this->WayOfPoints[k] - this->WayOfPoints[k - 1]);
+  }
+
   std::vector<Place3> Points;
   std::vector<double> Distances;
+  /// Of all points of the track that was given, those too that are where the one before is.
+  std::vector<double> WayOfPoints;
+  std::vector<double> Times;
 };
 }
 
@@ -165,14 +197,13 @@ std::vector<FlightView> FlyThrough(const std::vector<FlightKey>& keys, std::size
 
 //------------------------------------------------------------------------------
 std::vector<FlightView> FlyAlong(
-  const std::vector<Place3>& points, double behind, double above, std::size_t frames)
+  const FlightTrack& flown, double behind, double above, std::size_t frames)
 {
-  const Track track(points);
+  const Track track(flown);
   std::vector<FlightView> views(frames);
   for (std::size_t k = 0; k < frames; ++k)
   {
-    const double at =
-      track.Length() * Ease(static_cast<double>(k) / static_cast<double>(frames - 1));
+    const double at = track.WayAt(static_cast<double>(k) / static_cast<double>(frames - 1));
     const Place3 here = track.SmoothAt(at, behind);
     // where the track is heading, over as much of it as the eye is behind
     const Place3 last = track.SmoothAt(std::max(at - behind, -0.0), behind);

@@ -28,6 +28,14 @@ struct FlightKey
   FlightView View;
 };
 
+/// Points on the ground, and when they were passed, in seconds that do not fall; no times for even
+/// speed.
+struct FlightTrack
+{
+  std::vector<Place3> Points;
+  std::vector<double> Times;
+};
+
 /// Number of frames, at least 2, of so many seconds.
 std::size_t CountFrames(double seconds, double rate);
 
@@ -39,11 +47,16 @@ std::vector<FlightView> FlyRound(const FlightView& view, std::size_t frames, boo
 /// interval, with the slope between the neighbours), from rest to rest.
 std::vector<FlightView> FlyThrough(const std::vector<FlightKey>& keys, std::size_t frames);
 
-/// Behind and above a track on the ground, so far behind and so far above the ground, from rest to
-/// rest; the focus is a little ahead on the track. The track is smoothed over the distance behind.
-/// Two or more points that are not all the same.
+/// Behind and above a track on the ground, so far behind and so far above the ground; the focus is
+/// a little ahead on the track. The track is smoothed over the distance behind. From rest to rest;
+/// with times as fast as the track was, the first frame at its first time and the last one at its
+/// last, jumps of the speed smoothed over kSmoothedTime. Two or more points that are not all the
+/// same.
 std::vector<FlightView> FlyAlong(
-  const std::vector<Place3>& track, double behind, double above, std::size_t frames);
+  const FlightTrack& track, double behind, double above, std::size_t frames);
+
+/// Part of the duration of a track before and after a time over which its way is averaged.
+constexpr double kSmoothedTime = 0.02;
 
 /// Raises eyes that are less than a clearance above the ground, and their neighbours before and
 /// after, over so many frames, so that the way stays smooth. `ground` returns z at x, y, or NaN.

@@ -223,6 +223,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   options.Scenery.Declare(app);
   options.Marks.Declare(app);
   options.Track.Declare(app);
+  options.Polygon.Declare(app);
   options.Flight.Declare(app);
   app.add_flag("--legend{" + std::string(kUsualLegend) + "}", options.Legend,
     "the colours with numbers, or with names of classes; --legend='Depth in metres' for another "
@@ -339,6 +340,7 @@ void Interpret(const Texts& texts, Options& options)
   texts.Place.Interpret(options.Place);
   options.Place.HasTimeOfSun = options.Light.NeedsPlace();
   options.Place.HasLabels = !options.Marks.Labels.empty();
+  options.Place.HasPolygons = !options.Polygon.Files.empty();
   texts.Detail.Interpret(options.Detail);
   if (options.View && !options.Place.LookFrom.empty())
   {
@@ -393,6 +395,7 @@ void CheckTechnique(const Options& options)
   options.Surface.CheckLight(options.Light);
   options.Surface.CheckStrata();
   options.Track.Check(!options.Place.Tracks.empty());
+  options.Polygon.Check();
   if (options.Wireframe && !strips)
   {
     Refuse("--wireframe", "is for the technique strips only");
@@ -425,11 +428,13 @@ std::vector<std::string> InputFiles(const Options& options)
 {
   std::vector<std::string> inputs = { options.Heights, options.Input.CoordinateSystem,
     options.Colors.GetFileName(), options.ColorBy.IsFile() ? options.ColorBy.By : std::string(),
-    options.Track.GetFileName(), options.Place.Drape, options.Place.GetGeoidFile(),
-    options.Detail.File, options.Scene, options.Marks.Labels,
+    options.Track.GetFileName(), options.Polygon.GetFileName(), options.Place.Drape,
+    options.Place.GetGeoidFile(), options.Detail.File, options.Scene, options.Marks.Labels,
     options.Flight.IsFile() ? options.Flight.Flight : std::string() };
-  inputs.insert(inputs.end(), options.Place.Tracks.begin(), options.Place.Tracks.end());
-  inputs.insert(inputs.end(), options.Place.Finer.begin(), options.Place.Finer.end());
+  for (const auto* files : { &options.Place.Tracks, &options.Place.Finer, &options.Polygon.Files })
+  {
+    inputs.insert(inputs.end(), files->begin(), files->end());
+  }
   return inputs;
 }
 
@@ -516,8 +521,9 @@ void CheckFiles(const Options& options)
 SceneNames NamesOfScene()
 {
   SceneNames names;
-  names.Files = { "heights", "drape", "track", "labels", "output", "depth", "stats" };
-  names.FilesOrWords = { "colors", "track-colors", "color-by", "detail", "flight" };
+  names.Files = { "heights", "drape", "track", "polygons", "labels", "output", "depth", "stats" };
+  names.FilesOrWords = { "colors", "track-colors", "polygon-colors", "color-by", "detail",
+    "flight" };
   names.Others = { "help", "version", "describe" };
   names.Rivals = { { "camera", "look-from" }, { "camera", "look-at" } };
   return names;

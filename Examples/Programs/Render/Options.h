@@ -16,6 +16,7 @@
 #include "LightOptions.h"
 #include "MarkOptions.h"
 #include "PlaceOptions.h"
+#include "PolygonOptions.h"
 #include "SceneryOptions.h"
 #include "SurfaceOptions.h"
 #include "TrackOptions.h"
@@ -118,6 +119,7 @@ struct Options
   bool Describe = false;
   PlaceOptions Place;
   TrackOptions Track;
+  PolygonOptions Polygon;
   FlightOptions Flight;
   MarkOptions Marks;
   SceneryOptions Scenery;

@@ -123,10 +123,11 @@ std::string PlaceOptions::GetGeoidFile() const
 //------------------------------------------------------------------------------
 const char* PlaceOptions::FirstThatNeedsPlaces() const
 {
-  const std::array<std::pair<const char*, bool>, 6> needs = {
+  const std::array<std::pair<const char*, bool>, 7> needs = {
     { { "--look-from", !this->LookFrom.empty() }, { "--sun", this->HasTimeOfSun },
       { "--drape", !this->Drape.empty() }, { "--track", !this->Tracks.empty() },
-      { "--labels", this->HasLabels }, { "--graticule", this->Graticule.has_value() } }
+      { "--polygons", this->HasPolygons }, { "--labels", this->HasLabels },
+      { "--graticule", this->Graticule.has_value() } }
   };
   for (const auto& [option, isGiven] : needs)
   {

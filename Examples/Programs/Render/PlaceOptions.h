@@ -56,6 +56,8 @@ struct PlaceOptions
   bool HasTimeOfSun = false;
   /// Whether there are labels (MarkOptions).
   bool HasLabels = false;
+  /// Whether there are polygons (PolygonOptions).
+  bool HasPolygons = false;
 
   std::optional<vtkTerrainGraticule::GridType> Graticule;
   bool ScaleBar = false;

@@ -8,6 +8,7 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Placing.h"
+#include "PolygonLayer.h"
 #include "Progress.h"
 #include "Statistics.h"
 
@@ -148,7 +149,7 @@ std::vector<Terrain> PrepareFiner(const PlacedHeights& heights, const Options& o
     placed.Colors = ReadColorSource(placed, options, unused);
     finer.push_back(PrepareTerrain(
       { placed.Image, nullptr }, heights.Exaggeration, placed.Colors, options, progress, unused));
-    DrapePicture(finer.back(), placed, options, unused);
+    DrapePicture(finer.back(), placed, {}, options, unused);
     terrain.Bounds.AddBox(finer.back().Bounds);
     std::array<double, 2> range{};
     finer.back().Actor->GetHeightRange(range.data());

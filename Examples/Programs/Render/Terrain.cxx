@@ -341,7 +341,7 @@ Terrain PrepareTerrain(const ReadHeightsResult& read, double exaggeration,
   terrain.Actor = actor;
   std::array<double, 2> range{}; // of z, which in a round scene is not the height
   actor->GetHeightRange(range.data());
-  options.Surface.Apply(actor, range[0], std::max(1.0, PixelScale(options)));
+  options.Surface.Apply(actor, range[0], LinePixels(1.0, options));
   terrain.Bounds.SetBounds(actor->GetBounds());
   terrain.Framed = terrain.Bounds;
   ThrowOnError(name);

@@ -2,17 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TrackOptions.h"
 
-#include "ColorName.h"
-
-#include "vtkNew.h"
-#include "vtkTerrainColors.h"
-
 #include <CLI/CLI.hpp>
 
 namespace
 {
 const char* const kTracks = "Tracks";
-constexpr const char* kUsualScheme = "inferno";
 
 /// "30m" or "4"; 0 for all other text.
 double ReadWidth(const std::string& text, bool& isMetres)
@@ -32,32 +26,12 @@ std::string WhyNoWidth(const std::string& text)
     ? std::string()
     : "'" + text + "' is neither a width in pixels (up to 100) nor in metres, such as 30m";
 }
-
-std::string WhyNoColors(const std::string& text)
-{
-  const vtkNew<vtkTerrainColors> colors;
-  return ParseColor(text) || colors->SetSchemeOrFile(text)
-    ? std::string()
-    : colors->GetErrorMessage() + ", and it is no colour";
-}
 }
 
 //------------------------------------------------------------------------------
 void TrackOptions::Declare(CLI::App& app)
 {
-  app
-    .add_option("--track-color-by", this->ColorBy,
-      "field of the features of --track that chooses their colours: numbers, or texts as classes; "
-      "height: that of each point. With --legend the colours are told")
-    ->type_name("FIELD")
-    ->group(kTracks);
-  app
-    .add_option("--track-colors", this->Colors,
-      "a colour, or with --track-color-by a scheme or a file, as those of --colors; default "
-      "inferno")
-    ->type_name("COLOUR|NAME|FILE")
-    ->group(kTracks)
-    ->check(CLI::Validator(WhyNoColors, ""));
+  this->DeclareField(app, "--track", "; height: that of each point", kTracks);
   app
     .add_option("--track-width", this->Width,
       "of lines in pixels of a picture 720 pixels high, default 3; or of tubes in metres: 30m")
@@ -77,12 +51,7 @@ void TrackOptions::Check(bool hasTracks) const
       throw CLI::ValidationError(option, "there is no track: give --track FILE, too");
     }
   }
-  if (!this->Colors.empty() && this->ColorBy.empty() != ParseColor(this->Colors).has_value())
-  {
-    throw CLI::ValidationError("--track-colors",
-      this->ColorBy.empty() ? "is a scheme or file: --track-color-by says what it shows"
-                            : "is one colour: leave out --track-color-by");
-  }
+  this->CheckField();
 }
 
 //------------------------------------------------------------------------------
@@ -99,22 +68,4 @@ double TrackOptions::GetPixels(double usual) const
   bool isMetres = false;
   const double width = ReadWidth(this->Width, isMetres);
   return width > 0.0 && !isMetres ? width : usual;
-}
-
-//------------------------------------------------------------------------------
-std::string TrackOptions::GetFileName() const
-{
-  const vtkNew<vtkTerrainColors> colors;
-  return this->ColorBy.empty() || this->Colors.empty() || colors->SetScheme(this->Colors)
-    ? std::string()
-    : this->Colors;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkTerrainColors> TrackOptions::MakeColors() const
-{
-  auto colors = vtkSmartPointer<vtkTerrainColors>::New();
-  colors->SetSchemeOrFile(this->Colors.empty() ? kUsualScheme : this->Colors);
-  colors->SetSea(vtkTerrainColors::SeaMode::Never);
-  return colors;
 }

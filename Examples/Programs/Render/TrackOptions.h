@@ -7,23 +7,17 @@
 #ifndef terrain_render_TrackOptions_h
 #define terrain_render_TrackOptions_h
 
-#include "vtkSmartPointer.h"
+#include "FieldOptions.h"
 
 #include <string>
 
-class vtkTerrainColors;
-namespace CLI
+struct TrackOptions : FieldOptions
 {
-class App;
-}
+  TrackOptions()
+    : FieldOptions("track")
+  {
+  }
 
-struct TrackOptions
-{
-  /// Field of the features whose values are the colours; empty for one colour.
-  std::string ColorBy;
-  /// A scheme or a file (vtkTerrainColors), or a colour where there is no field; empty for the
-  /// usual ones.
-  std::string Colors;
   /// Width in pixels of a picture 720 pixels high, or in metres ("30m"); empty for the usual one.
   std::string Width;
 
@@ -36,9 +30,6 @@ struct TrackOptions
   double GetMetres() const;
   /// Width of lines in pixels, or a usual one.
   double GetPixels(double usual) const;
-  /// The file that Colors names; empty for none.
-  std::string GetFileName() const;
-  vtkSmartPointer<vtkTerrainColors> MakeColors() const;
 };
 
 #endif

@@ -5,12 +5,12 @@
 
 #include "ColorName.h"
 #include "Failure.h"
+#include "FieldColors.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Placing.h"
 #include "Statistics.h"
 #include "TextSize.h"
-#include "TrackColors.h"
 #include "VectorFile.h"
 
 #include "vtkActor.h"
@@ -32,20 +32,6 @@ constexpr double kTrackWidth = 3.0;
 constexpr double kPointSize = 11.0;
 constexpr RGB kTrackColor = { 0.85, 0.10, 0.08 };
 constexpr int kTubeSides = 12;
-
-/// Lets the values of lines choose their colours, if there is a table.
-void ColorByValue(vtkMapper* mapper, vtkScalarsToColors* table)
-{
-  if (table)
-  {
-    mapper->ScalarVisibilityOn();
-    mapper->SetScalarModeToUsePointFieldData();
-    mapper->SelectColorArray(kTrackValue);
-    mapper->SetLookupTable(table);
-    mapper->UseLookupTableScalarRangeOn();
-    mapper->InterpolateScalarsBeforeMappingOn();
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -109,7 +95,7 @@ void ViewMarks::ReadTracks(Statistics& statistics)
   }
   if (!field.empty())
   {
-    this->TrackKey = ColorTracks(tracks, this->Wanted.Track);
+    this->TrackKey = ColorByField(tracks, this->Wanted.Track);
   }
   for (std::size_t k = 0; k < tracks.size(); ++k)
   {

@@ -29,14 +29,15 @@ class Statistics;
 class vtkActor;
 struct Options;
 struct PlacedHeights;
+struct PolygonLayer;
 
 /**
- * Track, graticule, scale bar, north arrow, title, caption, labels. Lines and points are drawn
- * nearer than they are, so that the ground beside them does not hide them; their place in the
- * picture stays the same. Texts stand where the eye sees their points, and cover one another
- * nowhere: labels of a file come first, then summits, then those of the graticule. A shoulder that
- * hides a place by less than the height of a text does not count, for round summits are never seen
- * from below. All of it is brought up to date by Refresh() after the camera was set.
+ * Track, outlines of polygons, graticule, scale bar, north arrow, title, caption, labels. Lines and
+ * points are drawn nearer than they are, so that the ground beside them does not hide them; their
+ * place in the picture stays the same. Texts stand where the eye sees their points, and cover one
+ * another nowhere: labels of a file come first, then summits, then those of the graticule. A
+ * shoulder that hides a place by less than the height of a text does not count, for round summits
+ * are never seen from below. All of it is brought up to date by Refresh() after the camera was set.
  */
 class ViewMarks
 {
@@ -53,6 +54,9 @@ public:
 
   /// Reads what the options ask for. Throws a Failure.
   void Read(Statistics& statistics);
+
+  /// Adds the outlines of polygons. Throws a Failure.
+  void AddOutlines(const PolygonLayer& polygons);
 
   /// For the camera as it is.
   void Refresh();

@@ -18,6 +18,7 @@
 #include "Options.h"
 #include "Outputs.h"
 #include "Placing.h"
+#include "PolygonLayer.h"
 #include "Progress.h"
 #include "Scenery.h"
 #include "ShownHeights.h"
@@ -185,9 +186,10 @@ void Render(Options options)
   Terrain terrain = PrepareTerrain({ heights.Image, read.Tiles }, heights.Exaggeration,
     heights.Colors, options, *progress, statistics);
   std::vector<Terrain> sites = PrepareSites(read, heights, options, terrain, *progress, statistics);
+  const PolygonLayer polygons = ReadPolygonLayer(heights, options, statistics);
   const std::vector<Terrain> finer = PrepareFiner(heights, options, terrain, *progress, statistics);
   sites.insert(sites.end(), finer.begin(), finer.end());
-  DrapePicture(terrain, heights, options, statistics);
+  DrapePicture(terrain, heights, polygons, options, statistics);
   progress.reset();
 
   const vtkSmartPointer<vtkRenderWindow> window = MakeWindow(options);
@@ -195,6 +197,7 @@ void Render(Options options)
   window->AddRenderer(renderer);
   AddSites(sites, renderer, options);
   ViewMarks marks(renderer, heights, BoxOf(terrain, heights, options), options);
+  marks.AddOutlines(polygons);
   marks.Read(statistics);
   if (options.Marks.Inset)
   {
@@ -207,9 +210,12 @@ void Render(Options options)
   {
     terrain.Key.Title = options.Legend;
     std::vector<LegendKey> keys = { terrain.Key };
-    if (marks.GetTrackKey().Table)
+    for (const LegendKey& key : { polygons.Key, marks.GetTrackKey() })
     {
-      keys.push_back(marks.GetTrackKey());
+      if (key.Table)
+      {
+        keys.push_back(key);
+      }
     }
     AddLegends(renderer, keys, options);
   }

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TrackColors.h"
+#include "FieldColors.h"
 
 #include "Failure.h"
-#include "TrackOptions.h"
+#include "FieldOptions.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
 #include "vtkLookupTable.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
@@ -28,9 +29,9 @@ constexpr std::array<std::array<double, 3>, 8> kClassColors = { { { 0.90, 0.62, 
   { 0.84, 0.37, 0.00 }, { 0.80, 0.47, 0.65 }, { 0.10, 0.10, 0.10 } } };
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-vtkStringArray* TextsOf(vtkPolyData* track)
+vtkStringArray* TextsOf(vtkPolyData* mark)
 {
-  return vtkStringArray::SafeDownCast(track->GetPointData()->GetAbstractArray("Field"));
+  return vtkStringArray::SafeDownCast(mark->GetPointData()->GetAbstractArray("Field"));
 }
 
 bool IsNumber(const std::string& text, double& number)
@@ -42,11 +43,11 @@ bool IsNumber(const std::string& text, double& number)
 class Numbers
 {
 public:
-  explicit Numbers(const std::vector<vtkSmartPointer<vtkPolyData>>& tracks)
+  explicit Numbers(const std::vector<vtkSmartPointer<vtkPolyData>>& marks)
   {
-    for (vtkPolyData* track : tracks)
+    for (vtkPolyData* mark : marks)
     {
-      vtkStringArray* texts = TextsOf(track);
+      vtkStringArray* texts = TextsOf(mark);
       for (vtkIdType k = 0; k < texts->GetNumberOfValues(); ++k)
       {
         this->Take(texts->GetValue(k));
@@ -104,11 +105,11 @@ private:
   }
 };
 
-LegendKey KeyOfClasses(const Numbers& numbers, const TrackOptions& options)
+LegendKey KeyOfClasses(const Numbers& numbers, const FieldOptions& options)
 {
   if (numbers.Names.size() > kClassColors.size())
   {
-    throw Failure("--track-color-by",
+    throw Failure(options.GetFieldOption(),
       "'" + options.ColorBy + "' has more than " + std::to_string(kClassColors.size()) +
         " texts, too many for colours: choose a field of numbers, or of fewer classes");
   }
@@ -131,13 +132,13 @@ LegendKey KeyOfClasses(const Numbers& numbers, const TrackOptions& options)
 }
 
 //------------------------------------------------------------------------------
-LegendKey ColorTracks(
-  const std::vector<vtkSmartPointer<vtkPolyData>>& tracks, const TrackOptions& options)
+LegendKey ColorByField(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& marks, const FieldOptions& options)
 {
-  const Numbers numbers(tracks);
+  const Numbers numbers(marks);
   if (numbers.Names.empty())
   {
-    throw Failure("--track-color-by", "'" + options.ColorBy + "' is empty in all features");
+    throw Failure(options.GetFieldOption(), "'" + options.ColorBy + "' is empty in all features");
   }
   LegendKey key;
   if (numbers.AreNumbers)
@@ -149,17 +150,31 @@ LegendKey ColorTracks(
     key = KeyOfClasses(numbers, options);
   }
   key.Title = options.ColorBy;
-  for (vtkPolyData* track : tracks)
+  for (vtkPolyData* mark : marks)
   {
-    vtkStringArray* texts = TextsOf(track);
+    vtkStringArray* texts = TextsOf(mark);
     const vtkNew<vtkDoubleArray> values;
-    values->SetName(kTrackValue);
+    values->SetName(kFieldValue);
     for (vtkIdType k = 0; k < texts->GetNumberOfValues(); ++k)
     {
       values->InsertNextValue(numbers.Of(texts->GetValue(k)));
     }
-    track->GetPointData()->RemoveArray("Field");
-    track->GetPointData()->AddArray(values);
+    mark->GetPointData()->RemoveArray("Field");
+    mark->GetPointData()->AddArray(values);
   }
   return key;
+}
+
+//------------------------------------------------------------------------------
+void ColorByValue(vtkMapper* mapper, vtkScalarsToColors* table)
+{
+  if (table)
+  {
+    mapper->ScalarVisibilityOn();
+    mapper->SetScalarModeToUsePointFieldData();
+    mapper->SelectColorArray(kFieldValue);
+    mapper->SetLookupTable(table);
+    mapper->UseLookupTableScalarRangeOn();
+    mapper->InterpolateScalarsBeforeMappingOn();
+  }
 }

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Outlines of polygons, on the ground.
+#include "ViewMarks.h"
+
+#include "Failure.h"
+#include "FieldColors.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Placing.h"
+#include "PolygonLayer.h"
+#include "TextSize.h"
+
+#include "vtkActor.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkTerrainDrape.h"
+
+//------------------------------------------------------------------------------
+void ViewMarks::AddOutlines(const PolygonLayer& polygons)
+{
+  const PolygonOptions& options = this->Wanted.Polygon;
+  for (std::size_t k = 0; k < polygons.Files.size(); ++k)
+  {
+    const vtkNew<vtkTerrainDrape> drape;
+    drape->SetInputData(polygons.Files[k]);
+    drape->SetHeightsData(this->Heights.Image);
+    drape->SetGeoreference(this->Heights.Georeference);
+    drape->SetExaggeration(this->Heights.Exaggeration);
+    drape->Update();
+    ThrowOnError(options.Files[k]);
+    vtkPolyData* lines = drape->GetOutput();
+    if (lines->GetNumberOfCells() > 0 && options.Width > 0.0)
+    {
+      vtkActor* actor =
+        this->AddLines(lines, polygons.Color.data(), LinePixels(options.Width, this->Wanted), 1.0);
+      ColorByValue(actor->GetMapper(), polygons.Key.Table);
+    }
+  }
+}
