@@ -227,7 +227,7 @@ uniform float terrainContourIndex; // every n-th line is twice as wide; 0 for no
 uniform vec4 terrainContourColor;  // alpha 0 for none
 
 // How much of a pixel, 0..1, a line covers that is so far away, one of many; in pixels. Lines fade
-// where their spacing is less than twice their width and a pixel; at half of that there are none.
+// where their spacing is less than twice (their width + 1); at half of that there are none.
 float terrainLineCoverage(float distance, float spacing, float width)
 {
   float line = clamp(min(0.5 * width + 0.5 - distance, width), 0.0, 1.0);

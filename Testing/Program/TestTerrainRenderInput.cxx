@@ -277,6 +277,46 @@ TEST_F(TerrainRenderInput, PlacesLieOnTheGroundOfEachSite)
   EXPECT_NE(none.Errors.find("'3.01,45.16' does not lie on the terrain"), std::string::npos);
 }
 
+TEST_F(TerrainRenderInput, SitesHaveRangesAndLegendsOfTheirOwn)
+{
+  const auto draw = [this](const std::vector<std::string>& options)
+  {
+    std::vector<std::string> arguments{ this->WriteSites(), "--output", "picture.png", "--size",
+      "320x240", "--hillshade" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const RunResult result = this->Run(arguments);
+    EXPECT_EQ(result.Status, 0) << result.Errors;
+    return this->ReadPicture();
+  };
+  const auto countUnlike = [](const Picture& a, const Picture& b)
+  {
+    int unlike = 0;
+    for (std::size_t i = 0; i < a.Values.size(); ++i)
+    {
+      unlike += std::abs(a.Values[i] - b.Values[i]) > 8 ? 1 : 0;
+    }
+    return unlike;
+  };
+  const Picture alone = draw({ "--part", "1" });
+  EXPECT_GT(countUnlike(draw({}), alone), 5000);
+  EXPECT_LT(countUnlike(draw({ "--range", "each" }), alone), 100);
+  // panels at the right border, light over black
+  const auto countPanels = [](const Picture& picture)
+  {
+    int panels = 0;
+    for (int row = 1; row < picture.Height; ++row)
+    {
+      const int column = picture.Width - 10;
+      panels += picture.At(column, row, 0) > 150 && picture.At(column, row - 1, 0) <= 150 ? 1 : 0;
+    }
+    return panels;
+  };
+  const std::string black = "--background=black";
+  EXPECT_EQ(countPanels(draw({ black })), 0);
+  EXPECT_EQ(countPanels(draw({ black, "--legend" })), 1);
+  EXPECT_EQ(countPanels(draw({ black, "--legend", "--range", "each" })), 2);
+}
+
 TEST_F(TerrainRenderInput, WarningsAreToldOnce)
 {
   // two sites, in two zones: the folder is read once for each of them

@@ -37,7 +37,7 @@ std::string WhyNotColors(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-void ColorOptions::Declare(CLI::App& app)
+void ColorOptions::Declare(CLI::App& app, bool hasEach)
 {
   std::string schemes;
   for (int k = 0; k < vtkTerrainColors::GetNumberOfSchemes(); ++k)
@@ -52,9 +52,12 @@ void ColorOptions::Declare(CLI::App& app)
     ->check(CLI::Validator(WhyNotColors, ""));
   app
     .add_option("--range", this->Range,
-      "heights of the first and last colour in metres; default: all heights")
+      std::string("heights of the first and last colour in metres; default: all heights") +
+        (hasEach ? "; each: those of each terrain, with a legend each" : ""))
     ->type_name("LOWEST,HIGHEST")
-    ->check(CLI::Validator(WhyNotRange, ""));
+    ->check(CLI::Validator([hasEach](const std::string& text)
+      { return hasEach && text == "each" ? std::string() : WhyNotRange(text); },
+      ""));
   app.add_flag("--reverse", this->Reverse, "the last colour first");
   app
     .add_option("--below-sea", this->BelowSea,

@@ -22,14 +22,22 @@ struct ColorOptions
 {
   /// A scheme or a file (vtkTerrainColors); empty for the program's own colours.
   std::string Colors;
-  /// "LOWEST,HIGHEST": heights of the first and last colour, in metres; empty for the default.
+  /// "LOWEST,HIGHEST": heights of the first and last colour, in metres; "each": all values of each
+  /// terrain; empty for those of all terrains.
   std::string Range;
   bool Reverse = false;
   /// Whether heights below 0 are a sea: "auto", "always" or "never".
   std::string BelowSea = "auto";
 
   /// Adds the options to a command line, which fills this object and refuses what is no value.
-  void Declare(CLI::App& app);
+  /// hasEach: a range may be that of each terrain.
+  void Declare(CLI::App& app, bool hasEach);
+
+  /// True if each terrain has a range of its own.
+  bool AreOfEach() const
+  {
+    return this->Range == "each";
+  }
 
   /// The file that Colors names; empty for a scheme, or none.
   std::string GetFileName() const;

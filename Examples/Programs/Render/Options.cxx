@@ -216,7 +216,7 @@ void Declare(CLI::App& app, Options& options, Texts& texts)
   DeclareSearch(app, options, texts);
   DeclareView(app, options, texts);
   options.Input.Declare(app);
-  options.Colors.Declare(app);
+  options.Colors.Declare(app, true);
   options.ColorBy.Declare(app);
   options.Light.Declare(app, true);
   options.Surface.Declare(app);

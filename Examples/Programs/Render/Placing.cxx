@@ -224,6 +224,7 @@ void LayAllOnGlobe(PlacedHeights& placed, const Options& options, ProgressBar& p
     else
     {
       placed.Finer.push_back(laid.back());
+      placed.FinerNames.push_back(raster.Name);
     }
   }
 }

@@ -27,6 +27,8 @@ struct PlacedHeights
   vtkSmartPointer<vtkImageData> Image;
   /// Further heights of the same globe, of which the finest are seen: a terrain each.
   std::vector<vtkSmartPointer<vtkImageData>> Finer;
+  /// Their files.
+  std::vector<std::string> FinerNames;
   /// Heights of the other sites of a folder.
   std::vector<vtkSmartPointer<vtkImageData>> Sites;
   vtkSmartPointer<vtkTerrainGeoreference> Georeference;

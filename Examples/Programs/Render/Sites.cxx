@@ -19,10 +19,16 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
 
 namespace
 {
+std::string FileName(const std::string& path)
+{
+  return std::filesystem::path(path).filename().string();
+}
+
 Terrain PrepareSite(
   int site, const PlacedHeights& heights, const Options& options, ProgressBar& progress)
 {
@@ -38,9 +44,14 @@ Terrain PrepareSite(
 }
 
 /// One table, and one legend, for what all terrains show: over all their values, or of the classes
-/// of all.
-void ShareColors(std::vector<Terrain>& sites, Terrain& terrain, const ColorSource& colors)
+/// of all; nothing where each has its own.
+void ShareColors(
+  std::vector<Terrain>& sites, Terrain& terrain, const ColorSource& colors, const Options& options)
 {
+  if (options.Colors.AreOfEach())
+  {
+    return;
+  }
   std::array<double, 2> range = { terrain.Key.Table->GetRange()[0],
     terrain.Key.Table->GetRange()[1] };
   std::vector<LegendClass>& classes = terrain.Key.Classes;
@@ -111,6 +122,7 @@ std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, PlacedHeights& 
     {
       sites.push_back(PrepareSite(site, heights, options, progress));
       heights.Sites.emplace_back(sites.back().Actor->GetHeights());
+      sites.back().Name = "site " + std::to_string(site);
       terrain.Bounds.AddBox(sites.back().Bounds);
       std::array<double, 2> range{};
       sites.back().Actor->GetHeightRange(range.data());
@@ -131,7 +143,8 @@ std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, PlacedHeights& 
         " sites far from each other, a terrain each (--part N, from 1 to " +
         std::to_string(read.Sites) + ", draws one alone)" + FrameOne(read, options, terrain),
       options, statistics);
-    ShareColors(sites, terrain, heights.Colors);
+    ShareColors(sites, terrain, heights.Colors, options);
+    terrain.Name = "site " + std::to_string(read.Site);
   }
   return sites;
 }
@@ -141,14 +154,16 @@ std::vector<Terrain> PrepareFiner(const PlacedHeights& heights, const Options& o
   Terrain& terrain, ProgressBar& progress, Statistics& statistics)
 {
   std::vector<Terrain> finer;
-  for (vtkImageData* image : heights.Finer)
+  for (std::size_t k = 0; k < heights.Finer.size(); ++k)
   {
+    vtkImageData* image = heights.Finer[k];
     Statistics unused;
     PlacedHeights placed = heights;
     placed.Image = image;
     placed.Colors = ReadColorSource(placed, options, unused);
     finer.push_back(PrepareTerrain(
       { placed.Image, nullptr }, heights.Exaggeration, placed.Colors, options, progress, unused));
+    finer.back().Name = FileName(heights.FinerNames[k]);
     DrapePicture(finer.back(), placed, {}, options, unused);
     terrain.Bounds.AddBox(finer.back().Bounds);
     std::array<double, 2> range{};
@@ -159,7 +174,8 @@ std::vector<Terrain> PrepareFiner(const PlacedHeights& heights, const Options& o
   if (!finer.empty())
   {
     statistics.SetCount("finer_rasters", static_cast<std::int64_t>(finer.size()));
-    ShareColors(finer, terrain, heights.Colors);
+    ShareColors(finer, terrain, heights.Colors, options);
+    terrain.Name = FileName(HeightsName(options));
   }
   return finer;
 }

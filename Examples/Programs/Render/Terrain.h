@@ -16,6 +16,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 
 class ProgressBar;
 class Statistics;
@@ -37,6 +38,8 @@ struct Terrain
   vtkSmartPointer<vtkActor> Walls;
   /// What its colours tell.
   LegendKey Key;
+  /// What a legend of its own calls it; empty where it is alone.
+  std::string Name;
   /// Of all of the terrain, in world coordinates, whatever part of it the view needs.
   vtkBoundingBox Bounds;
   /// Of what the default view frames.

@@ -40,6 +40,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <utility>
@@ -175,6 +176,27 @@ vtkSmartPointer<vtkScalarsToColors> MakeReliefColors(
   return vtkTerrainActor::MakeReliefColors(range[0], range[1]);
 }
 
+/// What legends tell: of the colours of the terrains, which are one's where they share them, and of
+/// marks that have a table.
+std::vector<LegendKey> KeysOf(const Terrain& terrain, const std::vector<Terrain>& others,
+  const std::vector<LegendKey>& ofMarks, const Options& options)
+{
+  std::vector<LegendKey> keys = { terrain.Key };
+  keys.front().Title = options.Legend;
+  if (options.Colors.AreOfEach() && !others.empty())
+  {
+    keys.front().Title += ": " + terrain.Name;
+    for (const Terrain& other : others)
+    {
+      keys.push_back(other.Key);
+      keys.back().Title = options.Legend + ": " + other.Name;
+    }
+  }
+  std::copy_if(ofMarks.begin(), ofMarks.end(), std::back_inserter(keys),
+    [](const LegendKey& key) { return key.Table != nullptr; });
+  return keys;
+}
+
 /// From the options to the files they ask for.
 void Render(Options options)
 {
@@ -208,16 +230,8 @@ void Render(Options options)
   AddFog(renderer, options);
   if (!options.Legend.empty())
   {
-    terrain.Key.Title = options.Legend;
-    std::vector<LegendKey> keys = { terrain.Key };
-    for (const LegendKey& key : { polygons.Key, marks.GetTrackKey() })
-    {
-      if (key.Table)
-      {
-        keys.push_back(key);
-      }
-    }
-    AddLegends(renderer, keys, options);
+    AddLegends(
+      renderer, KeysOf(terrain, sites, { polygons.Key, marks.GetTrackKey() }, options), options);
   }
   marks.Refresh();
   statistics.SetTexts("labels", marks.GetPlaced());

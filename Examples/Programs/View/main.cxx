@@ -200,7 +200,7 @@ std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
     ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
   options.Exaggeration.Declare(app);
   options.Input.Declare(app);
-  options.Colors.Declare(app);
+  options.Colors.Declare(app, false);
   options.Light.Declare(app, false);
   options.Surface.Declare(app);
   app.add_option("--width", options.Width, "of the window in pixels, default 1280")
