@@ -255,6 +255,118 @@ TEST_F(TerrainView, TellsThePositionUnderThePointer)
   EXPECT_EQ(words.find("column", place), std::string::npos) << words; // nothing beside it
 }
 
+/// The number behind a word of a text; NaN without it.
+double NumberAfter(const std::string& text, const std::string& word)
+{
+  const std::size_t place = text.find(word);
+  return place == std::string::npos ? std::nan("")
+                                    : std::strtod(text.c_str() + place + word.size(), nullptr);
+}
+
+// Two points left and right of the middle, and a third: distance, profile, area.
+TEST_F(TerrainView, MeasuresOnTheGround)
+{
+  OPEN_OR_SKIP();
+  const auto print = [this](int x, int y)
+  {
+    this->Screen.Type('p', x, y);
+    this->Screen.CaptureStill();
+    const std::string all = this->ReadText("stdout.txt");
+    return all.substr(all.rfind("column"));
+  };
+  const std::string left = print(kMiddleX - 60, kMiddleY);
+  const std::string right = print(kMiddleX + 60, kMiddleY);
+  Screenshot before = this->After('m', this->Screen.CaptureStill());
+  const auto click = [&](int x, int y)
+  {
+    this->Screen.Press(1, x, y);
+    this->Screen.Release(1, x, y);
+    before = this->Screen.CaptureChange(before);
+  };
+  click(kMiddleX - 60, kMiddleY);
+  click(kMiddleX + 60, kMiddleY);
+  before.Write(this->Path("line.png"));
+  const double east = NumberAfter(right, "x ") - NumberAfter(left, "x ");
+  const double north = NumberAfter(right, "y ") - NumberAfter(left, "y ");
+  const std::string line = print(kMiddleX, kMiddleY);
+  const double length = NumberAfter(line, "distance ");
+  EXPECT_NEAR(length, std::hypot(east, north) / 0.9996, 1.0) << line; // the scale of UTM
+  EXPECT_GT(NumberAfter(line, "over the ground "), length + 1.0) << line;
+  EXPECT_NEAR(NumberAfter(line, " to "), NumberAfter(line, "height "), 2.0) << line; // the hill
+  click(kMiddleX, kMiddleY + 40);
+  click(kMiddleX - 60, kMiddleY); // the first point: an area
+  before.Write(this->Path("area.png"));
+  const std::string below = print(kMiddleX, kMiddleY + 40);
+  const double area = 0.5 *
+    std::abs(east * (NumberAfter(below, "y ") - NumberAfter(left, "y ")) -
+      north * (NumberAfter(below, "x ") - NumberAfter(left, "x ")));
+  EXPECT_NEAR(NumberAfter(below, "area ") / area, 1.0, 0.01) << below;
+  const Screenshot without = this->After('m', before);
+  EXPECT_GT(without.CountDifferent(before), 2000);
+  this->Quit();
+}
+
+TEST_F(TerrainView, CopiesThePlaceUnderThePointer)
+{
+  OPEN_OR_SKIP();
+  this->Screen.Type('y', kMiddleX, kMiddleY);
+  this->Screen.CaptureChange(this->First);
+  const std::string text = this->Screen.ReadClipboard();
+  EXPECT_NE(text.find("45R"), std::string::npos) << text;
+  EXPECT_GT(NumberAfter(text, "height "), 50.0) << text;
+  this->Quit();
+}
+
+// A scene of the window is the same picture in another window, and one of terrain-render.
+TEST_F(TerrainView, SavesScenesThatAreDrawnAgain)
+{
+  OPEN_OR_SKIP();
+  Screenshot now = this->After('i', this->First);
+  now = this->After('+', now);
+  this->Screen.Press(4, kMiddleX, kMiddleY);
+  this->Screen.Release(4, kMiddleX, kMiddleY);
+  now = this->Screen.CaptureChange(now);
+  now.Write(this->Path("now.png"));
+  this->After('S', now);
+  this->Quit();
+  const std::string scene = this->ReadText("terrain-view.toml");
+  EXPECT_NE(scene.find("heights = \"hill.tif\""), std::string::npos) << scene;
+  EXPECT_NE(scene.find("exaggeration = 2.5"), std::string::npos) << scene;
+  EXPECT_NE(scene.find("look-from"), std::string::npos) << scene;
+  EXPECT_NE(scene.find("contours"), std::string::npos) << scene;
+  EXPECT_EQ(scene.find("width"), std::string::npos) << scene;
+  this->WriteText("more.toml", scene + "title = \"Hill\"\n");
+  ASSERT_TRUE(this->Screen.Start({ TERRAIN_VIEW_PROGRAM, "--scene", "more.toml", "--width",
+                                   std::to_string(kWidth), "--height", std::to_string(kHeight) },
+    this->Folder, this->Path("stdout.txt"), "terrain-view"));
+  const Screenshot withoutPosition = this->Screen.CaptureStill();
+  this->Screen.Move(kMiddleX, kMiddleY);
+  const Screenshot again = this->Screen.CaptureChange(withoutPosition);
+  again.Write(this->Path("again.png"));
+  EXPECT_LT(again.CountDifferent(now), kMany / 4); // the texts at most
+  this->After('S', again);                         // the first one is kept
+  this->Quit();
+  EXPECT_EQ(this->ReadText("terrain-view.toml"), scene);
+  EXPECT_NE(this->ReadText("terrain-view-2.toml").find("title = \"Hill\""), std::string::npos);
+  const RunResult drawn = this->RunCommand({ TERRAIN_RENDER_PROGRAM, "--scene", "more.toml",
+    "--size", "480x320", "--output", "drawn.png" });
+  EXPECT_EQ(drawn.Status, 0) << drawn.Errors;
+}
+
+TEST_F(TerrainView, ShowsWhatIsDropped)
+{
+  OPEN_OR_SKIP();
+  const Screenshot before = this->First;
+  ASSERT_TRUE(this->Screen.Drop(this->Path("none.tif")));
+  const Screenshot told = this->Screen.CaptureChange(before);
+  EXPECT_LT(told.CountDifferent(before), kMany);
+  const std::string other = this->WriteHill("other.tif");
+  ASSERT_TRUE(this->Screen.Drop(other));
+  ASSERT_TRUE(this->Screen.Find("other.tif"));
+  this->Screen.CaptureStill().Write(this->Path("other.png"));
+  this->Quit();
+}
+
 TEST_F(TerrainView, RefusesWhatItCannotShow)
 {
   const std::string hill = this->WriteHill();
@@ -275,6 +387,10 @@ TEST_F(TerrainView, RefusesWhatItCannotShow)
   {
     ExpectRefused(run({ option, "nan" }), 2, option);
   }
+  ExpectRefused(run({ hill, "--look-from", "9,45,100" }), 2, "need each other");
+  ExpectRefused(run({ hill, "--camera", "1,2,3" }), 2, "--camera");
+  this->WriteText("bad.toml", "heights = \"hill.tif\"\nexaggeration = \"high\"\n");
+  ExpectRefused(run({ "--scene", "bad.toml" }), 2, "bad.toml, line 2");
   EXPECT_EQ(run({ "--help" }).Status, 0);
   setenv("DISPLAY", ":no-display", 1);
   ExpectRefused(run({ hill }), 1, ":no-display");

@@ -210,6 +210,12 @@ bool VirtualDisplay::Start(const std::vector<std::string>& command, const std::s
     }
     _exit(127);
   }
+  return this->Find(title);
+}
+
+//------------------------------------------------------------------------------
+bool VirtualDisplay::Find(const std::string& title)
+{
   const auto shows = [&]
   {
     this->Window = this->FindWindow(DefaultRootWindow(this->Display), title);
@@ -385,4 +391,81 @@ Screenshot VirtualDisplay::CaptureChange(const Screenshot& before)
 {
   this->WaitForChange(before);
   return this->CaptureStill();
+}
+
+//------------------------------------------------------------------------------
+std::string VirtualDisplay::ReadClipboard()
+{
+  const ::Window window =
+    XCreateSimpleWindow(this->Display, DefaultRootWindow(this->Display), 0, 0, 1, 1, 0, 0, 0);
+  const Atom text = XInternAtom(this->Display, "UTF8_STRING", False);
+  const Atom property = XInternAtom(this->Display, "TERRAIN_TEST", False);
+  XConvertSelection(this->Display, XInternAtom(this->Display, "CLIPBOARD", False), text, property,
+    window, CurrentTime);
+  XEvent event;
+  if (!WaitUntil([&] { return XCheckTypedEvent(this->Display, SelectionNotify, &event) != 0; }) ||
+    event.xselection.property == None)
+  {
+    return {};
+  }
+  Atom type = None;
+  int format = 0;
+  unsigned long count = 0;
+  unsigned long left = 0;
+  unsigned char* bytes = nullptr;
+  XGetWindowProperty(this->Display, window, property, 0, 1024, True, AnyPropertyType, &type,
+    &format, &count, &left, &bytes);
+  std::string read(reinterpret_cast<char*>(bytes), count);
+  XFree(bytes);
+  XDestroyWindow(this->Display, window);
+  return read;
+}
+
+//------------------------------------------------------------------------------
+void VirtualDisplay::SendMessage(const char* type, const std::vector<long>& words)
+{
+  XEvent event{};
+  event.xclient.type = ClientMessage;
+  event.xclient.display = this->Display;
+  event.xclient.window = this->Window;
+  event.xclient.message_type = XInternAtom(this->Display, type, False);
+  event.xclient.format = 32;
+  std::copy(words.begin(), words.end(), event.xclient.data.l);
+  this->Send(&event, NoEventMask);
+}
+
+//------------------------------------------------------------------------------
+bool VirtualDisplay::Drop(const std::string& path)
+{
+  const ::Window source =
+    XCreateSimpleWindow(this->Display, DefaultRootWindow(this->Display), 0, 0, 1, 1, 0, 0, 0);
+  XSetSelectionOwner(
+    this->Display, XInternAtom(this->Display, "XdndSelection", False), source, CurrentTime);
+  const auto owner = static_cast<long>(source);
+  const auto list = static_cast<long>(XInternAtom(this->Display, "text/uri-list", False));
+  const auto copy = static_cast<long>(XInternAtom(this->Display, "XdndActionCopy", False));
+  constexpr long kVersion = 5L << 24;
+  this->SendMessage("XdndEnter", { owner, kVersion, list, 0, 0 });
+  this->SendMessage("XdndPosition", { owner, 0, 100L << 16 | 100L, CurrentTime, copy });
+  this->SendMessage("XdndDrop", { owner, 0, CurrentTime, 0, 0 });
+  XEvent asked;
+  if (!WaitUntil([&] { return XCheckTypedEvent(this->Display, SelectionRequest, &asked) != 0; }))
+  {
+    return false;
+  }
+  const XSelectionRequestEvent& request = asked.xselectionrequest;
+  const std::string uri = "file://" + path + "\r\n";
+  XChangeProperty(this->Display, request.requestor, request.property, request.target, 8,
+    PropModeReplace, reinterpret_cast<const unsigned char*>(uri.data()),
+    static_cast<int>(uri.size()));
+  XEvent answer{};
+  answer.xselection.type = SelectionNotify;
+  answer.xselection.requestor = request.requestor;
+  answer.xselection.selection = request.selection;
+  answer.xselection.target = request.target;
+  answer.xselection.property = request.property;
+  answer.xselection.time = request.time;
+  XSendEvent(this->Display, request.requestor, False, NoEventMask, &answer);
+  XSync(this->Display, False);
+  return true;
 }

@@ -59,6 +59,8 @@ public:
   /// `title` in it to show a picture. False if it does not.
   bool Start(const std::vector<std::string>& command, const std::string& folder,
     const std::string& output, const std::string& title);
+  /// Waits for another window of the program, by its title. False if there is none.
+  bool Find(const std::string& title);
   /// Exit status of the program, once it ends; -1 if a signal ended it or it does not end.
   int WaitForExit();
 
@@ -69,6 +71,12 @@ public:
   void Release(unsigned int button, int x, int y);
   void Type(char character, int x, int y);
   ///@}
+
+  /// What the clipboard holds, as UTF-8; empty if nobody answers.
+  std::string ReadClipboard();
+  /// Drops a file into the middle of the window, as file managers do (XDND, version 5); false if
+  /// the window does not ask for its name.
+  bool Drop(const std::string& path);
 
   /// The window as it is.
   Screenshot Capture();
@@ -83,6 +91,7 @@ public:
 private:
   unsigned long FindWindow(unsigned long root, const std::string& title);
   void Send(void* event, long mask);
+  void SendMessage(const char* type, const std::vector<long>& words);
   void SendButton(int type, long mask, unsigned int button, int x, int y);
 
   _XDisplay* Display = nullptr;

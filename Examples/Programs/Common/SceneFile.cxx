@@ -92,6 +92,14 @@ public:
       this->Check(path, entry);
       (*this->Scene.Lines)[entry.Key] = entry.Line;
       const CLI::Option* option = FindOption(*this->Scene.App, entry.Key);
+      if (!option)
+      {
+        for (const std::string& value : entry.Values)
+        {
+          (*this->Scene.Unknown)[entry.Key].push_back(this->FromScene(entry.Key, value, path));
+        }
+        continue;
+      }
       if (option->empty() && !this->HasRival(entry.Key))
       {
         this->Scene.Brought->insert(entry.Key);
@@ -123,6 +131,10 @@ private:
         "'" + entry.Key + "' stands in line " + std::to_string(line->second) + " already");
     }
     CLI::Option* option = FindOption(*this->Scene.App, entry.Key);
+    if (!option && this->Scene.Names.KeepsUnknown)
+    {
+      return;
+    }
     if (!option || this->Scene.Names.Others.count(entry.Key) > 0)
     {
       Fail(path, entry.Line, "'" + entry.Key + "' is no option of a scene (--help lists them)");
@@ -212,6 +224,47 @@ void SceneFile::Declare(CLI::App& app, SceneNames names)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> SceneFile::GetUnknown() const
+{
+  std::vector<std::string> names;
+  for (const auto& [name, values] : *this->Unknown)
+  {
+    names.push_back(name);
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+void SceneFile::Replace(const std::string& name, const std::vector<std::string>& values)
+{
+  if (values.empty())
+  {
+    this->Given->erase(name);
+  }
+  else
+  {
+    (*this->Given)[name] = values;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string SceneFile::ToLine(
+  const std::string& name, std::vector<std::string> values, const fs::path& folder) const
+{
+  for (std::string& value : values)
+  {
+    std::error_code error;
+    const bool isFile = this->Names.Files.count(name) > 0 ||
+      (this->Names.FilesOrWords.count(name) > 0 && fs::exists(value, error));
+    if (isFile && (value.find(':') == std::string::npos || fs::exists(value, error)))
+    {
+      value = ToScene(value, folder);
+    }
+  }
+  return SceneLine(name, values);
+}
+
+//------------------------------------------------------------------------------
 std::string SceneFile::ToText(const std::string& path, const std::set<std::string>& without) const
 {
   std::string text = "# " + this->App->get_name() + " --scene FILE\n";
@@ -224,18 +277,11 @@ std::string SceneFile::ToText(const std::string& path, const std::set<std::strin
     {
       continue;
     }
-    std::vector<std::string> values = given->second;
-    for (std::string& value : values)
-    {
-      std::error_code error;
-      const bool isFile = this->Names.Files.count(name) > 0 ||
-        (this->Names.FilesOrWords.count(name) > 0 && fs::exists(value, error));
-      if (isFile && (value.find(':') == std::string::npos || fs::exists(value, error)))
-      {
-        value = ToScene(value, folder);
-      }
-    }
-    text += SceneLine(name, values);
+    text += this->ToLine(name, given->second, folder);
+  }
+  for (const auto& [name, values] : *this->Unknown)
+  {
+    text += this->ToLine(name, values, folder);
   }
   return text;
 }

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <set>
@@ -28,6 +29,8 @@ struct SceneNames
   /// Options one of which leaves no room for the others: of those in the file none counts when
   /// another one is given beside it.
   std::vector<std::set<std::string>> Rivals;
+  /// True to keep options that the command line does not have, for another program's sake.
+  bool KeepsUnknown = false;
 };
 
 /**
@@ -53,7 +56,14 @@ public:
     return this->Output;
   }
 
-  /// The options that were given, but for some, as a file that lies at `path`.
+  /// Names of options of the scene that the command line does not have.
+  std::vector<std::string> GetUnknown() const;
+
+  /// Puts values in the place of those that were given for an option; none: it was not given.
+  void Replace(const std::string& name, const std::vector<std::string>& values);
+
+  /// The options that were given, but for some, as a file that lies at `path`. Those that the
+  /// command line does not have come last.
   std::string ToText(const std::string& path, const std::set<std::string>& without = {}) const;
 
   /// An error of the command line, with the place in the scene that brought the option.
@@ -62,10 +72,16 @@ public:
 private:
   class Reader;
 
+  std::string ToLine(const std::string& name, std::vector<std::string> values,
+    const std::filesystem::path& folder) const;
+
   std::string Input;
   std::string Output;
   SceneNames Names;
   CLI::App* App = nullptr;
+  /// Options that the command line does not have, as they were in the file, files found from here.
+  std::shared_ptr<std::map<std::string, std::vector<std::string>>> Unknown =
+    std::make_shared<std::map<std::string, std::vector<std::string>>>();
   /// Line of each key that the scene brought.
   std::shared_ptr<std::map<std::string, int>> Lines =
     std::make_shared<std::map<std::string, int>>();

@@ -7,6 +7,7 @@
 #include "NotNumbers.h"
 #include "Outputs.h"
 #include "SceneFile.h"
+#include "SceneNames.h"
 
 #include "vtkNew.h"
 #include "vtkTerrainGeoreference.h"
@@ -517,17 +518,6 @@ void CheckFiles(const Options& options)
         "' has not: name a .png, or for a flight a folder of frames");
   }
 }
-
-SceneNames NamesOfScene()
-{
-  SceneNames names;
-  names.Files = { "heights", "drape", "track", "polygons", "labels", "output", "depth", "stats" };
-  names.FilesOrWords = { "colors", "track-colors", "polygon-colors", "color-by", "detail",
-    "flight" };
-  names.Others = { "help", "version", "describe" };
-  names.Rivals = { { "camera", "look-from" }, { "camera", "look-at" } };
-  return names;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -558,7 +548,7 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
   try
   {
     Declare(app, options, texts);
-    scene.Declare(app, NamesOfScene());
+    scene.Declare(app, NamesOfRenderScenes());
     RefuseEmptyValues(argc, argv);
     app.parse(argc, argv);
     RefuseNoValue(app, { "--title", "--caption" });

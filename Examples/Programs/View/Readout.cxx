@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkTerrainPicker.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -29,6 +30,35 @@ Readout::Readout(vtkImageData* heights)
   ReadPair(heights, "LayoutScale", this->LayoutScale);
   this->Georeference->SetFromHeights(heights);
   this->IsOnEarth = this->Georeference->GetWhyNot().empty() && this->Georeference->IsOnEarth();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTerrainViewpoint> Readout::MakeViewpoint() const
+{
+  auto viewpoint = vtkSmartPointer<vtkTerrainViewpoint>::New();
+  viewpoint->SetGeoreference(this->Georeference);
+  return viewpoint;
+}
+
+//------------------------------------------------------------------------------
+bool Readout::ToPlace(const double point[2], double place[2]) const
+{
+  std::array<double, 3> at{ this->ToFile(0, point[0]), this->ToFile(1, point[1]), 0.0 };
+  const bool isKnown = this->IsOnEarth && this->Georeference->FileToPlaces(at.data(), at.data(), 1);
+  std::copy_n(at.begin(), 2, place);
+  return isKnown;
+}
+
+//------------------------------------------------------------------------------
+bool Readout::FromPlace(const double place[2], double point[2]) const
+{
+  std::array<double, 3> at{ place[0], place[1], 0.0 };
+  const bool isKnown = this->IsOnEarth && this->Georeference->PlacesToFile(at.data(), at.data(), 1);
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    point[axis] = (at[axis] - this->LayoutOrigin[axis]) * this->LayoutScale[axis];
+  }
+  return isKnown;
 }
 
 //------------------------------------------------------------------------------

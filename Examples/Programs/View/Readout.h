@@ -8,7 +8,9 @@
 #define terrain_view_Readout_h
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkTerrainGeoreference.h"
+#include "vtkTerrainViewpoint.h"
 
 #include <array>
 #include <string>
@@ -25,6 +27,20 @@ public:
   /// Of the last pick on a terrain, one or two lines: column and row, x, y and height; longitude,
   /// latitude, UTM and MGRS where these are known. Empty without a pick on a terrain.
   std::string Describe(vtkTerrainPicker* picker) const;
+
+  /// True if the places of points are known.
+  bool HasPlaces() const
+  {
+    return this->IsOnEarth;
+  }
+
+  /// Measures of the scene of GetGeoreference(), into which places are brought.
+  vtkSmartPointer<vtkTerrainViewpoint> MakeViewpoint() const;
+
+  /// Longitude and latitude of a point of the terrain's plane. False without places.
+  bool ToPlace(const double point[2], double place[2]) const;
+  /// The point of a place.
+  bool FromPlace(const double place[2], double point[2]) const;
 
   const std::array<double, 2>& GetLayoutOrigin() const
   {

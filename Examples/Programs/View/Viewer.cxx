@@ -56,7 +56,7 @@ double RoundInterval(vtkOpenGLTerrainMapper* mapper)
   return 10.0 * power;
 }
 
-void PlaceText(vtkTextActor* text, double x, double y, bool atTop)
+void PutText(vtkTextActor* text, double x, double y, bool atTop)
 {
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text->SetPosition(x, y);
@@ -88,11 +88,15 @@ const char* Viewer::GetHelp()
          "o      perspective or parallel projection\n"
          "r      all in view\n"
          "n      next site of a folder of several, then all\n"
-         "p      print the position under the pointer\n"
+         "m      measure: left clicks add points, on the first one an area, right ends\n"
+         "p      print the position under the pointer, and what is measured\n"
+         "y      copy the place under the pointer\n"
          "s      save the picture as terrain-view.png\n"
+         "S      save the scene as terrain-view.toml, for terrain-render --scene\n"
          "h      this help\n"
          "q      quit\n"
-         "left drag turns, middle drag moves, wheel and right drag go nearer";
+         "left drag turns, middle drag moves, wheel and right drag go nearer;\n"
+         "a raster or a scene that is dropped here is shown";
 }
 
 //------------------------------------------------------------------------------
@@ -157,14 +161,17 @@ void Viewer::SetLight(const LightOptions& options)
 //------------------------------------------------------------------------------
 void Viewer::AddTexts()
 {
-  PlaceText(this->Status, 0.01, 0.985, true);
-  PlaceText(this->Position, 0.01, 0.015, false);
-  PlaceText(this->Help, 0.01, 0.92, true);
+  PutText(this->Status, 0.01, 0.985, true);
+  PutText(this->Position, 0.01, 0.015, false);
+  PutText(this->Help, 0.01, 0.92, true);
+  PutText(this->Measured, 0.01, 0.94, true);
+  this->Measured->VisibilityOff();
   this->Position->SetInput("");
   this->Position->VisibilityOff();
   this->Help->SetInput(GetHelp());
   this->Help->VisibilityOff();
-  for (vtkTextActor* text : { this->Status.Get(), this->Position.Get(), this->Help.Get() })
+  for (vtkTextActor* text :
+    { this->Status.Get(), this->Position.Get(), this->Measured.Get(), this->Help.Get() })
   {
     this->Renderer->AddViewProp(text);
   }
@@ -258,12 +265,18 @@ void Viewer::Connect()
   this->Style->KeyTyped = [this](char key) { this->TypeKey(key); };
   this->Interactor->AddObserver(vtkCommand::MouseMoveEvent, this, &Viewer::PointerMoved);
   this->Interactor->AddObserver(vtkCommand::TimerEvent, this, &Viewer::TimePassed);
+  this->Interactor->AddObserver(vtkCommand::DropFilesEvent, this, &Viewer::FilesDropped);
+  this->Measuring = std::make_unique<Measure>(this->Picker, this->Interactor, this->Renderer,
+    this->Terrain, this->Places, [this] { this->MeasureChanged(); });
 }
 
 //------------------------------------------------------------------------------
 void Viewer::Run()
 {
-  this->ShowAll();
+  if (!this->HasView)
+  {
+    this->ShowAll();
+  }
   this->Refresh();
   this->Interactor->Initialize();
   this->Interactor->CreateRepeatingTimer(kPointerInterval);
@@ -282,6 +295,7 @@ void Viewer::MapKeys()
   this->Keys['c'] = [this]
   {
     this->Colors = NextPalette(this->Colors);
+    this->HasPalette = true;
     this->UsePalette();
   };
   this->Keys['i'] = [mapper]
@@ -301,7 +315,14 @@ void Viewer::MapKeys()
   this->Keys['r'] = [this] { this->ShowAll(); };
   this->Keys['n'] = [this] { this->ShowNext(); };
   this->Keys['p'] = [this] { this->PrintPosition(); };
+  this->Keys['m'] = [this]
+  {
+    this->Measuring->Switch();
+    this->MeasureChanged();
+  };
+  this->Keys['y'] = [this] { this->CopyPlace(); };
   this->Keys['s'] = [this] { this->SavePicture(); };
+  this->Keys['S'] = [this] { this->SaveScene(); };
   this->Keys['h'] = [this] { this->Help->SetVisibility(!this->Help->GetVisibility()); };
   this->Keys['q'] = [this] { this->Interactor->TerminateApp(); };
 }
@@ -312,6 +333,7 @@ void Viewer::TypeKey(char key)
   const auto found = this->Keys.find(key);
   if (found != this->Keys.end())
   {
+    this->Note.clear();
     found->second();
     this->Refresh();
   }
@@ -340,6 +362,7 @@ void Viewer::Exaggerate(double factor)
   double exaggeration = this->Terrain->GetVerticalExaggeration();
   exaggeration *= factor;
   this->Terrain->SetVerticalExaggeration(exaggeration);
+  this->Measuring->Refresh();
 }
 
 //------------------------------------------------------------------------------
@@ -450,6 +473,10 @@ void Viewer::PrintPosition()
   this->PointerMoved();
   this->TimePassed();
   std::cout << this->Position->GetInput() << std::endl;
+  if (!this->Measuring->Describe().empty())
+  {
+    std::cout << this->Measuring->Describe() << std::endl;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -480,7 +507,7 @@ void Viewer::Refresh()
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(), "%s  exaggeration %.2f  colours %s   h: help",
     kTechniqueNames[technique], this->Terrain->GetVerticalExaggeration(), NameOf(this->Colors));
-  this->Status->SetInput((text.data() + this->DescribeShown()).c_str());
+  this->Status->SetInput((text.data() + this->DescribeShown() + this->Note).c_str());
   this->MatchSites();
   this->ScalarBar->SetLookupTable(this->Terrain->GetLookupTable());
   this->ScalarBar->SetVisibility(
@@ -510,6 +537,7 @@ void Viewer::PointerMoved()
 //------------------------------------------------------------------------------
 void Viewer::TimePassed()
 {
+  this->Board.Serve();
   if (!this->PointerHasMoved)
   {
     return;

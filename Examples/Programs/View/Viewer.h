@@ -8,10 +8,13 @@
 #define terrain_view_Viewer_h
 
 #include "BlockWalls.h"
+#include "Clipboard.h"
 #include "LightOptions.h"
+#include "Measure.h"
 #include "Palettes.h"
 #include "Readout.h"
 #include "TerrainStyle.h"
+#include "ViewOptions.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
@@ -36,6 +39,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace terrain
@@ -76,7 +80,30 @@ public:
   /// Sun, shadows and sky. Throws a Failure.
   void SetLight(const LightOptions& options);
 
-  /// Shows the window until it is closed.
+  /// Looks from where the options say, if they do. Throws a Failure.
+  void Look(const ViewOptions& options);
+
+  /// Values of options as the window shows them, by their names; none: it is not given.
+  using SceneValues = std::map<std::string, std::vector<std::string>>;
+  /// What makes the text of a scene that lies at a path, with such values.
+  void SetSceneWriter(std::function<std::string(const std::string&, const SceneValues&)> writer)
+  {
+    this->WriteScene = std::move(writer);
+  }
+
+  /// What says in one sentence why a file that is dropped cannot be shown; empty if it can.
+  void SetOpener(std::function<std::string(const std::string&)> whyNot)
+  {
+    this->WhyNotShown = std::move(whyNot);
+  }
+
+  /// The file that is to be shown next; empty for none.
+  const std::string& GetNext() const
+  {
+    return this->Next;
+  }
+
+  /// Shows the window until it is closed, or another file is dropped into it.
   void Run();
 
   /// What the keys do, one a line.
@@ -102,6 +129,15 @@ private:
   std::string DescribeShown() const;
   void PrintPosition();
   void SavePicture();
+  void SaveScene();
+  void DescribeCamera(SceneValues& values) const;
+  void DescribeColors(SceneValues& values) const;
+  SceneValues DescribeScene() const;
+  /// The point of the terrain, z as drawn, of a place's text.
+  std::array<double, 3> FindPoint(const std::string& option, const std::string& text) const;
+  void CopyPlace();
+  void FilesDropped(vtkObject* caller, unsigned long event, void* files);
+  void MeasureChanged();
 
   /// Brings texts, bar and mesh up to date with the terrain, and draws.
   void Refresh();
@@ -123,6 +159,16 @@ private:
   /// What each key does.
   std::map<char, std::function<void()>> Keys;
   bool PointerHasMoved = false;
+  /// True if the options have said from where to look.
+  bool HasView = false;
+  /// True if the keys have chosen the colours.
+  bool HasPalette = false;
+  /// What was done last, behind the status.
+  std::string Note;
+  std::string Next;
+  std::function<std::string(const std::string&, const SceneValues&)> WriteScene;
+  std::function<std::string(const std::string&)> WhyNotShown;
+  Clipboard Board;
   vtkNew<vtkTerrainActor> Terrain;
   vtkNew<vtkTerrainPicker> Picker;
   vtkNew<TerrainStyle> Style;
@@ -136,11 +182,13 @@ private:
   vtkNew<vtkTextActor> Status;
   vtkNew<vtkTextActor> Position;
   vtkNew<vtkTextActor> Help;
+  vtkNew<vtkTextActor> Measured;
   vtkNew<vtkTerrainCoarseMesh> Mesh;
   vtkNew<vtkPolyDataMapper> MeshMapper;
   vtkNew<vtkActor> MeshActor;
   vtkSmartPointer<vtkActor> Walls;
   vtkNew<vtkTerrainOutputFile> Picture;
+  std::unique_ptr<Measure> Measuring; // after all that it is about
 };
 
 #endif

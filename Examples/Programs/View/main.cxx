@@ -14,7 +14,9 @@
 #include "LightOptions.h"
 #include "Messages.h"
 #include "NotNumbers.h"
+#include "SceneNames.h"
 #include "SurfaceOptions.h"
+#include "ViewOptions.h"
 #include "Viewer.h"
 
 #include "vtkImageAlgorithm.h"
@@ -32,9 +34,12 @@
 #include <array>
 #include <cstdlib>
 #include <dlfcn.h>
+#include <filesystem>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -48,8 +53,13 @@ struct Options
   LightOptions Light;
   SurfaceOptions Surface;
   ExaggerationOption Exaggeration;
+  ViewOptions View;
+  SceneFile Scene;
   int Width = 1280;
   int Height = 720;
+  /// The command line, which scenes are about.
+  std::unique_ptr<CLI::App> App =
+    std::make_unique<CLI::App>("Shows a file of heights in a window.", "terrain-view");
 };
 
 /// Samples a side that every graphics driver takes; larger rasters are drawn from tiles.
@@ -57,15 +67,15 @@ constexpr int kLargestTexture = 16384;
 /// Samples a side of the image beside tiles.
 constexpr int kBesideTiles = 4096;
 
-vtkSmartPointer<vtkImageAlgorithm> MakeSource(const Options& options)
+vtkSmartPointer<vtkImageAlgorithm> MakeSource(const std::string& file, const HeightOptions& input)
 {
-  if (options.Heights.empty())
+  if (file.empty())
   {
     return vtkSmartPointer<vtkTerrainSource>::New();
   }
   auto reader = vtkSmartPointer<vtkTerrainRasterReader>::New();
-  reader->SetFileName(options.Heights);
-  options.Input.Apply(reader);
+  reader->SetFileName(file);
+  input.Apply(reader);
   reader->WarnOfSitesOff(); // all are drawn
   reader->UseLevelsOn();
   reader->SetMaximumSize(kLargestTexture);
@@ -95,9 +105,9 @@ void AddSites(Viewer& viewer, vtkTerrainRasterReader* first, const Options& opti
     {
       continue;
     }
-    Options own = options;
-    own.Input.Part = std::to_string(site);
-    const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(own);
+    HeightOptions own = options.Input;
+    own.Part = std::to_string(site);
+    const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(options.Heights, own);
     source->Update();
     try
     {
@@ -107,7 +117,7 @@ void AddSites(Viewer& viewer, vtkTerrainRasterReader* first, const Options& opti
     }
     catch (const Failure& failure)
     {
-      Warn("site " + own.Input.Part + " is not shown: " + failure.what());
+      Warn("site " + own.Part + " is not shown: " + failure.what());
     }
   }
 }
@@ -136,13 +146,111 @@ void CheckDisplay()
   }
 }
 
-void Show(const Options& options)
+/// Fills in the options; the exit status if there is nothing to show.
+std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& options)
 {
-  CheckDisplay();
-  // No window that nobody would see.
-  setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkXOpenGLRenderWindow", 1);
+  CLI::App& app = *options.App;
+  app.footer(std::string("Keys in the window:\n") + Viewer::GetHelp());
+  app.set_version_flag("--version", TERRAIN_VIEW_VERSION);
+  app
+    .add_option("HEIGHTS", options.Heights,
+      "any raster that GDAL opens, or a file of terrain-prepare; the built-in landscape without it")
+    ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
+  options.Exaggeration.Declare(app);
+  options.Input.Declare(app);
+  options.Colors.Declare(app, false);
+  options.Light.Declare(app, false);
+  options.Surface.Declare(app);
+  options.View.Declare(app);
+  app.add_option("--width", options.Width, "of the window in pixels, default 1280")
+    ->check(CLI::Range(64, 16384));
+  app.add_option("--height", options.Height, "of the window in pixels, default 720")
+    ->check(CLI::Range(64, 16384));
+  SceneNames names = NamesOfRenderScenes();
+  names.KeepsUnknown = true;
+  options.Scene.Declare(app, names);
+  try
+  {
+    RefuseEmptyValues(argc, argv);
+    app.parse(argc, argv);
+    RefuseNotANumber(app);
+    options.Surface.CheckLight(options.Light);
+    options.Surface.CheckStrata();
+    options.View.Check();
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (error.get_exit_code() == 0)
+    {
+      return app.exit(error); // --help, --version
+    }
+    std::cerr << "terrain-view: " << options.Scene.Explain(error.what()) << '\n';
+    return kWrongCommandLine;
+  }
+  return std::nullopt;
+}
+
+/// True for the files of scenes.
+bool IsScene(const std::string& path)
+{
+  return std::filesystem::path(path).extension() == ".toml";
+}
+
+/// The options of a file that was dropped into a window of some size; the exit status if there is
+/// nothing to show.
+std::optional<int> ParseDropped(
+  const std::string& path, const std::array<int, 2>& size, Options& options)
+{
+  std::vector<std::string> words = { "terrain-view", "--width", std::to_string(size[0]), "--height",
+    std::to_string(size[1]), path };
+  if (IsScene(path))
+  {
+    words.insert(words.end() - 1, "--scene");
+  }
+  std::vector<const char*> pointers;
+  for (const std::string& word : words)
+  {
+    pointers.push_back(word.c_str());
+  }
+  return ParseCommandLine(static_cast<int>(pointers.size()), pointers.data(), options);
+}
+
+/// One sentence if a file cannot be shown; empty if it can.
+std::string WhyNotShown(const std::string& path)
+{
+  Options options;
+  if (ParseDropped(path, { options.Width, options.Height }, options))
+  {
+    return path + " is no scene that can be shown";
+  }
+  try
+  {
+    MakeSource(options.Heights, options.Input);
+    ThrowOnError(options.Heights);
+  }
+  catch (const Failure& failure)
+  {
+    return failure.what();
+  }
+  return {};
+}
+
+/// The text of a scene with values as the window shows them.
+std::string WriteScene(Options& options, const std::string& path, const Viewer::SceneValues& values)
+{
+  for (const auto& [name, texts] : values)
+  {
+    options.Scene.Replace(name, texts);
+  }
+  // the window is not the picture
+  return options.Scene.ToText(path, { "width", "height", "save-scene" });
+}
+
+/// Shows a window; returns the file that was dropped into it, empty for none.
+std::string Show(Options& options)
+{
   const std::string name = options.Heights.empty() ? "built-in landscape" : options.Heights;
-  const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(options);
+  const vtkSmartPointer<vtkImageAlgorithm> source = MakeSource(options.Heights, options.Input);
   source->Update();
   ThrowOnError(name);
   Viewer viewer(source->GetOutput(), name, options.Width, options.Height);
@@ -184,47 +292,13 @@ void Show(const Options& options)
     hierarchy->OpenFile(options.Heights);
     viewer.GetTerrain()->SetHierarchy(hierarchy);
   }
+  viewer.Look(options.View);
+  viewer.SetSceneWriter([&options](const std::string& path, const Viewer::SceneValues& values)
+    { return WriteScene(options, path, values); });
+  viewer.SetOpener(WhyNotShown);
   viewer.Run();
   ThrowOnError(name);
-}
-
-/// Fills in the options; the exit status if there is nothing to show.
-std::optional<int> ParseCommandLine(int argc, char* argv[], Options& options)
-{
-  CLI::App app("Shows a file of heights in a window.", "terrain-view");
-  app.footer(std::string("Keys in the window:\n") + Viewer::GetHelp());
-  app.set_version_flag("--version", TERRAIN_VIEW_VERSION);
-  app
-    .add_option("HEIGHTS", options.Heights,
-      "any raster that GDAL opens, or a file of terrain-prepare; the built-in landscape without it")
-    ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
-  options.Exaggeration.Declare(app);
-  options.Input.Declare(app);
-  options.Colors.Declare(app, false);
-  options.Light.Declare(app, false);
-  options.Surface.Declare(app);
-  app.add_option("--width", options.Width, "of the window in pixels, default 1280")
-    ->check(CLI::Range(64, 16384));
-  app.add_option("--height", options.Height, "of the window in pixels, default 720")
-    ->check(CLI::Range(64, 16384));
-  try
-  {
-    RefuseEmptyValues(argc, argv);
-    app.parse(argc, argv);
-    RefuseNotANumber(app);
-    options.Surface.CheckLight(options.Light);
-    options.Surface.CheckStrata();
-  }
-  catch (const CLI::ParseError& error)
-  {
-    if (error.get_exit_code() == 0)
-    {
-      return app.exit(error); // --help, --version
-    }
-    std::cerr << "terrain-view: " << error.what() << '\n';
-    return kWrongCommandLine;
-  }
-  return std::nullopt;
+  return viewer.GetNext();
 }
 }
 
@@ -240,7 +314,15 @@ int main(int argc, char* argv[])
     }
     EndOnSignals("terrain-view: stopped on request\n");
     CatchMessages("terrain-view");
-    Show(options);
+    CheckDisplay();
+    // No window that nobody would see.
+    setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkXOpenGLRenderWindow", 1);
+    for (std::string next = Show(options); !next.empty();)
+    {
+      Options dropped;
+      ParseDropped(next, { options.Width, options.Height }, dropped);
+      next = Show(dropped);
+    }
     return EXIT_SUCCESS;
   }
   catch (const std::exception& error)

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What goes in and out of the window: scenes, places, files.
+#include "Viewer.h"
+
+#include "Failure.h"
+#include "Messages.h"
+
+#include "vtkCamera.h"
+#include "vtkOpenGLTerrainMapper.h"
+#include "vtkProperty.h"
+#include "vtkStringArray.h"
+#include "vtkTerrainLook.h"
+#include "vtkTerrainViewpoint.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+constexpr const char* kSceneFile = "terrain-view";
+
+constexpr std::array<const char*, 6> kTechniques{ "mesh", "linear", "exponential", "equidistant",
+  "pyramid", "strips" };
+
+std::string NumberText(double number, int digits)
+{
+  std::ostringstream text;
+  text.precision(digits);
+  text << number;
+  return text.str();
+}
+
+/// Numbers with commas between them.
+std::string ListText(const std::vector<double>& numbers)
+{
+  std::string text;
+  for (const double number : numbers)
+  {
+    text += (text.empty() ? "" : ",") + NumberText(number, 12);
+  }
+  return text;
+}
+
+/// The first of "terrain-view.toml", "terrain-view-2.toml", ... that does not exist.
+std::string FreeName()
+{
+  std::string name = std::string(kSceneFile) + ".toml";
+  for (int number = 2; std::filesystem::exists(name); ++number)
+  {
+    name = std::string(kSceneFile) + "-" + std::to_string(number) + ".toml";
+  }
+  return name;
+}
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> Viewer::FindPoint(const std::string& option, const std::string& text) const
+{
+  const PlaceText read = ReadPlace(text);
+  std::array<double, 3> point{};
+  if (!this->Places.FromPlace(read.Place.data(), point.data()))
+  {
+    throw Failure(option, "the heights have no place on earth that is known: --camera needs none");
+  }
+  const double exaggeration = this->Terrain->GetVerticalExaggeration();
+  double ground = 0.0;
+  if (read.IsAboveGround)
+  {
+    const vtkNew<vtkTerrainViewpoint> heights;
+    heights->SetHeights(this->Terrain->GetHeights());
+    ground = heights->GetGround(point[0], point[1]);
+    if (!std::isfinite(ground))
+    {
+      throw Failure(option, "'" + text + "' is beside the heights: give a height above sea level");
+    }
+  }
+  point[2] = exaggeration * (ground + read.Height);
+  return point;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Look(const ViewOptions& options)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetViewAngle(options.Angle);
+  for (std::size_t k = 0; k < kTechniques.size(); ++k)
+  {
+    if (options.Technique == kTechniques[k])
+    {
+      this->SetTechnique(static_cast<int>(k));
+    }
+  }
+  this->HasView = !options.Camera.empty() || !options.LookFrom.empty();
+  if (!options.Camera.empty())
+  {
+    const std::vector<double> numbers = options.GetCamera();
+    camera->SetPosition(numbers.data());
+    camera->SetFocalPoint(numbers.data() + 3);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    if (numbers.size() > 6)
+    {
+      camera->SetViewUp(numbers.data() + 6);
+    }
+  }
+  else if (this->HasView)
+  {
+    camera->SetPosition(this->FindPoint("--look-from", options.LookFrom).data());
+    camera->SetFocalPoint(this->FindPoint("--look-at", options.LookAt).data());
+    camera->SetViewUp(0.0, 0.0, 1.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::DescribeCamera(SceneValues& values) const
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const double exaggeration = this->Terrain->GetVerticalExaggeration();
+  const auto placeText = [&](const double point[3])
+  {
+    std::array<double, 2> place{};
+    return this->Places.ToPlace(point, place.data())
+      ? ListText({ place[0], place[1], point[2] / exaggeration })
+      : std::string();
+  };
+  const std::string from = placeText(camera->GetPosition());
+  const std::string at = placeText(camera->GetFocalPoint());
+  const bool hasPlaces = !from.empty() && !at.empty();
+  values["look-from"] = hasPlaces ? std::vector{ from } : std::vector<std::string>();
+  values["look-at"] = hasPlaces ? std::vector{ at } : std::vector<std::string>();
+  values["camera"].clear();
+  if (!hasPlaces)
+  {
+    std::vector<double> numbers;
+    for (const double* triple :
+      { camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp() })
+    {
+      numbers.insert(numbers.end(), triple, triple + 3);
+    }
+    values["camera"] = { ListText(numbers) };
+  }
+  values["view-angle"] = { NumberText(camera->GetViewAngle(), 6) };
+}
+
+//------------------------------------------------------------------------------
+void Viewer::DescribeColors(SceneValues& values) const
+{
+  if (this->HasPalette)
+  {
+    const bool isScheme = this->Colors == Palette::Relief || this->Colors == Palette::Grey;
+    values["colors"] =
+      isScheme ? std::vector<std::string>{ NameOf(this->Colors) } : std::vector<std::string>();
+    values["range"].clear();
+    values["reverse"].clear();
+    if (!isScheme)
+    {
+      Warn(std::string("the colours '") + NameOf(this->Colors) + "' are not those of a scheme");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+Viewer::SceneValues Viewer::DescribeScene() const
+{
+  using Texts = std::vector<std::string>;
+  SceneValues values;
+  vtkOpenGLTerrainMapper* mapper = this->Terrain->GetTerrainMapper();
+  const auto flag = [](bool is) { return is ? Texts{ "true" } : Texts(); };
+  this->DescribeCamera(values);
+  this->DescribeColors(values);
+  values["exaggeration"] = { NumberText(this->Terrain->GetVerticalExaggeration(), 6) };
+  values["hillshade"] = flag(mapper->GetHillshade());
+  // terrain-render takes either of them
+  const bool isLit = !mapper->GetHillshade();
+  values["shadows"] = flag(isLit && this->Terrain->GetSunShadows());
+  if (!isLit)
+  {
+    values["sun"].clear();
+    values["sky-light"].clear();
+  }
+  const bool hasLines = mapper->GetContours();
+  values["contours"] = hasLines ? Texts{ NumberText(mapper->GetContourInterval(), 6) } : Texts();
+  values["contour-index"] = hasLines ? Texts{ std::to_string(mapper->GetContourIndex()) } : Texts();
+  const auto technique = static_cast<std::size_t>(this->Terrain->GetTechnique());
+  values["technique"] =
+    std::string(kTechniques[technique]) == "pyramid" ? Texts() : Texts{ kTechniques[technique] };
+  return values;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SaveScene()
+{
+  const std::string name = FreeName();
+  const std::string text =
+    this->WriteScene ? this->WriteScene(name, this->DescribeScene()) : std::string();
+  const vtkNew<vtkTerrainOutputFile> file;
+  if (!(file->Open(name) && file->Write(text.data(), text.size()) && file->Commit()))
+  {
+    Warn("the scene is not saved: " + file->GetErrorMessage());
+    this->Note = "  the scene is not saved";
+    return;
+  }
+  this->Note = "  saved " + name;
+  std::cout << name << std::endl;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::CopyPlace()
+{
+  this->PointerHasMoved = true;
+  this->TimePassed();
+  const std::string text = this->Position->GetInput();
+  const bool isThere = !text.empty();
+  const bool isCopied = isThere && this->Board.Offer(text);
+  this->Note = isCopied ? "  copied"
+    : isThere           ? "  there is no clipboard (p prints the place)"
+                        : "  there is no terrain under the pointer";
+}
+
+//------------------------------------------------------------------------------
+void Viewer::FilesDropped(vtkObject*, unsigned long, void* files)
+{
+  auto* names = static_cast<vtkStringArray*>(files);
+  if (!names || names->GetNumberOfValues() == 0 || !this->WhyNotShown)
+  {
+    return;
+  }
+  const std::string name = names->GetValue(0);
+  const std::string why = this->WhyNotShown(name);
+  if (!why.empty())
+  {
+    Warn(why);
+    this->Note = "  that is nothing to be shown";
+    this->Refresh();
+    return;
+  }
+  this->Next = name;
+  this->Interactor->TerminateApp();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::MeasureChanged()
+{
+  const std::string text = this->Measuring->Describe();
+  this->Measured->SetInput(
+    text.empty() ? "measure: click points of a line on the ground" : text.c_str());
+  this->Measured->SetVisibility(this->Measuring->IsOn());
+}
