@@ -178,6 +178,7 @@ set(core
   mesh/CoarseMeshSurface
   mesh/GreedyMesh
   mesh/GreedyTile
+  mesh/MeshError
   place/Ellipsoid
   place/Geodesics
   place/GeographicText

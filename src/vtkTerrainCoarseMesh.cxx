@@ -96,7 +96,8 @@ void AddPointArrays(
     [&](std::int64_t id, const terrain::CoarseMeshVertex& vertex) {
       samples->SetId(id, terrain::ImageHeights::PointOfSample(image, vertex.Column, vertex.Row));
     });
-  terrain::AddPointArrays(image, samples, output);
+  terrain::AddPointArrays(
+    image, samples->GetNumberOfIds(), [&](vtkIdType id) { return samples->GetId(id); }, output);
 }
 
 void FillOutput(const terrain::CoarseMeshSurface& surface, const terrain::GridGeometry& geometry,

@@ -3,6 +3,7 @@
 #include "vtkTerrainMesh.h"
 
 #include "core/mesh/GreedyMesh.h"
+#include "core/mesh/MeshError.h"
 #include "data/ImageHeights.h"
 #include "data/MeshOutput.h"
 #include "data/SMPParallelFor.h"
@@ -26,54 +27,8 @@ vtkStandardNewMacro(vtkTerrainMesh);
 
 namespace
 {
-/// Half a step between numbers of 32 bits of that size.
-double HalfStep(double value)
-{
-  const auto size = static_cast<float>(std::abs(value));
-  return 0.5 * (std::nextafter(size, std::numeric_limits<float>::infinity()) - size);
-}
-
-/// Largest difference of neighbouring heights east or north, in height units.
-template <typename T>
-glm::dvec2 SteepestCells(const terrain::HeightfieldView<T>& view)
-{
-  glm::dvec2 steepest(0.0);
-  for (std::int64_t j = 0; j < view.Height; ++j)
-  {
-    for (std::int64_t i = 0; i < view.Width; ++i)
-    {
-      const double height = view.At(i, j);
-      // comparisons with NaN are false
-      const double east = i + 1 < view.Width ? std::abs(view.At(i + 1, j) - height) : 0.0;
-      const double north = j + 1 < view.Height ? std::abs(view.At(i, j + 1) - height) : 0.0;
-      steepest.x = east > steepest.x ? east : steepest.x;
-      steepest.y = north > steepest.y ? north : steepest.y;
-    }
-  }
-  return steepest;
-}
-
-/// How far the surface may move vertically when its points are rounded to 32 bits, in height units,
-/// if no triangle is steeper than the steepest cell.
-template <typename T>
-double RoundingMargin(
-  const terrain::HeightfieldView<T>& view, const terrain::GridGeometry& geometry)
-{
-  double largest = 0.0;
-  for (std::int64_t index = 0; index < view.Width * view.Height; ++index)
-  {
-    const std::int64_t i = index % view.Width;
-    const double height = view.At(i, index / view.Width);
-    largest = std::abs(height) > largest ? std::abs(height) : largest;
-  }
-  const glm::dvec3 first = glm::abs(geometry.ToModel({ 0.0, 0.0 }, largest));
-  const glm::dvec3 last = glm::abs(geometry.ToModel({ view.Width - 1, view.Height - 1 }, -largest));
-  const glm::dvec3 size = glm::max(first, last);
-  const glm::dvec2 steepest = SteepestCells(view);
-  return geometry.RiseToHeights(HalfStep(size.z)) +
-    steepest.x * HalfStep(size.x) / geometry.Spacing.x +
-    steepest.y * HalfStep(size.y) / geometry.Spacing.y;
-}
+/// Part of the error, and of a cell, by which rounding may move what nobody has asked to round.
+constexpr double kUnseenShare = 64.0;
 
 /// Builds the mesh; returns its error.
 template <typename T>
@@ -87,22 +42,24 @@ double BuildExact(
 }
 
 /// Builds the mesh so that its error holds for points of 32 bits, if these can hold it; returns
-/// that error.
+/// that error. single becomes true where 32 bits do next to nothing to the surface.
 template <typename T>
 double BuildRounded(const terrain::HeightfieldView<T>& view, const terrain::GridGeometry& geometry,
-  double maximumError, terrain::GridMesh& mesh)
+  double maximumError, terrain::GridMesh& mesh, bool& single)
 {
-  const auto round = [&geometry](const glm::dvec3& vertex)
-  { return geometry.ToGrid(glm::vec3(geometry.ToModel(glm::dvec2(vertex), vertex.z))); };
   // what rounding alone does to large coordinates is not mended by more triangles
-  double tolerance = std::max(maximumError - RoundingMargin(view, geometry), 0.5 * maximumError);
+  const glm::dvec3 margin = terrain::FindRoundingMargin(view, geometry, terrain::SMPParallelFor);
+  single = single ||
+    (margin.z <= maximumError / kUnseenShare && margin.x <= 1.0 / kUnseenShare &&
+      margin.y <= 1.0 / kUnseenShare);
+  double tolerance = std::max(maximumError - margin.z, 0.5 * maximumError);
   double error = 0.0;
   for (int build = 0; build < 2; ++build)
   {
     terrain::GreedyMeshOptions options;
     options.MaximumError = tolerance;
     mesh = terrain::BuildGreedyMesh(view, options, terrain::SMPParallelFor);
-    error = terrain::FindMeshError(view, mesh, terrain::SMPParallelFor, round);
+    error = terrain::FindMeshError(view, mesh, terrain::SMPParallelFor, &geometry);
     const double excess = error - maximumError;
     if (!(excess > 0.0 && excess < 0.25 * tolerance))
     {
@@ -134,14 +91,14 @@ int vtkTerrainMesh::RequestData(
   }
 
   const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(image, this->Exaggeration);
-  const bool rounds =
-    this->HoldInSinglePrecision || this->OutputPointsPrecision == SINGLE_PRECISION;
+  bool single = this->OutputPointsPrecision == SINGLE_PRECISION;
+  const bool rounds = this->HoldInSinglePrecision || single;
   terrain::GridMesh mesh;
   double lowest = std::numeric_limits<double>::infinity();
   terrain::ImageHeights::Dispatch(image,
     [&](const auto& view)
     {
-      this->MeshError = rounds ? BuildRounded(view, geometry, this->MaximumError, mesh)
+      this->MeshError = rounds ? BuildRounded(view, geometry, this->MaximumError, mesh, single)
                                : BuildExact(view, this->MaximumError, mesh);
       for (const glm::ivec2& vertex : mesh.Vertices)
       {
@@ -159,7 +116,7 @@ int vtkTerrainMesh::RequestData(
   }
 
   terrain::MeshOutputOptions output;
-  output.SinglePrecision = this->OutputPointsPrecision == SINGLE_PRECISION;
+  output.SinglePrecision = single && this->OutputPointsPrecision != DOUBLE_PRECISION;
   output.Normals = this->ComputeNormals;
   output.TextureCoordinates = this->ComputeTextureCoordinates;
   output.PointArrays = this->PassPointArrays;

@@ -121,8 +121,9 @@ public:
   ///@}
 
   ///@{
-  /// Type of the output points: vtkAlgorithm::SINGLE_PRECISION, or DOUBLE_PRECISION (default; so is
-  /// DEFAULT_PRECISION).
+  /// Type of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION (default), or
+  /// DEFAULT_PRECISION: double, but single with HoldInSinglePrecision where that moves points by at
+  /// most a 64th of a cell, and the surface by at most a 64th of MaximumError.
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}

@@ -111,6 +111,28 @@ TEST_F(TerrainPrepareMesh, KeepsLargeCoordinates)
   EXPECT_EQ(bounds[5], 6.5);
 }
 
+// Numbers of 32 bits are about the mesh's middle: far from the origin it has no more triangles.
+TEST_F(TerrainPrepareMesh, SpendsNothingOnLargeCoordinates)
+{
+  std::string waves;
+  for (int k = 0; k < 40 * 40; ++k)
+  {
+    waves += std::to_string(300.0 + 40.0 * std::sin(0.3 * (k % 40)) * std::cos(0.2 * (k / 40)));
+    waves += k % 40 == 39 ? "\n" : " ";
+  }
+  std::vector<std::string> outputs;
+  for (const char* corner :
+    { "xllcorner 0\nyllcorner 0\n", "xllcorner 478512\nyllcorner 8101234\n" })
+  {
+    const std::string grid = this->WriteText(
+      "waves.asc", std::string("ncols 40\nnrows 40\n") + corner + "cellsize 10\n" + waves);
+    const RunResult result = this->Prepare({ grid, "--mesh", "waves.glb", "--error", "0.5" });
+    ASSERT_EQ(result.Status, 0) << result.Errors;
+    outputs.push_back(result.Output);
+  }
+  EXPECT_EQ(outputs[0], outputs[1]);
+}
+
 // glTF: y is up, and the place is in the node's matrix.
 TEST_F(TerrainPrepareMesh, WritesGLTFWithAPlaceAndATexture)
 {

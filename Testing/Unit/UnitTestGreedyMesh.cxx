@@ -3,6 +3,7 @@
 #include "UnitTestFields.h"
 
 #include "core/mesh/GreedyMesh.h"
+#include "core/mesh/MeshError.h"
 
 #include <gtest/gtest.h>
 
@@ -180,13 +181,59 @@ TEST(GreedyMesh, FindsWhatIsNotCoveredAndWhatIsOff)
   EXPECT_EQ(FindMeshError(field.View(), mesh, SerialFor), 4.0);
 }
 
+// The judge solves for the plane through three points of 32 bits, in model coordinates.
+TEST(GreedyMesh, FindsTheErrorOfRoundedPoints)
+{
+  const TestField field("waves", 9, 7, [](int i, int j) { return 40.0 * std::sin(i + 0.7 * j); });
+  const HeightfieldView<double> view = field.View();
+  GridGeometry geometry;
+  geometry.Origin = { 399970.3, 5200010.7, 11.0 };
+  geometry.Spacing = { 9.7, 10.3 };
+  geometry.Exaggeration = 1.7;
+  const GridMesh mesh = BuildGreedyMesh(view, Options(3.0, 16), SerialFor);
+  double expected = 0.0;
+  for (std::size_t k = 0; k < mesh.Triangles.size(); k += 3)
+  {
+    glm::ivec2 corners[3];
+    glm::dvec3 points[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      corners[c] = mesh.Vertices[mesh.Triangles[k + c]];
+      points[c] = glm::vec3(geometry.ToModel(corners[c], view.At(corners[c].x, corners[c].y)));
+    }
+    const glm::dvec3 normal = glm::cross(points[1] - points[0], points[2] - points[0]);
+    for (int index = 0; index < 9 * 7; ++index)
+    {
+      const glm::ivec2 p(index % 9, index / 9);
+      if (Cross(corners[1], corners[2], p) >= 0.0 && Cross(corners[2], corners[0], p) >= 0.0 &&
+        Cross(corners[0], corners[1], p) >= 0.0)
+      {
+        const glm::dvec3 sample = geometry.ToModel(p, view.At(p.x, p.y));
+        const double off = glm::dot(normal, sample - points[0]) / normal.z;
+        expected = std::max(expected, std::abs(off) / geometry.Exaggeration);
+      }
+    }
+  }
+  const double exact = FindMeshError(view, mesh, SerialFor);
+  const double rounded = FindMeshError(view, mesh, BackwardFor, &geometry);
+  EXPECT_NEAR(rounded, expected, 1e-6);
+  EXPECT_GT(std::abs(rounded - exact), 1e-3);
+  const glm::dvec3 margin = FindRoundingMargin(view, geometry, BackwardFor);
+  EXPECT_LE(std::abs(rounded - exact), margin.z);
+  EXPECT_DOUBLE_EQ(margin.x, 0.5 / 32.0 / 9.7); // 24 bits hold 2^18 to 2^19 in steps of 1/32
+  EXPECT_DOUBLE_EQ(margin.y, 0.5 / 2.0 / 10.3);
+}
+
 TEST(GreedyMesh, IsTheSameHoweverRangesAreSplit)
 {
   for (const TestField& field : AdversarialFields())
   {
-    const GridMesh serial = BuildGreedyMesh(field.View(), Options(1.0, 8), SerialFor);
-    const GridMesh split = BuildGreedyMesh(field.View(), Options(1.0, 8), BackwardFor);
-    EXPECT_EQ(serial.Triangles, split.Triangles) << field.Name;
-    EXPECT_EQ(serial.Vertices, split.Vertices) << field.Name;
+    for (const int cells : { 2, 8 })
+    {
+      const GridMesh serial = BuildGreedyMesh(field.View(), Options(1.0, cells), SerialFor);
+      const GridMesh split = BuildGreedyMesh(field.View(), Options(1.0, cells), BackwardFor);
+      EXPECT_EQ(serial.Triangles, split.Triangles) << field.Name;
+      EXPECT_EQ(serial.Vertices, split.Vertices) << field.Name;
+    }
   }
 }

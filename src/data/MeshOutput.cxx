@@ -4,10 +4,10 @@
 
 #include "data/ImageHeights.h"
 #include "data/PointArrays.h"
+#include "data/SMPParallelFor.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -152,70 +152,85 @@ double Slope(const HeightfieldView<T>& view, const glm::ivec2& sample, int axis)
   return cells > 0.0 ? (ends[1] - ends[0]) / cells : 0.0;
 }
 
+/// Calls body(k) for the points of the output, in parallel.
+template <typename Body>
+void ForEachPoint(const MeshParts& parts, const Body& body)
+{
+  SMPParallelFor(static_cast<std::int64_t>(parts.NumberOfPoints()),
+    [&body](std::int64_t begin, std::int64_t end)
+    {
+      for (std::int64_t k = begin; k < end; ++k)
+      {
+        body(k);
+      }
+    });
+}
+
 template <typename T, typename Real>
 void FillPoints(const HeightfieldView<T>& view, const MeshParts& parts,
   const GridGeometry& geometry, double base, Real* points)
 {
-  for (std::size_t k = 0; k < parts.NumberOfPoints(); ++k)
-  {
-    const MeshPoint point = parts.Point(k);
-    const double height = point.IsOnFloor ? base : view.At(point.Sample.x, point.Sample.y);
-    const glm::dvec3 position = geometry.ToModel(glm::dvec2(point.Sample), height);
-    *points++ = static_cast<Real>(position.x);
-    *points++ = static_cast<Real>(position.y);
-    *points++ = static_cast<Real>(position.z);
-  }
+  ForEachPoint(parts,
+    [&](std::int64_t k)
+    {
+      const MeshPoint point = parts.Point(k);
+      const double height = point.IsOnFloor ? base : view.At(point.Sample.x, point.Sample.y);
+      const glm::dvec3 position = geometry.ToModel(glm::dvec2(point.Sample), height);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        points[3 * k + axis] = static_cast<Real>(position[axis]);
+      }
+    });
+}
+
+/// Array of floats of a name for all points of the output.
+vtkSmartPointer<vtkFloatArray> MakeFloats(
+  const MeshParts& parts, const char* name, int numberOfComponents)
+{
+  auto floats = vtkSmartPointer<vtkFloatArray>::New();
+  floats->SetName(name);
+  floats->SetNumberOfComponents(numberOfComponents);
+  floats->SetNumberOfTuples(static_cast<vtkIdType>(parts.NumberOfPoints()));
+  return floats;
 }
 
 template <typename T>
 void AddNormals(const HeightfieldView<T>& view, const MeshParts& parts,
   const GridGeometry& geometry, vtkPolyData* output)
 {
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(static_cast<vtkIdType>(parts.NumberOfPoints()));
-  for (std::size_t k = 0; k < parts.NumberOfPoints(); ++k)
-  {
-    glm::dvec3 normal = parts.Point(k).Normal;
-    if (parts.IsOnSurface(k))
+  const vtkSmartPointer<vtkFloatArray> normals = MakeFloats(parts, "Normals", 3);
+  float* target = normals->GetPointer(0);
+  ForEachPoint(parts,
+    [&](std::int64_t k)
     {
-      const glm::ivec2 sample = parts.Point(k).Sample;
-      normal = glm::normalize(
-        geometry.NormalToModel({ -Slope(view, sample, 0), -Slope(view, sample, 1), 1.0 }));
-    }
-    normals->SetTuple3(static_cast<vtkIdType>(k), normal.x, normal.y, normal.z);
-  }
+      glm::dvec3 normal = parts.Point(k).Normal;
+      if (parts.IsOnSurface(k))
+      {
+        const glm::ivec2 sample = parts.Point(k).Sample;
+        normal = glm::normalize(
+          geometry.NormalToModel({ -Slope(view, sample, 0), -Slope(view, sample, 1), 1.0 }));
+      }
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        target[3 * k + axis] = static_cast<float>(normal[axis]);
+      }
+    });
   output->GetPointData()->SetNormals(normals);
 }
 
 void AddTextureCoordinates(vtkImageData* image, const MeshParts& parts, vtkPolyData* output)
 {
-  const int* size = image->GetDimensions();
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetName("TextureCoordinates");
-  coordinates->SetNumberOfComponents(2);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(parts.NumberOfPoints()));
-  for (std::size_t k = 0; k < parts.NumberOfPoints(); ++k)
-  {
-    const glm::dvec2 sample = parts.Point(k).Sample;
-    coordinates->SetTuple2(
-      static_cast<vtkIdType>(k), (sample.x + 0.5) / size[0], (sample.y + 0.5) / size[1]);
-  }
+  const glm::dvec2 size(image->GetDimensions()[0], image->GetDimensions()[1]);
+  const vtkSmartPointer<vtkFloatArray> coordinates = MakeFloats(parts, "TextureCoordinates", 2);
+  float* target = coordinates->GetPointer(0);
+  ForEachPoint(parts,
+    [&](std::int64_t k)
+    {
+      const glm::vec2 place((glm::dvec2(parts.Point(k).Sample) + 0.5) / size);
+      target[2 * k] = place.x;
+      target[2 * k + 1] = place.y;
+    });
   output->GetPointData()->SetTCoords(coordinates);
-}
-
-void AddArraysOfSamples(vtkImageData* image, const MeshParts& parts, vtkPolyData* output)
-{
-  vtkNew<vtkIdList> samples;
-  samples->SetNumberOfIds(static_cast<vtkIdType>(parts.NumberOfPoints()));
-  for (std::size_t k = 0; k < parts.NumberOfPoints(); ++k)
-  {
-    const glm::ivec2 sample = parts.Point(k).Sample;
-    samples->SetId(
-      static_cast<vtkIdType>(k), ImageHeights::PointOfSample(image, sample.x, sample.y));
-  }
-  AddPointArrays(image, samples, output);
 }
 }
 
@@ -256,7 +271,14 @@ void FillMeshOutput(vtkImageData* image, GridMesh& mesh, const GridGeometry& geo
   }
   if (options.PointArrays)
   {
-    AddArraysOfSamples(image, parts, output);
+    AddPointArrays(
+      image, static_cast<vtkIdType>(parts.NumberOfPoints()),
+      [&](vtkIdType k)
+      {
+        const glm::ivec2 sample = parts.Point(k).Sample;
+        return ImageHeights::PointOfSample(image, sample.x, sample.y);
+      },
+      output);
   }
 }
 }

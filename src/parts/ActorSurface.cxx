@@ -65,6 +65,7 @@ vtkActor* vtkTerrainActor::GetSurfaceActor()
     this->SurfaceMesh = vtkSmartPointer<vtkTerrainMesh>::New();
     this->SurfaceMesh->PassPointArraysOn();
     this->SurfaceMesh->HoldInSinglePrecisionOn(); // exporters write 32 bits
+    this->SurfaceMesh->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
     this->SurfaceActor = vtkSmartPointer<vtkActor>::New();
     this->SurfaceActor->SetMapper(vtkSmartPointer<vtkPolyDataMapper>::New());
     this->SurfaceActor->GetMapper()->SetInputConnection(this->SurfaceMesh->GetOutputPort());

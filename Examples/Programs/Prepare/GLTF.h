@@ -9,13 +9,18 @@
 #ifndef GLTF_h
 #define GLTF_h
 
+#include <array>
+#include <iosfwd>
 #include <string>
 
 class vtkPolyData;
 
-/// The file's bytes. mesh: triangles; normals and texture coordinates are written if it has them.
-/// texture: bytes of a PNG or JPEG file, or empty. Positions are relative to the middle of the
-/// bounds, rounded to metres; the node's matrix moves them there and turns z up into glTF's y up.
-std::string MakeGLB(vtkPolyData* mesh, const std::string& texture);
+/// Writes the file, some numbers at a time; the state of the stream tells whether that worked. mesh:
+/// triangles; normals and texture coordinates are written if it has them. texture: bytes of a PNG or
+/// JPEG file, or empty. origin: where that of the mesh lies. Positions are relative to the middle of the bounds, rounded to metres; the
+/// node's matrix moves them there and turns z up into glTF's y up. False, and nothing is written, if
+/// it would take more than the 4 GiB of the format.
+bool WriteGLB(vtkPolyData* mesh, const std::array<double, 3>& origin, const std::string& texture,
+  std::ostream& file);
 
 #endif

@@ -42,14 +42,17 @@ bool WriteBytes(const std::string& partial, const std::string& bytes)
   return file.good();
 }
 
-bool WriteGLB(vtkPolyData* mesh, const std::string& partial, const MeshLook& look)
+bool WriteTexturedGLB(vtkPolyData* mesh, const std::string& partial, const MeshLook& look)
 {
   std::string texture;
   if (!look.Texture.empty() && !ReadBytes(look.Texture, texture))
   {
     return false;
   }
-  return WriteBytes(partial, MakeGLB(mesh, texture));
+  std::ofstream file(partial, std::ios::binary);
+  const bool fits = WriteGLB(mesh, look.Origin, texture, file);
+  file.close();
+  return fits && file.good();
 }
 
 template <typename Writer>
@@ -82,14 +85,28 @@ std::string WhyNotMeshFile(const std::string& path, const MeshLook& look)
   return {};
 }
 
+bool IsSinglePrecision(const std::string& path)
+{
+  const std::string suffix = SuffixOf(path);
+  return suffix == ".glb" || suffix == ".stl";
+}
+
+bool HasTextureCoordinates(const std::string& path, const MeshLook& look)
+{
+  const std::string suffix = SuffixOf(path);
+  return suffix == ".glb" ? !look.Texture.empty() : suffix != ".stl";
+}
+
 std::string WriteMeshFile(
   vtkPolyData* mesh, const std::string& path, const std::string& partial, const MeshLook& look)
 {
   const std::string suffix = SuffixOf(path);
-  const bool done = suffix == ".glb" ? WriteGLB(mesh, partial, look)
+  const bool done = suffix == ".glb" ? WriteTexturedGLB(mesh, partial, look)
     : suffix == ".vtp"               ? WriteBy<vtkXMLPolyDataWriter>(mesh, partial)
     : suffix == ".ply"               ? WriteBytes(partial, MakePLY(mesh))
     : suffix == ".obj"               ? WriteBy<vtkOBJWriter>(mesh, partial)
                                      : WriteBytes(partial, MakeSTL(mesh));
-  return done ? std::string() : "'" + path + "' cannot be written: is the disk full?";
+  return done
+    ? std::string()
+    : "'" + path + "' cannot be written: is the disk full, or the mesh larger than 4 GiB?";
 }

@@ -7,6 +7,7 @@
 #ifndef MeshFile_h
 #define MeshFile_h
 
+#include <array>
 #include <string>
 
 class vtkPolyData;
@@ -17,10 +18,18 @@ struct MeshLook
   /// PNG or JPEG over the terrain, its pixels like the samples' cells; empty: none. glTF alone has
   /// it.
   std::string Texture;
+  /// Where the mesh's origin lies. glTF alone has it, in full precision.
+  std::array<double, 3> Origin{ { 0.0, 0.0, 0.0 } };
 };
 
 /// Why no mesh can be written under such a name, as one sentence; empty if one can.
 std::string WhyNotMeshFile(const std::string& path, const MeshLook& look);
+
+/// Whether such a file has coordinates of 32 bits, about a place of the mesh's own.
+bool IsSinglePrecision(const std::string& path);
+
+/// Whether such a file takes texture coordinates.
+bool HasTextureCoordinates(const std::string& path, const MeshLook& look);
 
 /**
  * Bytes of a mesh (triangles, with normals and texture coordinates if it has them) go to `partial`,

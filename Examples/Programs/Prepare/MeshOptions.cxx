@@ -15,6 +15,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -64,12 +66,35 @@ void ScaleForPrint(vtkPolyData* mesh, double scale)
   points->Modified();
 }
 
+/// Moves heights to where a file of 32 bits holds their mesh best; returns where their origin lay.
+std::array<double, 3> MoveForFile(
+  vtkImageData* heights, const std::string& path, vtkImageData* moved)
+{
+  moved->ShallowCopy(heights);
+  std::array<double, 3> origin{ { 0.0, 0.0, 0.0 } };
+  if (IsSinglePrecision(path))
+  {
+    double middle[3];
+    heights->GetCenter(middle);
+    origin = { { std::floor(middle[0]), std::floor(middle[1]), 0.0 } };
+    double place[3];
+    heights->GetOrigin(place);
+    moved->SetOrigin(place[0] - origin[0], place[1] - origin[1], place[2]);
+  }
+  return origin;
+}
+
 void Build(vtkTerrainMesh* filter, vtkImageData* heights, const MeshOptions& options)
 {
   filter->SetInputData(heights);
   filter->SetMaximumError(options.Error);
   filter->SetExaggeration(options.Exaggeration);
-  filter->HoldInSinglePrecisionOn(); // most formats have 32 bits
+  if (IsSinglePrecision(options.Path))
+  {
+    filter->HoldInSinglePrecisionOn();
+    filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
+  }
+  filter->SetComputeTextureCoordinates(HasTextureCoordinates(options.Path, options.Look));
   // printers want closed bodies, whose parts share their points
   filter->SetComputeNormals(options.PrintWidth <= 0.0);
   filter->Update();
@@ -161,10 +186,13 @@ void PrepareMesh(
   ThrowUnlessEmpty(HeightOptions::WhyNotOneSite(reader));
   reader->Update();
   ThrowUnlessEmpty(reader->GetErrorMessage());
+  MeshLook look = options.Look;
+  const vtkNew<vtkImageData> heightsOfMesh;
+  look.Origin = MoveForFile(reader->GetOutput(), options.Path, heightsOfMesh);
   vtkNew<vtkTerrainMesh> filter;
-  Build(filter, reader->GetOutput(), options);
+  Build(filter, heightsOfMesh, options);
   ThrowUnlessEmpty(
-    WriteMeshFile(filter->GetOutput(), options.Path, file->GetPartialFileName(), options.Look));
+    WriteMeshFile(filter->GetOutput(), options.Path, file->GetPartialFileName(), look));
   if (!file->Commit())
   {
     throw std::runtime_error(file->GetErrorMessage());

@@ -4,12 +4,11 @@
 
 #include "core/grid/SampleTypes.h"
 #include "core/mesh/GreedyTile.h"
+#include "core/mesh/HeightExtremes.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <unordered_map>
 #include <utility>
 
@@ -24,11 +23,12 @@ template <typename T>
 class Samples
 {
 public:
-  Samples(const HeightfieldView<T>& view, const ParallelFor& parallelFor)
+  /// isComplete: whether all samples have heights.
+  Samples(const HeightfieldView<T>& view, bool isComplete, const ParallelFor& parallelFor)
     : View(view)
-    , Cells(std::max<std::int64_t>((view.Width - 1) * (view.Height - 1), 0))
+    , Cells(isComplete ? 0 : (view.Width - 1) * (view.Height - 1))
   {
-    parallelFor(view.Height - 1,
+    parallelFor(isComplete ? 0 : view.Height - 1,
       [this](std::int64_t begin, std::int64_t end)
       {
         for (std::int64_t j = begin; j < end; ++j)
@@ -39,12 +39,11 @@ public:
           }
         }
       });
-    this->HasHoles = std::find(this->Cells.begin(), this->Cells.end(), 0) != this->Cells.end();
   }
 
   bool HasCell(std::int64_t i, std::int64_t j) const
   {
-    return this->Cells[i + (this->View.Width - 1) * j] != 0;
+    return this->Cells.empty() || this->Cells[i + (this->View.Width - 1) * j] != 0;
   }
 
   /// Number of cells with a surface around sample (i, j), and of those without one.
@@ -67,12 +66,12 @@ public:
   /// True if something is asked of the mesh at the sample.
   bool IsAsked(std::int64_t i, std::int64_t j) const
   {
-    return !this->HasHoles || this->CountCells(i, j).first > 0;
+    return this->Cells.empty() || this->CountCells(i, j).first > 0;
   }
 
   bool IsOnHole(std::int64_t i, std::int64_t j) const
   {
-    if (!this->HasHoles)
+    if (this->Cells.empty())
     {
       return false;
     }
@@ -89,8 +88,7 @@ public:
   const HeightfieldView<T>& View;
 
 private:
-  std::vector<unsigned char> Cells;
-  bool HasHoles = false;
+  std::vector<unsigned char> Cells; ///< empty: all have a surface
 };
 
 /// Which samples of a line become vertices: its ends, what is kept already, and the worst sample
@@ -157,12 +155,15 @@ template <typename T>
 class TileBuilder
 {
 public:
-  TileBuilder(const HeightfieldView<T>& view, const GreedyMeshOptions& options, double tolerance,
+  TileBuilder(const HeightfieldView<T>& view, int cellsPerTile, double tolerance, bool isComplete,
     const ParallelFor& parallelFor)
-    : At(view, parallelFor)
+    : At(view, isComplete, parallelFor)
     , Tolerance(tolerance)
-    , Columns(view.Width, options.CellsPerTile)
-    , Rows(view.Height, options.CellsPerTile)
+    , Columns(view.Width, cellsPerTile)
+    , Rows(view.Height, cellsPerTile)
+    , NumbersOfColumn(
+        this->Columns.Positions.size(), std::vector<std::int32_t>(view.Height, kNoNumber))
+    , NumbersOfRow(this->Rows.Positions.size(), std::vector<std::int32_t>(view.Width, kNoNumber))
   {
   }
 
@@ -225,14 +226,58 @@ public:
     return this->Keep(triangulation, { static_cast<int>(x0), static_cast<int>(y0) });
   }
 
-  bool IsOnLine(const glm::ivec2& vertex) const
+  /// Appends the mesh of a tile; vertices on lines between tiles are shared with those that came
+  /// before.
+  void Append(std::int64_t tile, const GridMesh& part, GridMesh& mesh)
   {
-    return std::binary_search(
-             this->Columns.Positions.begin(), this->Columns.Positions.end(), vertex.x) ||
-      std::binary_search(this->Rows.Positions.begin(), this->Rows.Positions.end(), vertex.y);
+    std::vector<std::int32_t> numbers(part.Vertices.size(), kNoNumber);
+    for (const std::int32_t corner : part.Triangles)
+    {
+      std::int32_t& number = numbers[corner];
+      if (number == kNoNumber)
+      {
+        const glm::ivec2& sample = part.Vertices[corner];
+        std::int32_t* shared = this->SharedNumber(tile, sample);
+        number = shared ? *shared : kNoNumber;
+        if (number == kNoNumber)
+        {
+          number = static_cast<std::int32_t>(mesh.Vertices.size());
+          mesh.Vertices.push_back(sample);
+        }
+        if (shared)
+        {
+          *shared = number;
+        }
+      }
+      mesh.Triangles.push_back(number);
+    }
   }
 
 private:
+  static constexpr std::int32_t kNoNumber = -1;
+
+  /// Where the number of a vertex of a tile is kept if it lies on a line; else null.
+  std::int32_t* SharedNumber(std::int64_t tile, const glm::ivec2& sample)
+  {
+    const std::int64_t tileX = tile % this->Columns.Tiles();
+    const std::int64_t tileY = tile / this->Columns.Tiles();
+    for (std::int64_t side = 0; side < 2; ++side)
+    {
+      if (sample.x == this->Columns.Positions[tileX + side])
+      {
+        return &this->NumbersOfColumn[tileX + side][sample.y];
+      }
+    }
+    for (std::int64_t side = 0; side < 2; ++side)
+    {
+      if (sample.y == this->Rows.Positions[tileY + side])
+      {
+        return &this->NumbersOfRow[tileY + side][sample.x];
+      }
+    }
+    return nullptr;
+  }
+
   void MakeLine(bool isColumn, std::int64_t line)
   {
     const std::int64_t at = (isColumn ? this->Columns : this->Rows).Positions[line];
@@ -297,6 +342,8 @@ private:
   TileLines Rows;
   std::vector<std::vector<char>> KeptOfColumn;
   std::vector<std::vector<char>> KeptOfRow;
+  std::vector<std::vector<std::int32_t>> NumbersOfColumn; ///< of vertices in the mesh of all tiles
+  std::vector<std::vector<std::int32_t>> NumbersOfRow;
 };
 
 std::uint64_t KeyOf(const glm::ivec2& sample)
@@ -305,63 +352,59 @@ std::uint64_t KeyOf(const glm::ivec2& sample)
     static_cast<std::uint32_t>(sample.x);
 }
 
-/// Appends the mesh of a tile; vertices on lines between tiles are shared with those that came
-/// before.
-template <typename T>
-void Append(const TileBuilder<T>& tiles, const GridMesh& part,
-  std::unordered_map<std::uint64_t, std::int32_t>& shared, GridMesh& mesh)
+/// Memory for parts that bring the share that is done to `done`, and by their number for the rest:
+/// a mesh that grows by doubling takes three times as much.
+void ReserveFor(const std::vector<GridMesh>& parts, double done, GridMesh& mesh)
 {
-  std::vector<std::int32_t> numbers(part.Vertices.size(), -1);
-  for (const std::int32_t corner : part.Triangles)
-  {
-    std::int32_t& number = numbers[corner];
-    if (number < 0)
-    {
-      const glm::ivec2& sample = part.Vertices[corner];
-      number = static_cast<std::int32_t>(mesh.Vertices.size());
-      if (tiles.IsOnLine(sample))
-      {
-        number = shared.emplace(KeyOf(sample), number).first->second;
-      }
-      if (number == static_cast<std::int32_t>(mesh.Vertices.size()))
-      {
-        mesh.Vertices.push_back(sample);
-      }
-    }
-    mesh.Triangles.push_back(number);
-  }
-}
-
-/// Memory for all parts, so that it need not grow by doubling.
-void ReserveFor(const std::vector<GridMesh>& parts, GridMesh& mesh)
-{
-  std::size_t vertices = 0;
-  std::size_t corners = 0;
+  std::size_t vertices = mesh.Vertices.size();
+  std::size_t corners = mesh.Triangles.size();
   for (const GridMesh& part : parts)
   {
     vertices += part.Vertices.size();
     corners += part.Triangles.size();
   }
-  mesh.Vertices.reserve(vertices);
-  mesh.Triangles.reserve(corners);
+  const auto reserve = [done](auto& vector, std::size_t count)
+  {
+    constexpr double kMargin = 1.1; // of what is not used nothing is touched
+    if (vector.capacity() < count)
+    {
+      const double rest = (1.0 / done - 1.0) * kMargin;
+      vector.reserve(count + static_cast<std::size_t>(rest * static_cast<double>(count)));
+    }
+  };
+  reserve(mesh.Vertices, vertices);
+  reserve(mesh.Triangles, corners);
 }
 
 template <typename T>
-double LargestHeight(const HeightfieldView<T>& view)
+GridMesh BuildInTiles(const HeightfieldView<T>& view, int cellsPerTile, double tolerance,
+  bool isComplete, const ParallelFor& parallelFor)
 {
-  double largest = 0.0;
-  for (std::int64_t j = 0; j < view.Height; ++j)
+  // few enough for little memory, enough to keep many threads busy
+  constexpr std::int64_t kTilesAtOnce = 256;
+  TileBuilder<T> tiles(view, cellsPerTile, tolerance, isComplete, parallelFor);
+  tiles.MakeBorders(parallelFor);
+  GridMesh mesh;
+  const std::int64_t count = tiles.NumberOfTiles();
+  for (std::int64_t first = 0; first < count; first += kTilesAtOnce)
   {
-    for (std::int64_t i = 0; i < view.Width; ++i)
-    {
-      const std::int64_t index = view.Index(i, j);
-      if (view.IsValid(index))
+    std::vector<GridMesh> parts(std::min(kTilesAtOnce, count - first));
+    const auto size = static_cast<std::int64_t>(parts.size());
+    parallelFor(size,
+      [&tiles, &parts, first](std::int64_t begin, std::int64_t end)
       {
-        largest = std::max(largest, std::abs(static_cast<double>(view.Samples[index])));
-      }
+        for (std::int64_t k = begin; k < end; ++k)
+        {
+          parts[k] = tiles.Build(first + k);
+        }
+      });
+    ReserveFor(parts, static_cast<double>(first + size) / static_cast<double>(count), mesh);
+    for (std::int64_t k = 0; k < size; ++k)
+    {
+      tiles.Append(first + k, parts[k], mesh);
     }
   }
-  return largest;
+  return mesh;
 }
 }
 
@@ -370,132 +413,30 @@ template <typename T>
 GridMesh BuildGreedyMesh(
   const HeightfieldView<T>& view, const GreedyMeshOptions& options, const ParallelFor& parallelFor)
 {
-  GridMesh mesh;
   if (view.Width < 2 || view.Height < 2)
   {
-    return mesh;
+    return {};
   }
-  GreedyMeshOptions used = options;
-  if (options.CellsPerTile == 0)
-  {
-    used.CellsPerTile = kFewTileCells;
-    mesh = BuildGreedyMesh(view, used, parallelFor);
-    const std::int64_t tiles =
-      TileLines(view.Width, kFewTileCells).Tiles() * TileLines(view.Height, kFewTileCells).Tiles();
-    if (tiles == 1 || static_cast<std::int64_t>(mesh.Vertices.size()) >= kFewTileVertices * tiles)
-    {
-      return mesh;
-    }
-    used.CellsPerTile = kManyTileCells;
-  }
-  used.CellsPerTile = std::clamp(used.CellsPerTile, 1, kMostTileCells);
-  mesh = GridMesh();
-  const double slack = kMeshErrorSlack * LargestHeight(view);
+  const HeightExtremes extremes = FindHeightExtremes(view, parallelFor);
+  const double slack = kMeshErrorSlack * extremes.Height;
   const double tolerance = std::max(slack, options.MaximumError - slack);
-  TileBuilder<T> tiles(view, used, tolerance, parallelFor);
-  tiles.MakeBorders(parallelFor);
-  std::vector<GridMesh> parts(tiles.NumberOfTiles());
-  parallelFor(tiles.NumberOfTiles(),
-    [&tiles, &parts](std::int64_t begin, std::int64_t end)
-    {
-      for (std::int64_t tile = begin; tile < end; ++tile)
-      {
-        parts[tile] = tiles.Build(tile);
-      }
-    });
-  ReserveFor(parts, mesh);
-  std::unordered_map<std::uint64_t, std::int32_t> shared;
-  for (GridMesh& part : parts)
+  const auto build = [&](int cellsPerTile)
+  { return BuildInTiles(view, cellsPerTile, tolerance, extremes.IsComplete, parallelFor); };
+  if (options.CellsPerTile != 0)
   {
-    Append(tiles, part, shared, mesh);
-    part = GridMesh();
+    return build(std::clamp(options.CellsPerTile, 1, kMostTileCells));
+  }
+  GridMesh mesh = build(kFewTileCells);
+  const std::int64_t tiles =
+    TileLines(view.Width, kFewTileCells).Tiles() * TileLines(view.Height, kFewTileCells).Tiles();
+  if (tiles > 1 && static_cast<std::int64_t>(mesh.Vertices.size()) < kFewTileVertices * tiles)
+  {
+    mesh = build(kManyTileCells);
   }
   return mesh;
 }
 
-namespace
-{
-/// > 0 if three points are counter-clockwise: twice their area.
-double Cross(const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r)
-{
-  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-}
-
-/// Height of the plane through three points at a position.
-double HeightOnPlane(const glm::dvec3* points, const glm::dvec2& p)
-{
-  const double u = Cross(points[1], points[2], p);
-  const double v = Cross(points[2], points[0], p);
-  const double w = Cross(points[0], points[1], p);
-  return (u * points[0].z + v * points[1].z + w * points[2].z) /
-    Cross(points[0], points[1], points[2]);
-}
-
-/// Largest vertical distance of the samples on a triangle, whose samples are marked as covered.
-template <typename T>
-double CompareTriangle(const HeightfieldView<T>& view, const glm::ivec2* corners,
-  const VertexRounding& rounding, std::vector<std::atomic<bool>>& covered)
-{
-  glm::dvec3 points[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    points[k] = { corners[k], view.At(corners[k].x, corners[k].y) };
-    points[k] = rounding ? rounding(points[k]) : points[k];
-  }
-  const glm::ivec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
-  const glm::ivec2 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
-  double largest = 0.0;
-  for (int y = low.y; y <= high.y; ++y)
-  {
-    for (int x = low.x; x <= high.x; ++x)
-    {
-      const glm::dvec2 p(x, y);
-      if (Cross(corners[1], corners[2], p) >= 0.0 && Cross(corners[2], corners[0], p) >= 0.0 &&
-        Cross(corners[0], corners[1], p) >= 0.0)
-      {
-        covered[x + view.Width * y].store(true, std::memory_order_relaxed);
-        largest = std::max(largest, std::abs(HeightOnPlane(points, p) - view.At(x, y)));
-      }
-    }
-  }
-  return largest;
-}
-}
-
-template <typename T>
-double FindMeshError(const HeightfieldView<T>& view, const GridMesh& mesh,
-  const ParallelFor& parallelFor, const VertexRounding& rounding)
-{
-  std::vector<std::atomic<bool>> covered(view.Width * view.Height);
-  std::mutex mutex;
-  double largest = 0.0;
-  parallelFor(static_cast<std::int64_t>(mesh.Triangles.size() / 3),
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      double ofRange = 0.0;
-      for (std::int64_t k = 3 * begin; k < 3 * end; k += 3)
-      {
-        const glm::ivec2 corners[3] = { mesh.Vertices[mesh.Triangles[k]],
-          mesh.Vertices[mesh.Triangles[k + 1]], mesh.Vertices[mesh.Triangles[k + 2]] };
-        ofRange = std::max(ofRange, CompareTriangle(view, corners, rounding, covered));
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      largest = std::max(largest, ofRange);
-    });
-  const Samples<T> samples(view, parallelFor);
-  for (std::int64_t j = 0; j < view.Height; ++j)
-  {
-    for (std::int64_t i = 0; i < view.Width; ++i)
-    {
-      if (!covered[i + view.Width * j] && samples.CountCells(i, j).first > 0)
-      {
-        return std::numeric_limits<double>::infinity();
-      }
-    }
-  }
-  return largest;
-}
-
+//--------------------------------------------------------------------------------------------------
 std::vector<glm::ivec2> FindBorderEdges(const GridMesh& mesh)
 {
   std::unordered_map<std::uint64_t, glm::ivec2> open;
@@ -522,9 +463,7 @@ std::vector<glm::ivec2> FindBorderEdges(const GridMesh& mesh)
 
 #define TERRAIN_INSTANTIATE(T)                                                                     \
   template GridMesh BuildGreedyMesh(                                                               \
-    const HeightfieldView<T>&, const GreedyMeshOptions&, const ParallelFor&);                      \
-  template double FindMeshError(                                                                   \
-    const HeightfieldView<T>&, const GridMesh&, const ParallelFor&, const VertexRounding&);
+    const HeightfieldView<T>&, const GreedyMeshOptions&, const ParallelFor&);
 TERRAIN_FOR_EACH_SAMPLE_TYPE(TERRAIN_INSTANTIATE)
 #undef TERRAIN_INSTANTIATE
 }

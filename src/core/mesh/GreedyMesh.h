@@ -28,7 +28,6 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace terrain
@@ -67,25 +66,12 @@ struct GridMesh
  * Builds the mesh of a view. It covers exactly the cells whose four samples have heights, with no
  * vertex inside of another triangle's edge. Empty where there is no such cell. Same result however
  * parallelFor splits its ranges. Error:
- * FindMeshError() <= max(MaximumError, 2 kMeshErrorSlack times the largest height). T: see
+ * FindMeshError() (MeshError.h) <= max(MaximumError, 2 kMeshErrorSlack times the largest height). T: see
  * SampleTypes.h.
  */
 template <typename T>
 GridMesh BuildGreedyMesh(
   const HeightfieldView<T>& view, const GreedyMeshOptions& options, const ParallelFor& parallelFor);
-
-/// Where a vertex stands: column, row and height of its sample as a format rounds them.
-using VertexRounding = std::function<glm::dvec3(const glm::dvec3&)>;
-
-/**
- * Largest vertical distance, in height units, between the mesh and the samples that belong to a
- * cell with a surface; infinite if one of them is not covered. It looks at each triangle by itself,
- * whatever made the mesh. With a rounding, which moves vertices by far less than a cell, it is the
- * distance from the planes through the rounded vertices.
- */
-template <typename T>
-double FindMeshError(const HeightfieldView<T>& view, const GridMesh& mesh,
-  const ParallelFor& parallelFor, const VertexRounding& rounding = nullptr);
 
 /// Edges with a triangle on one side only, two vertices each, the triangle to the left of the way
 /// from the first to the second.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace terrain
@@ -40,8 +41,12 @@ ErrorQueue::ErrorQueue(double tolerance)
 
 int ErrorQueue::BucketOf(double error) const
 {
-  const double octaves = this->Tolerance > 0.0 ? std::log2(error / this->Tolerance) : BucketCount;
-  return std::clamp(static_cast<int>(BucketsPerOctave * octaves), 0, BucketCount - 1);
+  // exponent and upper bits of the fraction of a double in [1, infinity]
+  const double ratio = std::max(error / this->Tolerance, 1.0);
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &ratio, sizeof(bits));
+  constexpr std::uint64_t bitsOfOne = std::uint64_t{ 0x3ff } << 52;
+  return static_cast<int>(std::min<std::uint64_t>((bits - bitsOfOne) >> 48, BucketCount - 1));
 }
 
 void ErrorQueue::Push(int triangle, double error)
@@ -292,15 +297,18 @@ void GreedyTile::ScanRow(int y, int begin, int end, const Plane& plane, Candidat
 {
   const double base = plane.Height + plane.Y * (y - plane.Origin.y) - plane.X * plane.Origin.x;
   const double* row = this->Heights.data() + static_cast<std::size_t>(this->Width) * y;
+  double column = begin; // counted: conversions are slow
+  double largest = worst.Error;
+  int sample = worst.Sample;
   for (int x = begin; x <= end; ++x)
   {
-    const double error = std::abs(row[x] - (base + plane.X * x));
-    if (error > worst.Error)
-    {
-      worst.Error = error;
-      worst.Sample = x + this->Width * y;
-    }
+    const double error = std::abs(row[x] - (base + plane.X * column));
+    // without branches, which would be anyone's guess; false for NaN
+    sample = error > largest ? x + this->Width * y : sample;
+    largest = std::max(largest, error);
+    column += 1.0;
   }
+  worst = { sample, largest };
 }
 
 GreedyTile::Candidate GreedyTile::FindWorst(std::array<int, 3> corners) const
@@ -311,9 +319,9 @@ GreedyTile::Candidate GreedyTile::FindWorst(std::array<int, 3> corners) const
   const glm::ivec2 b = this->Vertices[corners[1]];
   const glm::ivec2 c = this->Vertices[corners[2]];
   Candidate worst;
-  if (c.y - a.y <= 1 && std::max({ a.x, b.x, c.x }) - std::min({ a.x, b.x, c.x }) <= 1)
+  if (std::abs(Orientation(a, b, c)) == 1)
   {
-    return worst; // half a cell, without a sample of its own
+    return worst; // no sample but its corners (Pick)
   }
 
   const double za = this->Height(corners[0]);

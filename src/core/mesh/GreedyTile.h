@@ -26,7 +26,7 @@ namespace terrain
 /// Most cells along a side of a tile: the determinant of InCircle() stays below 2^62.
 constexpr int kMostTileCells = 4096;
 
-/// Triangles that wait to be improved, roughly the worst first: 4 buckets for each factor of two of
+/// Triangles that wait to be improved, roughly the worst first: 16 buckets for each factor of two of
 /// error, so that putting in and taking out cost the same whatever waits.
 class ErrorQueue
 {
@@ -43,8 +43,7 @@ public:
   }
 
 private:
-  static constexpr int BucketsPerOctave = 16;
-  static constexpr int BucketCount = 64 * BucketsPerOctave;
+  static constexpr int BucketCount = 64 * 16; ///< 64 octaves
   int BucketOf(double error) const;
 
   std::array<std::vector<int>, BucketCount> Buckets;
