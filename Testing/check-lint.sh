@@ -19,6 +19,7 @@ cmake -G Ninja -S . -B "$separate" -DCMAKE_UNITY_BUILD=ON -DVTKTERRAIN_BUILD_TES
   >"$passed/configured.log"
 sed "s|$separate/module/|$build_dir/module/|g; s|$build_dir/module/\([^ \"]*\)/Unity/|$separate/module/\1/Unity/|g" \
   "$separate/compile_commands.json" >"$passed/compile_commands.json"
+ln -sf "$build_dir"/module/src/*.cxx "$separate/module/src/"
 # The checks of a file are those of the nearest folder above it.
 mkdir -p "$separate/Testing"
 cp .clang-tidy "$separate/"
@@ -33,7 +34,7 @@ while read -r commands unit content; do
   [ -e "$stamp" ] || printf '%s\n%s\n%s\n' "$commands" "$unit" "$stamp"
 done <"$passed/units" | xargs -r -n 3 -P "$(nproc)" sh -c '
   if clang-tidy-16 --quiet -p "$0" --checks=-bugprone-suspicious-include \
-    --header-filter="(src|Testing|Examples|Module)/.*\.(h|cxx)$" "$1" 2>"$2.log"; then
+    --header-filter="^$PWD/(src|Testing|Examples|Module)/" "$1" 2>"$2.log"; then
     mv "$2.log" "$2"
   else
     cat "$2.log" >&2
