@@ -194,6 +194,22 @@ TEST(UnitTestRasterFill, NeedlesAreFound)
   EXPECT_FALSE(TownWith().Square(60, flat(-40.0)).HasNeedles());
 }
 
+TEST(UnitTestRasterFill, ZeroFarBelowAllIsAVoid)
+{
+  const auto withZeros = [](std::vector<double> heights, std::size_t zeros)
+  {
+    heights.insert(heights.end(), zeros, 0.0);
+    return terrain::HasZeroVoids(FindFill(heights));
+  };
+  EXPECT_TRUE(withZeros(Hills(300.0, 960.0, 3000), 200));
+  EXPECT_TRUE(withZeros(Hills(300.0, 960.0, 3000), 3));
+  EXPECT_FALSE(withZeros(Hills(300.0, 960.0, 3000), 0));
+  EXPECT_FALSE(withZeros(Hills(300.0, 960.0, 3000), 4000)); // told as the most frequent value
+  EXPECT_FALSE(withZeros(Hills(1.0, 960.0, 3000), 800));    // the sea before a coast
+  EXPECT_FALSE(withZeros(Hills(-50.0, 960.0, 3000), 800));
+  EXPECT_FALSE(withZeros({ 100.0, 200.0, 300.0 }, 40)); // steps
+}
+
 TEST(UnitTestRasterFill, FillAmongTowersIsFound)
 {
   for (const double value : { 32767.0, -9999.0, 1e6, 65535.0, -32768.0 })

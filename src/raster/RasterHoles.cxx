@@ -234,4 +234,15 @@ bool AreNeedles(const FillFindings& findings, double perUnit, double cell)
   }
   return findings.LoneShare > kMostlyLone && gap > kTallestMast;
 }
+
+//------------------------------------------------------------------------------
+bool HasZeroVoids(const FillFindings& findings)
+{
+  constexpr std::size_t kFewestLevels = 10;
+  constexpr double kMostVoids = 0.5;
+  constexpr double kLeastGap = 0.25;
+  return findings.LevelCount > kFewestLevels && findings.Low == 0.0 && findings.IsGapOne &&
+    findings.GapEnd == 0.0 && findings.LowShare <= kMostVoids &&
+    findings.WidestGap > kLeastGap * findings.High;
+}
 }

@@ -54,5 +54,9 @@ void FindLone(const std::vector<double>& values, std::size_t width, FillFindings
 /// of one show them, of heights that look like no fill, or single ones up to 100 m.
 /// perUnit: metres of a unit of the values, below 0 for depths; cell: metres.
 bool AreNeedles(const FillFindings& findings, double perUnit, double cell);
+
+/// True if 0 is the lowest value, of no more than half of the samples, and farther from the others
+/// than a quarter of the range: voids of which nobody says that they are.
+bool HasZeroVoids(const FillFindings& findings);
 }
 #endif

@@ -580,7 +580,13 @@ void RasterFile::CheckSanity()
       (low ? "lowest" : "highest") + " value (" + range + "): --nodata " + NumberText(value) +
       " if that is no height");
   }
-  if (AreNeedles(seen, scale, std::max(cellX, cellY)))
+  if (HasZeroVoids(seen))
+  {
+    this->Record.Warn(NumberText(std::ceil(100.0 * seen.LowShare)) +
+      " % of it or less is 0, far below all others (" + range +
+      "): --nodata 0 if that is no height");
+  }
+  else if (AreNeedles(seen, scale, std::max(cellX, cellY)))
   {
     this->Record.Warn("few samples lie " + NumberText(std::abs(scale) * seen.WidestGap) +
       " m beyond all others, as needles or a block with sheer sides (" + range + "): --nodata " +
