@@ -570,7 +570,10 @@ void RasterFile::CheckSanity()
   if (relief > kSteepestRelief * longest)
   {
     this->Record.Warn("it is more than three times as high as it is wide (" + range +
-      "): check --height-unit, --nodata, --crs");
+      "): check --height-unit, --nodata, " +
+      (this->HasTransform || this->Coordinates
+          ? "--crs"
+          : "its place (gdal_translate -a_ullr X0 Y1 X1 Y0 IN OUT.tif)"));
   }
   if (seen.LowShare > kMostOfOne || seen.HighShare > kMostOfOne)
   {
