@@ -338,6 +338,16 @@ class TestKinds(RasterCase):
             file.write(b"BZh91AY")
         self.assertIn("unpack", self.refusal(self.path("a.tif.bz2")))
 
+    def test_the_header_that_is_told_reads_numbers_without_one(self):
+        with open(self.path("a.dat"), "wb") as file:
+            file.write(ground().astype("<f4").tobytes())
+        lines = re.findall("'([^']*)'", self.refusal(self.path("a.dat")).split("the lines ")[1])
+        with open(self.path("a.hdr"), "w") as file:
+            file.write("\n".join(lines).replace("COLUMNS", str(COLUMNS)).replace("ROWS", str(ROWS)) + "\n")
+        np.testing.assert_allclose(self.read(self.path("a.dat"))[0], ground())
+        gdal.GetDriverByName("GPKG").Create(self.path("points.gpkg"), 0, 0, 0).CreateLayer("points")
+        self.assertIn("gdal_grid", self.refusal(self.path("points.gpkg")))
+
     def test_comments_before_points_are_told(self):
         with open(self.path("a.xyz"), "w") as file:
             file.write("# made by hand\n# x y z\n" + "".join(f"{c} {r} 5\n" for r in range(4) for c in range(4)))
@@ -414,6 +424,8 @@ class TestFolderFiles(RasterCase):
         heights, _, warning = self.read(self.path("mixed"))
         np.testing.assert_allclose(heights, ground())
         self.assertIn("b.png", warning)
+        os.remove(self.path("mixed/a.tif"))  # but the one raster of a folder
+        np.testing.assert_allclose(self.read(self.path("mixed"))[0], ground())
 
     def test_what_is_left_out_is_told_once_with_its_number(self):
         self.write("all/a.tif", ground())

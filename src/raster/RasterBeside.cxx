@@ -128,8 +128,8 @@ void RasterFile::TakeSystemOfPoints()
 }
 
 //------------------------------------------------------------------------------
-// Gives each sample a place of its own, by a thin plate spline through the points. False if there is
-// none, or too many samples. cell: the size of one, in the unit of the points.
+// Gives each sample a place of its own, by a thin plate spline through the points. False if
+// there is none, or too many samples. cell: the size of one, in the unit of the points.
 bool RasterFile::BendToPoints(double cell)
 {
   const std::int64_t width = this->GetWidth();

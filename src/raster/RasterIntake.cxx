@@ -562,12 +562,11 @@ void RasterFile::CheckSanity()
   const double cellY = std::abs(this->Transform[5]) * this->Layout.Scale[1];
   const double longest = std::max(
     cellX * static_cast<double>(this->GetWidth()), cellY * static_cast<double>(this->GetHeight()));
-  const double relief = std::abs(scale) * (seen.High - seen.Low);
   const double ends[2] = { offset + scale * seen.Low, offset + scale * seen.High };
   const std::string range = "heights from " + NumberText(std::min(ends[0], ends[1])) + " to " +
     NumberText(std::max(ends[0], ends[1])) + " m, cells of " + NumberText(cellX) + " x " +
     NumberText(cellY) + " m";
-  if (relief > kSteepestRelief * longest)
+  if (std::abs(scale) * (seen.High - seen.Low) > kSteepestRelief * longest)
   {
     this->Record.Warn("it is more than three times as high as it is wide (" + range +
       "): check --height-unit, --nodata, " +

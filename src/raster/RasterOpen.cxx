@@ -73,10 +73,23 @@ GDALDatasetH OpenPlain(const std::string& name)
   return dataset ? WithNaN(dataset, name) : nullptr;
 }
 
+/// True if GDAL knows a file as points, lines or areas.
+bool IsVector(const std::string& name)
+{
+  const GDALMessages messages;
+  return GDALIdentifyDriverEx(name.c_str(), GDAL_OF_VECTOR, nullptr, nullptr) != nullptr;
+}
+
 /// What to do about a file of another kind, by its extension; empty if nothing is known.
 std::string RemedyOf(const std::string& name)
 {
   const std::string extension = Extension(name);
+  if (IsOneOf(extension, { "raw", "dat", "bin" }) && !IsVector(name))
+  {
+    return "it is not a raster that GDAL can open; numbers without a header need one beside them, "
+           "of the same name with .hdr and the lines 'ENVI', 'samples = COLUMNS', 'lines = ROWS', "
+           "'bands = 1', 'data type = 4' (2 for 16 bits, 5 for 64) and 'byte order = 0'";
+  }
   if (IsOneOf(extension, { "las", "laz", "e57", "copc", "pcd", "ply" }))
   {
     return "it holds points, not a raster: make a grid of them first (pdal's writers.gdal)";
@@ -145,6 +158,10 @@ std::string WhyNotOpened(const std::string& name, const std::string& failure)
   {
     return "its points do not lie on a grid, row by row (" + failure +
       "): call the right columns x, y and z in its first line, or make a grid by gdal_grid";
+  }
+  if (remedy.empty() && IsVector(name))
+  {
+    return "it holds points or lines, not a raster: make a grid of them first (gdal_grid)";
   }
   return remedy.empty()
     ? "it is not a raster that GDAL can open" + (failure.empty() ? "" : " (" + failure + ")")
@@ -411,7 +428,11 @@ GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record,
   }
   if (!dataset && IsDirectory(name)) // of no format that is a directory
   {
-    const FolderFiles files = FindFolderFiles(name);
+    FolderFiles files = FindFolderFiles(name);
+    if (files.Rasters.empty() && files.OtherRasters.size() == 1)
+    {
+      files.Rasters.swap(files.OtherRasters);
+    }
     if (files.Rasters.size() == 1)
     {
       TellOfOthers(files, record);

@@ -15,8 +15,8 @@
 struct PlacedHeights;
 
 /// Prepares the sites beside the one that was read and is `terrain`, placed in the scene of its
-/// heights, which know them then. All get the colours of one range, and the terrain's bounds hold them all. A site that
-/// cannot join the scene is left out with a warning.
+/// heights, which know them then. All get the colours of one range, and the terrain's bounds hold
+/// them all. A site that cannot join the scene is left out with a warning.
 std::vector<Terrain> PrepareSites(const ReadHeightsResult& read, PlacedHeights& heights,
   const Options& options, Terrain& terrain, ProgressBar& progress, Statistics& statistics);
 
