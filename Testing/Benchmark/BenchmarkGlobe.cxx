@@ -8,9 +8,9 @@
  *   BenchmarkGlobe rays|mesh COLUMNS     COLUMNS x COLUMNS / 2 samples; a process for each
  *   BenchmarkGlobe errors COLUMNS        of both, in metres
  *
- * Prints milliseconds from the array of heights to the first picture of 640 x 480 pixels, the median
- * and the extremes of eleven frames about the planet, and the most memory of the process in MiB, of
- * which the array is a part.
+ * Prints seconds from the array of heights to the first picture of 640 x 480 pixels, the median and
+ * the extremes of eleven frames about the planet, as time and as processor time of all threads, and
+ * the most memory of the process in MiB, of which the array is a part.
  */
 #include "../Unit/UnitTestGlobe.h"
 
@@ -34,10 +34,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -153,15 +155,24 @@ vtkSmartPointer<vtkActor> MakeMesh(const Samples& samples)
   return actor;
 }
 
-double MillisecondsSince(std::chrono::steady_clock::time_point begin)
+/// Seconds, and those of the processor.
+class Watch
 {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-    .count();
-}
+public:
+  std::array<double, 2> Seconds() const
+  {
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->Begin;
+    return { time.count(), static_cast<double>(std::clock() - this->Clock) / CLOCKS_PER_SEC };
+  }
+
+private:
+  std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
+  std::clock_t Clock = std::clock();
+};
 
 void Measure(const std::string& way, Samples& samples)
 {
-  const auto begin = std::chrono::steady_clock::now();
+  const Watch whole;
   const vtkNew<vtkRenderer> renderer;
   renderer->AddActor(way == "mesh" ? MakeMesh(samples) : MakeRays(samples));
   const vtkNew<vtkRenderWindow> window;
@@ -174,23 +185,30 @@ void Measure(const std::string& way, Samples& samples)
   renderer->ResetCameraClippingRange();
   window->Render();
   window->WaitForCompletion();
-  const double first = MillisecondsSince(begin);
-  std::vector<double> frames;
+  const std::array<double, 2> first = whole.Seconds();
+  std::array<std::vector<double>, 2> frames;
   for (int frame = 0; frame < kFrames; ++frame)
   {
     renderer->GetActiveCamera()->Azimuth(360.0 / kFrames);
     renderer->ResetCameraClippingRange();
-    const auto start = std::chrono::steady_clock::now();
+    const Watch watch;
     window->Render();
     window->WaitForCompletion();
-    frames.push_back(MillisecondsSince(start));
+    const std::array<double, 2> seconds = watch.Seconds();
+    frames[0].push_back(seconds[0]);
+    frames[1].push_back(seconds[1]);
   }
-  std::sort(frames.begin(), frames.end());
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  std::printf("%s %d x %d: first %.0f ms, frame %.1f (%.1f to %.1f) ms, memory %.0f MiB\n",
-    way.c_str(), samples.Columns, samples.Rows, first, frames[kFrames / 2], frames.front(),
-    frames.back(), static_cast<double>(usage.ru_maxrss) / 1024.0);
+  std::printf("%s %d x %d: memory %.0f MiB\n", way.c_str(), samples.Columns, samples.Rows,
+    static_cast<double>(usage.ru_maxrss) / 1024.0);
+  const char* const names[] = { "time", "processor" };
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    std::sort(frames[k].begin(), frames[k].end());
+    std::printf("  %s: first %.3f s, frame %.4f (%.4f to %.4f) s\n", names[k], first[k],
+      frames[k][kFrames / 2], frames[k].front(), frames[k].back());
+  }
 }
 
 /// Height of a mesh at a place over that of the bilinear surface, along the vertical, metres.
