@@ -9,6 +9,7 @@
 #include "data/SMPParallelFor.h"
 #include "place/GlobeHeights.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -34,6 +35,24 @@ double LowestSeen(vtkImageData* heights)
     });
   return lowest;
 }
+
+/// Origin and spacing of an image of a globe's samples, in degrees: rows at equal distances,
+/// although those that close a pole are nearer.
+struct Layout
+{
+  explicit Layout(const terrain::GlobeGrid& grid)
+  {
+    const std::vector<double>& latitudes = grid.Latitudes;
+    const std::size_t second = latitudes.size() > 3 ? 1 : 0;
+    const double along = (latitudes[second + 1] - latitudes[second]) / terrain::kDegree;
+    this->Origin[0] = grid.West / terrain::kDegree;
+    this->Origin[1] = latitudes[second] / terrain::kDegree - static_cast<double>(second) * along;
+    this->Spacing[0] = grid.Step / terrain::kDegree;
+    this->Spacing[1] = along;
+  }
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double Spacing[3] = { 1.0, 1.0, 1.0 };
+};
 }
 
 //------------------------------------------------------------------------------
@@ -90,10 +109,23 @@ bool vtkTerrainGlobe::Suits(vtkImageData* heights)
 int vtkTerrainGlobe::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // what is added or left out is known with the samples only
+  // what is added or left out, and in which unit longitudes are, the samples and their field data
+  // tell
+  vtkAlgorithmOutput* connection = this->GetInputConnection(0, 0);
+  connection->GetProducer()->Update(connection->GetIndex());
+  const terrain::GlobePlan plan = terrain::PlanGlobe(vtkImageData::GetData(inputs[0]), this->Radii);
   vtkInformation* info = outputs->GetInformationObject(0);
   int extent[6];
   inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  if (plan.WhyNot.empty())
+  {
+    const int size[2] = { plan.Grid.Columns, static_cast<int>(plan.Grid.Latitudes.size()) };
+    const int whole[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
+    std::copy(whole, whole + 6, extent);
+    const Layout layout(plan.Grid);
+    info->Set(vtkDataObject::ORIGIN(), layout.Origin, 3);
+    info->Set(vtkDataObject::SPACING(), layout.Spacing, 3);
+  }
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   // rows of a globe run north, whichever way those of the input do
   info->Remove(vtkDataObject::DIRECTION());
@@ -159,18 +191,10 @@ int vtkTerrainGlobe::RequestData(
     terrain::FillGlobe(heights, plan, offset, finer > 0, output);
     output->GetFieldData()->PassData(heights->GetFieldData());
   }
-  const double step = plan.Grid.Step / terrain::kDegree;
-  const std::vector<double>& latitudes = plan.Grid.Latitudes;
-  // rows at equal distances; those that close a pole are nearer
-  const std::size_t second = latitudes.size() > 3 ? 1 : 0;
-  const double along = (latitudes[second + 1] - latitudes[second]) / terrain::kDegree;
-  output->SetOrigin(plan.Grid.West / terrain::kDegree,
-    latitudes[second] / terrain::kDegree - static_cast<double>(second) * along, 0.0);
-  output->SetSpacing(step, along, 1.0);
+  const Layout layout(plan.Grid);
+  output->SetOrigin(layout.Origin);
+  output->SetSpacing(layout.Spacing);
   output->SetDirectionMatrix(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
-  vtkInformation* info = outputs->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), output->GetExtent(), 6);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), output->GetExtent(), 6);
   output->GetFieldData()->RemoveArray("LayoutOrigin");
   output->GetFieldData()->RemoveArray("LayoutScale");
   terrain::GlobeData::Add(output, plan.Grid);

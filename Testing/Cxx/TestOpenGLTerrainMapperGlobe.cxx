@@ -269,8 +269,8 @@ TEST(OpenGLTerrainMapperGlobe, PicksAndSees)
   EXPECT_TRUE(picker->HasLineOfSight(globe.Shown.Actor, &from.x, &near.x, obstacle));
 }
 
-// An actor of the module has a mesh for VTK's pickers, but on a globe: there it is picked by rays as
-// elsewhere, by itself and in an assembly that is moved.
+// An actor of the module has a mesh for VTK's pickers, but on a globe. There, too, it is picked by
+// rays, by itself and in an assembly.
 TEST(OpenGLTerrainMapperGlobe, IsPickedAsAnActor)
 {
   const auto heights = MakeWorld();

@@ -148,8 +148,8 @@ TEST(Globe, HasNoHolesInFlatGround)
   EXPECT_EQ(holes, 0);
 }
 
-// Flat ground about an anchor, along its parallel, whose lines rays follow: what is rounded is then a
-// part of the way along the ray alone, for the place itself is near the anchor.
+// Flat ground about an anchor, along its parallel: what is rounded there is a part of the way along
+// the ray alone, for the place itself is near the anchor.
 TEST(Globe, HasNoHolesAboutItsAnchor)
 {
   const double step = 1.0 / 120.0;

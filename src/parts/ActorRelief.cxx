@@ -81,7 +81,7 @@ std::vector<double> SomeSlopes(vtkImageData* heights)
   return slopes;
 }
 
-/// In the unit of heights; on a globe along the lines of its grid through the middle of the heights.
+/// In the unit of heights; on a globe along the lines of its grid through the middle of them.
 double ExtentOf(vtkImageData* heights)
 {
   if (const auto globe = terrain::GlobeData::Get(heights); globe && globe->WhyNot().empty())

@@ -65,7 +65,17 @@ void TakePiece(vtkTerrainActor* actor, vtkImageData* piece, const std::array<int
 {
   const int* extent = piece->GetExtent();
   actor->SetInputData(piece);
-  actor->GetTerrainMapper()->SetExtract(first.data(), last.data());
+  const int* dimensions = piece->GetDimensions();
+  const bool isAll =
+    first[0] <= 0 && first[1] <= 0 && last[0] >= dimensions[0] - 1 && last[1] >= dimensions[1] - 1;
+  if (isAll && vtkTerrainPieces::IsOnGlobe(piece))
+  {
+    actor->GetTerrainMapper()->ExtractAll(); // a globe is drawn as a whole
+  }
+  else
+  {
+    actor->GetTerrainMapper()->SetExtract(first.data(), last.data());
+  }
   vtkNew<vtkExtractVOI> own;
   own->SetInputData(piece);
   own->SetVOI(extent[0] + first[0], extent[0] + last[0], extent[2] + first[1], extent[2] + last[1],
@@ -96,7 +106,8 @@ vtkSmartPointer<vtkImageData> BringPicture(
 {
   const vtkNew<vtkTerrainGeoreference> place;
   place->SetFromHeights(heights);
-  place->SetFrame(vtkTerrainGeoreference::FrameType::Grid);
+  place->SetFrame(vtkTerrainPieces::IsOnGlobe(heights) ? vtkTerrainGeoreference::FrameType::Globe
+                                                       : vtkTerrainGeoreference::FrameType::Grid);
   error = place->GetWhyNot();
   if (!error.empty())
   {

@@ -169,11 +169,16 @@ void AddBox(const double bounds[6], vtkMatrix4x4* toWorld, vtkBoundingBox& box)
 }
 
 //------------------------------------------------------------------------------
+bool IsOnGlobe(vtkImageData* heights)
+{
+  return heights->GetFieldData()->HasArray("GlobeLatitudes");
+}
+
+//------------------------------------------------------------------------------
 void AddOwnBox(vtkImageData* heights, vtkTerrainActor* terrain, vtkBoundingBox& box)
 {
-  if (heights->GetFieldData()->HasArray("GlobeLatitudes"))
+  if (IsOnGlobe(heights))
   {
-    // heights of vtkTerrainGlobe: on no plane
     vtkNew<vtkTerrainActor> globe;
     globe->SetInputData(heights);
     globe->SetVerticalExaggeration(terrain->GetVerticalExaggeration());

@@ -38,6 +38,9 @@ vtkSmartPointer<vtkImageData> CellsAsSamples(vtkImageData* image);
 /// of another process's.
 void OwnSamples(vtkImageData* image, std::array<int, 2>& first, std::array<int, 2>& last);
 
+/// True of heights of vtkTerrainGlobe.
+bool IsOnGlobe(vtkImageData* heights);
+
 /// Whether two images show the same heights and colours: the same arrays on the same grid.
 bool AreSame(vtkImageData* a, vtkImageData* b);
 
