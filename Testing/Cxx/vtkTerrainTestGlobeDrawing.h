@@ -216,6 +216,8 @@ inline vtkSmartPointer<vtkImageData> Globe::RenderSunlit(const glm::dvec3& sun)
 inline Shadowed Globe::CompareShadows(const glm::dvec3& sun, bool onlyPicture)
 {
   const auto picture = this->RenderSunlit(sun);
+  this->Shown.Mapper->SetSunShadows(false);
+  const auto bright = Render(this->Shown.Scene.Window);
   const terrain::GlobeReference reference = this->Reference();
   const terrain::PixelRays rays = this->Rays();
   terrain::GlobeSurface surface;
@@ -240,9 +242,9 @@ inline Shadowed Globe::CompareShadows(const glm::dvec3& sun, bool onlyPicture)
       glm::dvec3 normal;
       const glm::dvec3 point =
         surface.PositionAt(hit.Cell, hit.Fraction, this->Exaggeration, normal);
-      if (glm::dot(normal, sun) < 0.3)
+      if (glm::dot(normal, sun) < 0.3 || bright->GetScalarComponentAsDouble(x, y, 0, 0) <= 8.0)
       {
-        continue; // dark by itself, or nearly, with normals averaged over pixels
+        continue; // dark by itself, or nearly, or by its normal's mean over the pixel
       }
       const auto isHidden = [&](double lift)
       {

@@ -25,7 +25,7 @@ constexpr double kGlobePickError = 1e-3;
 /// their edges, as a part of the pixels.
 constexpr double kGlobeDrawnError = 1e-4;
 constexpr double kGlobeJitterError = 0.35;
-constexpr double kGlobeShadowError = 0.02;
+constexpr double kGlobeShadowError = 1e-3;
 /// Largest error of the shader's terrainGlobeAngle(), in radians, for the angles of cells: up to
 /// kGlobeCellAngle. Here it is std::atan().
 constexpr double kGlobeAngleError = 1e-8;
