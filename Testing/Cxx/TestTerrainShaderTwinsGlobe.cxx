@@ -4,13 +4,11 @@
 // shaders/vtkTerrainGlobeTrace.glsl and vtkTerrainGlobeLines.glsl against their twins,
 // core/globe/GlobeTraversal.h in float and GlobePixels.h: the same rays at the same worlds, step
 // for step, and the axes of the grid.
+#include "vtkTerrainTestGlobeCard.h"
 #include "vtkTerrainTestItems.h"
 #include "vtkTerrainTestPoints.h"
-#include "vtkTerrainTestTextures.h"
 #include "vtkTerrainTestTwins.h"
-#include "vtkTerrainTesting.h"
 
-#include "../Unit/UnitTestGlobe.h"
 #include "core/globe/GlobePixels.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -25,72 +23,13 @@
 namespace
 {
 using terrain::GlobeRays;
+using vtkTerrainTesting::CastOnCard;
 using vtkTerrainTesting::FieldTextures;
+using vtkTerrainTesting::GlobeDeclarations;
+using vtkTerrainTesting::GlobeTexture;
+using vtkTerrainTesting::MiddleOf;
 using vtkTerrainTesting::NumberOfRays;
-using vtkTerrainTesting::ReadShader;
-
-using Texel = std::uint16_t;
-
-std::string declarations(terrain::Features features)
-{
-  features.Globe = true;
-  return features.Defines() + terrain::Features::Constants() + ReadShader("vtkTerrainHeights") +
-    ReadShader("vtkTerrainColumns") + ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView") +
-    ReadShader("vtkTerrainGlobeLines") + ReadShader("vtkTerrainPyramid") +
-    ReadShader("vtkTerrainGlobeTrace");
-}
-
-/// The lines of a globe on the GPU.
-class GlobeTexture
-{
-public:
-  GlobeTexture(vtkRenderWindow* window, const terrain::WorldTracer<float, Texel>& tracer)
-    : Tracer(tracer)
-  {
-    std::vector<glm::vec4> texels;
-    texels.reserve(tracer.Lines.Columns.size());
-    for (const glm::vec2& column : tracer.Lines.Columns)
-    {
-      texels.emplace_back(column, 0.0f, 0.0f);
-    }
-    texels.insert(texels.end(), tracer.Lines.Rows.begin(), tracer.Lines.Rows.end());
-    texels.insert(texels.end(), tracer.Lines.Curves.begin(), tracer.Lines.Curves.end());
-    vtkTerrainTesting::PrepareTexture(window, this->Texture, GL_RGBA32F, GL_RGBA);
-    this->Buffer->Upload(&texels[0].x, 4 * texels.size(), vtkOpenGLBufferObject::TextureBuffer);
-    this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(texels.size()), 4, VTK_FLOAT, this->Buffer);
-    this->Texture->Activate();
-  }
-  GlobeTexture(const GlobeTexture&) = delete;
-  GlobeTexture& operator=(const GlobeTexture&) = delete;
-  ~GlobeTexture()
-  {
-    this->Texture->Deactivate();
-  }
-
-  void SetUniforms(vtkShaderProgram* program) const
-  {
-    const terrain::GlobeLines<float>& lines = this->Tracer.Lines;
-    const auto set = [program](const char* name, const glm::vec4& value)
-    { program->SetUniform4f(name, &value[0]); };
-    program->SetUniformi("terrainGlobeLines", this->Texture->GetTextureUnit());
-    set("terrainGlobeScene", { lines.Radius, lines.Axis, lines.Height, lines.Curvature });
-    set("terrainGlobeOuter", { lines.Outer, lines.Spread });
-    set("terrainGlobeInner", { lines.Inner, 0.0f });
-    set("terrainGlobeColumn", { lines.PerStep, lines.Turn, lines.AnchorFraction, 0.0f });
-    const glm::ivec2 grid(lines.AnchorCell, lines.Top);
-    program->SetUniform2i("terrainGlobeGrid", &grid[0]);
-    program->SetUniformi("terrainGlobeJoined", lines.Joined ? 1 : 0);
-    const auto& traversal = this->Tracer.Traversal;
-    set("terrainGlobeHeights",
-      { traversal.codeScale, traversal.codeBase, traversal.anchorCode, 0.0f });
-  }
-
-private:
-  const terrain::WorldTracer<float, Texel>& Tracer;
-  vtkNew<vtkTextureObject> Texture;
-  vtkNew<vtkOpenGLBufferObject> Buffer;
-};
+using Texel = vtkTerrainTesting::GlobeTexel;
 
 /// Eight times what float rounds of a place, as a part of its distance from the anchor.
 constexpr float kRoundedPlace = 1e-6f;
@@ -130,7 +69,6 @@ void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int k
   const terrain::GlobeReferenceRay first = rays.Make(kind);
   const terrain::WorldTracer<float, Texel> tracer(world, first.Origin);
   const GlobeTexture lines(window, tracer);
-  std::vector<std::vector<float>> inputs(2);
   std::vector<terrain::GlobeRay<float>> cast;
   for (int k = 0; k < NumberOfRays; ++k)
   {
@@ -145,24 +83,8 @@ void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int k
     about.Direction = tracer.Anchor.ToAxes(ray.Direction);
     about.End = static_cast<float>(ray.End);
     cast.push_back(about);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      inputs[0].push_back(about.Origin[axis]);
-      inputs[1].push_back(about.Direction[axis]);
-    }
-    inputs[0].push_back(0.0f);
-    inputs[1].push_back(about.End);
   }
-  const std::vector<float> drawn =
-    vtkTerrainTesting::RunShader(window, declarations(field.GetFeatures()),
-      "TerrainGlobeHit hit = terrainGlobeTrace(input0.xyz, input1.xyz, 0.0, input1.w);"
-      "result = vec4(hit.found, hit.t, hit.cell.x + 4096 * hit.cell.y, hit.front);",
-      inputs,
-      [&](vtkShaderProgram* program)
-      {
-        field.SetUniforms(program);
-        lines.SetUniforms(program);
-      });
+  const std::vector<float> drawn = CastOnCard(window, field, lines, cast);
   ASSERT_EQ(drawn.size(), 4u * NumberOfRays);
   int wrong = 0;
   int turned = 0;
@@ -183,13 +105,6 @@ void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int k
   EXPECT_GE(hits, NumberOfRays / 20); // a cone of rays may pass by a small raster
 }
 
-/// Middle of a grid, at a height in metres above the ellipsoid.
-glm::dvec3 middleOf(const terrain::GlobeGrid& grid, double height)
-{
-  const double latitude = grid.Latitudes[grid.Latitudes.size() / 2] + 0.1 * grid.Step;
-  return grid.Body.ToPosition({ grid.West + 0.47 * grid.Columns * grid.Step, latitude, height });
-}
-
 /// The rays of a camera above the anchor, in its axes.
 terrain::PixelRays raysAbove(const glm::dvec3& anchor, double altitude)
 {
@@ -208,7 +123,7 @@ void comparePixels(vtkRenderWindow* window, const terrain::TestGlobe& globe, dou
 {
   const terrain::World<Texel> world(globe.Grid, globe.Field());
   FieldTextures<Texel> field(window, world.Field, true);
-  const glm::dvec3 anchor = middleOf(globe.Grid, 0.0);
+  const glm::dvec3 anchor = MiddleOf(globe.Grid, 0.0);
   const terrain::WorldTracer<float, Texel> tracer(world, anchor);
   const GlobeTexture lines(window, tracer);
   const terrain::PixelRays rays = raysAbove(anchor, altitude);
@@ -220,7 +135,7 @@ void comparePixels(vtkRenderWindow* window, const terrain::TestGlobe& globe, dou
     inputs[0].insert(inputs[0].end(), { number(0.0, 200.0), number(0.0, 100.0), range.x, range.y });
   }
   const std::vector<float> drawn =
-    vtkTerrainTesting::RunShader(window, declarations(field.GetFeatures()),
+    vtkTerrainTesting::RunShader(window, GlobeDeclarations(field.GetFeatures()),
       "bool front; vec4 codes;"
       "TerrainHit hit = terrainGlobeTraceRange(input0.xy, input0.zw, front, codes);"
       "result = vec4(hit.found, hit.s, front, hit.found && codes == terrainCellCodes(hit.cell));",
@@ -266,7 +181,7 @@ void compareAxes(vtkRenderWindow* window, const terrain::TestGlobe& globe)
 {
   const terrain::World<Texel> world(globe.Grid, globe.Field());
   FieldTextures<Texel> field(window, world.Field, true);
-  const terrain::WorldTracer<float, Texel> tracer(world, middleOf(globe.Grid, 2000.0));
+  const terrain::WorldTracer<float, Texel> tracer(world, MiddleOf(globe.Grid, 2000.0));
   const GlobeTexture lines(window, tracer);
   const auto& heights = world.Field.Coded.heights;
   vtkTerrainTesting::Numbers number;
@@ -302,7 +217,7 @@ void compareAxes(vtkRenderWindow* window, const terrain::TestGlobe& globe)
   for (int axis = 0; axis < 3; ++axis)
   {
     SCOPED_TRACE(axis);
-    EXPECT_EQ(items[axis].CountDifferent(window, declarations(field.GetFeatures()),
+    EXPECT_EQ(items[axis].CountDifferent(window, GlobeDeclarations(field.GetFeatures()),
                 "ivec2 cell = ivec2(input0.xy);"
                 "terrainGlobeSetLocal(cell, input0.zw, terrainCellCodes(cell), input1.xyz);"
                 "vec3 way = transpose(terrainGlobeLocal)[" +
@@ -371,7 +286,7 @@ TEST(TerrainShaderTwinsGlobe, HasTheSameAngles)
       items.Add(
         glm::vec4(x), glm::vec4(0.0f), { 100.0f * terrain::GlobeAngle(x), 0.0f, 0.0f, 0.0f });
     }
-    EXPECT_EQ(items.CountDifferent(scene.Window, declarations(field.GetFeatures()),
+    EXPECT_EQ(items.CountDifferent(scene.Window, GlobeDeclarations(field.GetFeatures()),
                 "result.x = 100.0 * terrainGlobeAngle(input0.x);", small ? 1e-6f : 1e-4f,
                 [&](vtkShaderProgram* program) { field.SetUniforms(program); }),
       0);
@@ -403,7 +318,7 @@ TEST(TerrainShaderTwinsGlobe, AnglesAreThoseOfTheLibrary)
       inputs[0].end(), { static_cast<float>(largest * k / count), 0.0f, 0.0f, 0.0f });
   }
   const std::vector<float> drawn = vtkTerrainTesting::RunShader(scene.Window,
-    declarations(terrain::Features()), "result = vec4(terrainGlobeAngle(input0.x));", inputs);
+    GlobeDeclarations(terrain::Features()), "result = vec4(terrainGlobeAngle(input0.x));", inputs);
   ASSERT_EQ(drawn.size(), inputs[0].size());
   for (std::size_t k = 0; k < drawn.size(); k += 4)
   {
