@@ -241,6 +241,15 @@ double vtkTerrainColors::GetCategoryValue(int index) const
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainColors::FillTable(vtkColorTransferFunction* table, double lowest, double highest)
+{
+  if (table)
+  {
+    table->DeepCopy(this->MakeTable(lowest, highest));
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTerrainColors::GetCategoryColor(int index, double rgb[3]) const
 {
   const double value = this->GetCategoryValue(index);

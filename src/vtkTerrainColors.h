@@ -116,6 +116,8 @@ public:
   /// The table for data from lowest to highest; colours below and above are set where the file has
   /// them. No data are light grey where the file has no colour for them.
   vtkSmartPointer<vtkColorTransferFunction> MakeTable(double lowest, double highest);
+  /// Fills a table with what MakeTable() makes: for Python, as VTK 9.1 hands no smart pointers on.
+  void FillTable(vtkColorTransferFunction* table, double lowest, double highest);
 
   ///@{
   /// Names of the file's classes, with the value at which each begins, or is, and with its colour,

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 namespace
@@ -66,6 +67,36 @@ TEST(TerrainColors, RefusesInOneSentence)
   EXPECT_FALSE(colors->SetSchemeOrFile("nothing"));
   // what was there before stays
   ExpectColor(colors->MakeTable(0.0, 1.0), 1.0, 0.97, 0.97, 0.98);
+}
+
+// Cut at every byte, a file of each kind is read or refused with one line, and XML is refused.
+TEST(TerrainColors, FilesCutShortAreReadOrRefused)
+{
+  const std::string item = "<item alpha='255' value='10' label='low' color='#ff0000'/>";
+  const std::vector<std::pair<std::string, std::string>> files = {
+    { "cut.cpt", "# COLOR_MODEL = RGB\n0 255/0/0 10 0/255/0\n10 0/255/0 20 0/0/255\nB 0/0/0\n" },
+    { "cut.txt", "0 255 0 0\n50% 0 255 0\nnv 0 0 0 0\n" },
+    { "cut.clr", "ncols 4\n0 255 0 0\n10 0 255 0\n" },
+    { "cut.csv", "value,colour,name\n1,#ff0000,low\n2,blue,high\n" },
+    { "cut.qml",
+      "<qgis><colorrampshader colorRampType='DISCRETE'>" + item + "</colorrampshader></qgis>" },
+    { "cut.xml", "<ColorMap space='RGB'><Point x='0' o='1' r='0' g='0' b='1'/></ColorMap>" },
+  };
+  for (const auto& [name, text] : files)
+  {
+    const bool isXML = text.front() == '<';
+    for (std::size_t end = 0; end < text.size(); ++end)
+    {
+      vtkNew<vtkTerrainColors> colors;
+      const bool isRead = colors->ReadFile(WriteText(name, text.substr(0, end)));
+      const std::string why = colors->GetErrorMessage();
+      EXPECT_EQ(isRead, why.empty()) << name << " " << end;
+      EXPECT_EQ(why.find('\n'), std::string::npos) << why;
+      EXPECT_TRUE(isRead || why.find(name) != std::string::npos) << why;
+      EXPECT_FALSE(isRead && isXML) << name << " " << end;
+      EXPECT_TRUE(std::isfinite(ColorAt(colors->MakeTable(0.0, 1.0), 0.5)[0]));
+    }
+  }
 }
 
 TEST(TerrainColors, LaysSchemesOverRangesAndSeas)
@@ -122,6 +153,17 @@ TEST(TerrainColors, ReadsStylesAndColorMaps)
 }
 
 // The value of a step has the upper colour; just below it lies the lower one.
+TEST(TerrainColors, FillsTables)
+{
+  vtkNew<vtkTerrainColors> colors;
+  vtkNew<vtkColorTransferFunction> table;
+  ASSERT_TRUE(colors->SetScheme("grey"));
+  colors->FillTable(table, 10.0, 20.0);
+  EXPECT_EQ(table->GetRange()[1], 20.0);
+  EXPECT_EQ(ColorAt(table, 13.0), ColorAt(colors->MakeTable(10.0, 20.0), 13.0));
+  colors->FillTable(nullptr, 10.0, 20.0);
+}
+
 TEST(TerrainColors, StepsAtAValue)
 {
   vtkNew<vtkTerrainColors> colors;

@@ -191,7 +191,7 @@ class TestColors(LooksTest):
 
     def test_slope_and_aspect(self):
         slope, terrain = self.draw(scalars="slope")
-        self.assertEqual(terrain.mapper.scalar_range, (0.0, 60.0))
+        self.assertEqual(terrain.mapper.scalar_range, (0.0, 30.0))  # 2 % are steeper
         self.assert_differ(slope, self.draw(scalars="aspect")[0])
 
     def test_refusals(self):

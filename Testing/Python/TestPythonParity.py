@@ -98,7 +98,7 @@ class TestBars(ParityTest):
         for scalars in ("slope", "aspect"):
             self.add(plotter=plotter, scalars=scalars, show_scalar_bar=True)
         self.assertEqual([bar.GetLookupTable().GetRange() for bar in plotter.scalar_bars.values()],
-                         [(0.0, 60.0), (0.0, 360.0)])
+                         [(0.0, 30.0), (0.0, 360.0)])
 
     def test_numbers_can_be_read(self):
         from vtkterrain._bars import label_format
@@ -125,7 +125,7 @@ class TestBars(ParityTest):
 
     def test_ranges_of_other_scalars_do_not_follow_the_heights(self):
         values = np.linspace(-1.0, 1.0, 41 * 51).reshape(41, 51)
-        for scalars, expected in (("slope", (0.0, 60.0)), ("aspect", (0.0, 360.0)), (values, (-1.0, 1.0))):
+        for scalars, expected in (("slope", (0.0, 30.0)), ("aspect", (0.0, 360.0)), (values, (-1.0, 1.0))):
             plotter = self.plotter()
             terrain = self.add(plotter=plotter, scalars=scalars, show_scalar_bar=True)
             terrain.set_heights(20.0 * hill(), follow=True)

@@ -227,6 +227,7 @@ class Terrain(vtkTerrainActor):
         if not isinstance(factor, numbers.Real) or not 0.0 < factor < np.inf:
             raise ValueError(f"exaggeration must be 'auto' or a number above 0, not {factor!r}")
         self.SetVerticalExaggeration(factor)
+        self.Modified()  # layers of a block follow
 
     @property
     def opacity(self):

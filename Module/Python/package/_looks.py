@@ -17,8 +17,8 @@ from .vtkTerrain import vtkTerrainImageWarp, vtkTerrainLook, vtkTerrainValues
 _NUMBER_OF_COLORS = 256
 _MAP_SCALARS = 1  # VTK_COLOR_MODE_MAP_SCALARS
 _SOURCES = vtkTerrainLook.ColorSources
-# Colours of what the surface itself tells: source, title of the bar, first and last value.
-_OF_THE_SURFACE = {"slope": (_SOURCES.Slope, "Slope (degrees)", (0.0, 60.0)),
+# Colours of what the surface itself tells: source, title of the bar, first and last value; None for those of the data.
+_OF_THE_SURFACE = {"slope": (_SOURCES.Slope, "Slope (degrees)", None),
                    "aspect": (_SOURCES.Aspect, "Aspect (degrees)", (0.0, 360.0))}
 _PROPERTY = ("lighting", "ambient", "diffuse", "specular", "specular_power", "style", "culling", "line_width",
              "point_size", "show_edges", "edge_color", "edge_opacity", "metallic", "roughness")
@@ -116,7 +116,8 @@ class Scalars:
             self.clim = tuple(terrain.GetLookupTable().GetRange())
             return
         if isinstance(scalars, str) and scalars in _OF_THE_SURFACE:
-            source, self.title, self.clim = _OF_THE_SURFACE[scalars]
+            source, self.title, clim = _OF_THE_SURFACE[scalars]
+            self.clim = clim or (0.0, terrain.SuggestSteepestSlope(terrain.GetHeights()))
             mapper.SetColorSource(source)
             return
         title = None
@@ -294,6 +295,12 @@ def color_terrain(terrain, scalars, theme, color, texture, opacity, options):
     return table
 
 
+def _set_contour_index(mapper, index):
+    if not isinstance(index, numbers.Integral) or isinstance(index, bool) or index < 0:
+        raise ValueError(f"contour_index must be 0 or a number of lines above it, not {index!r}")
+    mapper.SetContourIndex(int(index))
+
+
 def _set_contours(mapper, contours, heights):
     if contours is True:
         from .viewer import round_interval
@@ -344,8 +351,8 @@ def _check_facets(smooth_shading):
         raise ValueError("smooth_shading=False is not to be had: terrain has the normals of its surface, not of facets")
 
 
-def apply(terrain, scene, *, contours=None, hillshade=None, block=None, drape=None, extract=None, detail=None,
-          user_matrix=None, lighting=None, smooth_shading=None, pbr=False, **properties):
+def apply(terrain, scene, *, contours=None, contour_index=0, hillshade=None, block=None, drape=None, extract=None,
+          detail=None, user_matrix=None, lighting=None, smooth_shading=None, pbr=False, **properties):
     """Sets what is given; raises an error that names the option."""
     _check_facets(smooth_shading)
     unknown = [name for name in properties if name not in _PROPERTY]
@@ -363,6 +370,7 @@ def apply(terrain, scene, *, contours=None, hillshade=None, block=None, drape=No
     for option, setter in ((contours, _set_contours), (block, _set_block)):
         if option is not None and option is not False:
             setter(mapper, option, heights)
+    _set_contour_index(mapper, contour_index)
     if hillshade is not None and hillshade is not False:
         _set_hillshade(mapper, hillshade)
     if drape is not None:

@@ -27,6 +27,7 @@ from ._intake import _run, join_as_it_is, knows_its_place, lay_on_globe, lay_out
 from ._looks import Scalars, color_terrain
 from ._looks import apply as apply_look
 from ._shapes import check_plotter, take_coordinates, to_heights
+from ._strata import add_strata
 from .heights import array_from_heights, heights_from_array, to_array
 from .vtkTerrain import vtkTerrainActor, vtkTerrainGeoreference, vtkTerrainHierarchy, vtkTerrainPicker
 
@@ -304,8 +305,10 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     sky_light : float
         Light of the sky over that of a light of intensity 1, as far as it is seen over the surface.
     **options
-        Of the look: ``contours`` (True or their distance), ``hillshade`` (True, or azimuth and altitude
-        of its sun in degrees), ``block`` (True or the height of its floor), ``drape`` (the name of a
+        Of the look: ``contours`` (True or their distance), ``contour_index`` (every n-th line is twice as
+        wide; 0 for none), ``hillshade`` (True, or azimuth and altitude of its sun in degrees), ``block``
+        (True or the height of its floor), ``strata`` (layers on its sides from the surface down,
+        ``[("sienna", 150.0), ("tan", 250.0), "grey"]`` or ``"sienna=150,tan=250,grey"``), ``drape`` (the name of a
         picture that knows its place, brought there by GDAL), ``extract`` (((first, last) column,
         (first, last) row)), ``detail`` (an image of ``vtkTerrainDetailSource``), ``user_matrix``, and
         those of ``pyvista.Property``: ``lighting``, ``ambient``, ``diffuse``, ``specular``,
@@ -372,6 +375,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     if color is None and texture is None:
         shown = Scalars(actor, scalars, component=component, rgb=rgb, scene=scene)
     _follow_theme(plotter.theme, technique, options)
+    strata = options.pop("strata", None)
     apply_look(actor, scene, **options)
     table = color_terrain(actor, shown, plotter.theme, color, texture, opacity, colors)
     plotter.add_actor(actor, name=name, reset_camera=reset_camera, pickable=pickable, render=False)
@@ -380,6 +384,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     if table is not None and show_scalar_bar and not shown.is_color:
         add_bar(plotter, actor, table, shown.title, name, scalar_bar_args)
     plotter.mapper = actor.mapper
+    if strata is not None:
+        add_strata(plotter, actor, strata)
     if silhouette:
         plotter.add_silhouette(actor.surface, **({} if silhouette is True else silhouette))
     for number, site in enumerate(others, 2):

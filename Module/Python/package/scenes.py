@@ -14,17 +14,19 @@ import warnings
 import numpy as np
 import pyvista
 
+from ._strata import add_strata
 from .plotting import add_terrain, terrain_scene
 from .vtkTerrain import vtkTerrainViewpoint
 
-_FILES = ("heights", "drape", "track", "labels", "output", "depth", "stats")
-_FILES_OR_WORDS = ("colors", "detail", "flight", "color-by", "track-colors")
+_FILES = ("heights", "drape", "track", "polygons", "labels", "output", "depth", "stats")
+_FILES_OR_WORDS = ("colors", "detail", "flight", "color-by", "track-colors", "polygon-colors")
 # Of the files that terrain-render writes, and of how it draws: nothing of them is seen.
 _OF_THE_PROGRAM = ("output", "depth", "stats", "frames", "piece", "dpi", "window", "memory", "largest-texture",
                    "no-cache", "legend", "size")
 _OF_TERRAIN = {"technique": "technique", "exaggeration": "exaggeration", "shadows": "shadows", "sun-angle": "sun_angle",
-               "contours": "contours", "hillshade": "hillshade", "drape": "drape", "crs": "crs", "band": "band",
-               "part": "part", "nodata": "nodata", "height-unit": "height_unit", "flip": "flip"}
+               "contours": "contours", "contour-index": "contour_index", "strata": "strata", "hillshade": "hillshade",
+               "drape": "drape", "crs": "crs", "band": "band", "part": "part", "nodata": "nodata",
+               "height-unit": "height_unit", "flip": "flip"}
 
 
 def read_scene(path):
@@ -168,13 +170,19 @@ def add_scene(plotter, path, **options):
     given["show_scalar_bar"] = "legend" in scene
     if isinstance(scene.get("legend"), str):
         given["scalar_bar_args"] = {"title": scene["legend"]}
-    terrain = add_terrain(plotter, scene["heights"], **{**given, **options, "render": False})
+    if "contours" in given:
+        given.setdefault("contour_index", 5)  # as terrain-render has it
+    words = {**given, **options, "render": False}
+    strata = None if "block" in options else words.pop("strata", None)
+    terrain = add_terrain(plotter, scene["heights"], **words)
     mapper = terrain.GetTerrainMapper()
     if "block" in scene and "block" not in options:
         heights = [0.0, 0.0]
         mapper.GetHeightRange(heights)
         mapper.SetBlockBase(heights[0] - float(scene["block"]))
         mapper.SetBlock(True)
+    if strata is not None:
+        add_strata(plotter, terrain, strata)
     _set_view(plotter, terrain, scene)
     if options.get("render", True):
         plotter.render()
