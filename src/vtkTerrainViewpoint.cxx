@@ -270,7 +270,9 @@ std::string vtkTerrainViewpoint::FindPlace(const std::string& text, double scene
         return terrain::ImageHeights::WhyNotHeights(more).empty() &&
           this->PutOnGround(more, written.Height, place, scene);
       });
-  return isFound ? "" : "'" + text + "' does not lie on the terrain";
+  return isFound
+    ? ""
+    : "'" + text + "' does not lie on the terrain where it has data: give a height above sea level";
 }
 
 /// Scene point of a place so many metres above the ground of some heights; false if there is none.

@@ -312,6 +312,47 @@ TEST_F(TerrainRenderAnnotations, LegendsAreReadableOverAnyGround)
   EXPECT_GT(word.First, 2);
 }
 
+// Without a camera, the terrain fills what the panel and the title leave.
+TEST_F(TerrainRenderAnnotations, LegendsAndTitlesCoverNothing)
+{
+  struct Borders
+  {
+    int Right = 0;
+    int Top = 0;
+  };
+  const auto draw = [this](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> arguments = { this->Heights, "--size", "400x300", "--depth",
+      "depth.tif", "--output", "picture.png" };
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult result = this->Run(arguments);
+    EXPECT_EQ(result.Status, 0) << result.Errors;
+    const Depths depths = this->ReadDepths("depth.tif");
+    Borders borders{ 0, depths.Height };
+    for (int row = 0; row < depths.Height; ++row)
+    {
+      for (int column = 0; column < depths.Width; ++column)
+      {
+        if (std::isfinite(depths.At(column, row)))
+        {
+          borders.Right = std::max(borders.Right, column);
+          borders.Top = std::min(borders.Top, row);
+        }
+      }
+    }
+    return borders;
+  };
+  const Borders plain = draw({});
+  EXPECT_GT(plain.Right, 300);
+  const Borders legend = draw({ "--legend" });
+  // the panel begins right of column 280, as LegendsAreReadableOverAnyGround has it
+  EXPECT_LT(legend.Right, 300);
+  EXPECT_GT(legend.Right, 200);
+  const Borders both = draw({ "--legend=Height in metres above the sea", "--title", "Ridge" });
+  EXPECT_LT(both.Right, 300);
+  EXPECT_GE(both.Top, 300 * 8 / 100);
+}
+
 TEST_F(TerrainRenderAnnotations, PictureOfAnotherSystem)
 {
   // in UTM, over the western part of the ridge only: red, green in its northern half, and a corner

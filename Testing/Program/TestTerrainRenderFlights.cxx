@@ -382,6 +382,10 @@ TEST_F(TerrainRenderFlights, TimesOfTracksAreHonoured)
   EXPECT_GT(moved(timed, 92, 96) / 4.0, 40.0);
   const auto [even, nothing] = fly("even", "--even-speed");
   EXPECT_GT(moved(even, 40, 70) / 30.0, 12.0);
+  this->WriteText("one.gpx",
+    R"(<gpx version="1.1" xmlns="http://www.topografix.com/GPX/1/1"><trk><trkseg><trkpt )"
+    R"(lat="28.014" lon="86.91"><time>2024-06-21T10:00:00Z</time></trkpt></trkseg></trk></gpx>)");
+  ExpectRefused(this->Fly({ "--flight", "one.gpx", "--output", "one" }), 1, "two places or more");
   writeTrack({ "10:00:00", "09:15:00", "10:16:40" });
   const auto [back, warning] = fly("back", "");
   EXPECT_NE(warning.find("its times go back at 2024/06/21 09:15:00"), std::string::npos) << warning;

@@ -37,8 +37,10 @@ struct LegendKey
 /// Adds scale bar and north arrow, as they are right at the focal point of the renderer's camera.
 void AddOverlay(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options);
 
-/// Adds keys to colours beside the picture's right border, the first on top.
-void AddLegends(vtkRenderer* renderer, const std::vector<LegendKey>& keys, const Options& options);
+/// Adds keys to colours beside the picture's right border, the first on top. Returns the pixels
+/// from there that they take.
+double AddLegends(
+  vtkRenderer* renderer, const std::vector<LegendKey>& keys, const Options& options);
 
 /// 1, 2 or 5 times a power of ten, not less than a number above 0.
 double RoundUp(double least);

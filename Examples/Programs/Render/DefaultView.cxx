@@ -34,27 +34,31 @@ constexpr double kSlack = 0.01;
 
 using Vector = std::array<double, 3>;
 
-/// Bounds along one direction of the picture, seen from a distance: what is at `Low` or `High`
-/// along it, plus its place towards the eye, over the slope of the border of the view.
+/// Bounds along one direction of the picture, seen from a distance: all points lie between two
+/// borders of the view, whose slopes are over the distance along it. From a distance d with the
+/// centre of the view at c, a point `along`, nearer to the eye by t, is in view if
+/// -low (d - t) <= along - c <= high (d - t).
 struct Reach
 {
+  double LowSlope;
+  double HighSlope;
   double Low = -VTK_DOUBLE_MAX;
   double High = -VTK_DOUBLE_MAX;
 
-  void Add(double along, double towardsEye, double slope)
+  void Add(double along, double towardsEye)
   {
-    this->Low = std::max(this->Low, towardsEye - along / slope);
-    this->High = std::max(this->High, towardsEye + along / slope);
+    this->Low = std::max(this->Low, this->LowSlope * towardsEye - along);
+    this->High = std::max(this->High, this->HighSlope * towardsEye + along);
   }
   /// The least distance of the eye that has everything in view, once the view is centred.
   double Distance() const
   {
-    return (this->Low + this->High) / 2.0;
+    return (this->Low + this->High) / (this->LowSlope + this->HighSlope);
   }
-  /// Where the centre of the view lies along the direction.
-  double Centre(double slope) const
+  /// Where the centre of the view lies along the direction, from a distance that is enough.
+  double Centre(double distance) const
   {
-    return slope * (this->High - this->Low) / 2.0;
+    return (this->High - this->Low + (this->LowSlope - this->HighSlope) * distance) / 2.0;
   }
 };
 
@@ -68,7 +72,7 @@ struct Axes
 
 /// From the south, as near as shows all of some points, in axes about a centre.
 void LookFromSouth(vtkCamera* camera, const std::vector<Vector>& points, const Vector& centre,
-  const Axes& axes, double degreesDown, double aspect)
+  const Axes& axes, double degreesDown, double aspect, const ViewRoom& room = {})
 {
   const double tilt = vtkMath::RadiansFromDegrees(degreesDown);
   Vector up{};
@@ -80,14 +84,14 @@ void LookFromSouth(vtkCamera* camera, const std::vector<Vector>& points, const V
   }
   const double slopeY = kFill * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2.0);
   const double slopeX = slopeY * aspect;
-  Reach horizontal;
-  Reach vertical;
+  Reach horizontal{ slopeX, room.Right * slopeX };
+  Reach vertical{ slopeY, room.Top * slopeY };
   for (Vector point : points)
   {
     vtkMath::Subtract(point.data(), centre.data(), point.data());
     const double depth = vtkMath::Dot(point.data(), towardsEye.data());
-    horizontal.Add(vtkMath::Dot(point.data(), axes.East.data()), depth, slopeX);
-    vertical.Add(vtkMath::Dot(point.data(), up.data()), depth, slopeY);
+    horizontal.Add(vtkMath::Dot(point.data(), axes.East.data()), depth);
+    vertical.Add(vtkMath::Dot(point.data(), up.data()), depth);
   }
   const double distance = std::max(horizontal.Distance(), vertical.Distance());
   Vector eye{};
@@ -95,7 +99,7 @@ void LookFromSouth(vtkCamera* camera, const std::vector<Vector>& points, const V
   for (std::size_t k = 0; k < 3; ++k)
   {
     focalPoint[k] =
-      centre[k] + horizontal.Centre(slopeX) * axes.East[k] + vertical.Centre(slopeY) * up[k];
+      centre[k] + horizontal.Centre(distance) * axes.East[k] + vertical.Centre(distance) * up[k];
     eye[k] = focalPoint[k] + distance * towardsEye[k];
   }
   camera->SetPosition(eye.data());
@@ -195,8 +199,8 @@ std::array<double, 2> ReachOnGlobe(vtkCamera* camera, const PlacedHeights& heigh
 }
 
 //------------------------------------------------------------------------------
-void LookAtAll(
-  vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights& heights, double aspect)
+void LookAtAll(vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights& heights,
+  double aspect, const ViewRoom& room)
 {
   if (!heights.IsGlobe())
   {
@@ -207,7 +211,7 @@ void LookAtAll(
     }
     Vector centre{};
     box.GetCenter(centre.data());
-    LookFromSouth(camera, corners, centre, {}, kDefaultTilt, aspect);
+    LookFromSouth(camera, corners, centre, {}, kDefaultTilt, aspect, room);
     camera->SetViewUp(0.0, 0.0, 1.0);
     return;
   }

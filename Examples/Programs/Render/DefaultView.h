@@ -12,11 +12,19 @@ class vtkCamera;
 class vtkLight;
 struct PlacedHeights;
 
+/// What of a picture the terrain may take, over what is right of its middle and above it.
+struct ViewRoom
+{
+  double Right = 1.0;
+  double Top = 1.0;
+};
+
 /// From the south, as near as shows all of the terrain in its box; aspect: width over height of the
 /// picture. On a globe, from the south of the middle of the heights, the wider they are the
-/// steeper; a planet of which more than 120 degrees are there is seen as a whole.
-void LookAtAll(
-  vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights& heights, double aspect);
+/// steeper; a planet of which more than 120 degrees are there is seen as a whole. Room is left in
+/// flat scenes only.
+void LookAtAll(vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights& heights,
+  double aspect, const ViewRoom& room = {});
 
 /// Light on a globe from over the left shoulder of who looks at it.
 void LightGlobe(vtkCamera* camera, vtkLight* sun);

@@ -219,16 +219,23 @@ public:
     return high + kPadding * this->Unit;
   }
 
-  void Add(double low)
+  /// Where its panel begins.
+  double GetLeft() const
   {
-    Rectangles panel;
-    const double padding = kPadding * this->Unit;
     double left = this->Left;
     for (const LegendText& text : this->Texts)
     {
       left = std::min(left, text.X - WidthOf(this->Renderer, text.Text, this->Size));
     }
-    panel.Add(left - padding, 0.0, this->Right + padding, this->GetHeight(), { { 250, 251, 253 } });
+    return left - kPadding * this->Unit;
+  }
+
+  void Add(double low)
+  {
+    Rectangles panel;
+    const double padding = kPadding * this->Unit;
+    panel.Add(
+      this->GetLeft(), 0.0, this->Right + padding, this->GetHeight(), { { 250, 251, 253 } });
     panel.AddTo(this->Renderer, low, kPanelOpacity);
     this->Shapes.AddTo(this->Renderer, low, 1.0);
     for (LegendText text : this->Texts)
@@ -381,7 +388,7 @@ std::string GroupedNumber(double number, double step)
 }
 
 //------------------------------------------------------------------------------
-void AddLegends(vtkRenderer* renderer, const std::vector<LegendKey>& keys, const Options& options)
+double AddLegends(vtkRenderer* renderer, const std::vector<LegendKey>& keys, const Options& options)
 {
   const double unit = std::min(options.Size[0], options.Size[1]);
   const double gap = kPadding * unit;
@@ -397,10 +404,13 @@ void AddLegends(vtkRenderer* renderer, const std::vector<LegendKey>& keys, const
   const double above = height - (keys.empty() ? 0.0 : 0.5 * bar + kPadding * unit);
   double high = keys.size() == 1 && keys.front().Classes.empty() ? 0.5 * options.Size[1] + above
                                                                  : 0.5 * (options.Size[1] + height);
+  double width = 0.0;
   for (Legend& legend : legends)
   {
     high -= legend.GetHeight();
     legend.Add(high);
     high -= gap;
+    width = std::max(width, options.Size[0] - legend.GetLeft());
   }
+  return width;
 }

@@ -10,6 +10,7 @@
 #include "Placing.h"
 #include "Scenery.h"
 #include "Terrain.h"
+#include "TextSize.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -32,6 +33,8 @@ namespace
 {
 /// Intensity of the light of the sun.
 constexpr double kSunIntensity = 1.05;
+/// Height of a title and what is around it, over that of a usual picture.
+constexpr double kTitleRoom = 0.085;
 
 /// Throws a Failure about an option if there is a reason.
 void ThrowIf(const std::string& option, const std::string& why)
@@ -161,4 +164,25 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
   SetBackground(renderer, options);
   AddLights(renderer, heights, options);
   return renderer;
+}
+
+//------------------------------------------------------------------------------
+void LeaveRoom(vtkRenderer* renderer, const Terrain& terrain, const PlacedHeights& heights,
+  const Options& options, double right)
+{
+  const bool isPlaced = options.View || !options.Place.LookFrom.empty() || heights.IsGlobe();
+  const double title = options.Marks.Title.empty() ? 0.0 : TextPixels(kTitleRoom, options);
+  if (isPlaced || (right == 0.0 && title == 0.0))
+  {
+    return;
+  }
+  // at least a third of each half is the terrain's
+  constexpr double kLeast = 1.0 / 3.0;
+  const double width = options.Size[0];
+  const double height = options.Size[1];
+  const ViewRoom room = { std::max(kLeast, 1.0 - 2.0 * right / width),
+    std::max(kLeast, 1.0 - 2.0 * title / height) };
+  vtkCamera* camera = renderer->GetActiveCamera();
+  LookAtAll(camera, terrain.Framed, heights, width / height, room);
+  SetClippingRange(camera, terrain.Bounds, heights);
 }

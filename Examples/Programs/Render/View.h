@@ -33,4 +33,9 @@ vtkSmartPointer<vtkRenderer> MakeRenderer(
 void SetSun(vtkRenderer* renderer, const PlacedHeights& heights, const Options& options,
   const std::string& sun);
 
+/// Moves the camera that nobody has placed so that the terrain lies beside what takes so many
+/// pixels at the right border, and below the title. Nothing on a globe.
+void LeaveRoom(vtkRenderer* renderer, const Terrain& terrain, const PlacedHeights& heights,
+  const Options& options, double right);
+
 #endif

@@ -228,11 +228,13 @@ void Render(Options options)
   }
   AddWater(renderer, terrain, sites, heights, options);
   AddFog(renderer, options);
+  double right = 0.0;
   if (!options.Legend.empty())
   {
-    AddLegends(
+    right = AddLegends(
       renderer, KeysOf(terrain, sites, { polygons.Key, marks.GetTrackKey() }, options), options);
   }
+  LeaveRoom(renderer, terrain, heights, options, right);
   marks.Refresh();
   statistics.SetTexts("labels", marks.GetPlaced());
   RefineTerrain(terrain, renderer, options, statistics);

@@ -133,6 +133,8 @@ private:
   void DescribeCamera(SceneValues& values) const;
   void DescribeColors(SceneValues& values) const;
   SceneValues DescribeScene() const;
+  /// A point at its true height as it is drawn, or back.
+  std::array<double, 3> ToDrawn(const std::array<double, 3>& point, bool isBack) const;
   /// The point of the terrain, z as drawn, of a place's text.
   std::array<double, 3> FindPoint(const std::string& option, const std::string& text) const;
   void CopyPlace();

@@ -6,7 +6,10 @@
 #include "Failure.h"
 #include "Messages.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLTerrainMapper.h"
 #include "vtkProperty.h"
 #include "vtkStringArray.h"
@@ -58,6 +61,22 @@ std::string FreeName()
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 3> Viewer::ToDrawn(const std::array<double, 3>& point, bool isBack) const
+{
+  const vtkNew<vtkActor> frame;
+  this->Terrain->PlaceAsDrawn(frame);
+  const vtkNew<vtkMatrix4x4> matrix;
+  frame->GetMatrix(matrix);
+  if (isBack)
+  {
+    matrix->Invert();
+  }
+  std::array<double, 4> moved{ point[0], point[1], point[2], 1.0 };
+  matrix->MultiplyPoint(moved.data(), moved.data());
+  return { moved[0], moved[1], moved[2] };
+}
+
+//------------------------------------------------------------------------------
 std::array<double, 3> Viewer::FindPoint(const std::string& option, const std::string& text) const
 {
   const PlaceText read = ReadPlace(text);
@@ -66,7 +85,6 @@ std::array<double, 3> Viewer::FindPoint(const std::string& option, const std::st
   {
     throw Failure(option, "the heights have no place on earth that is known: --camera needs none");
   }
-  const double exaggeration = this->Terrain->GetVerticalExaggeration();
   double ground = 0.0;
   if (read.IsAboveGround)
   {
@@ -78,8 +96,8 @@ std::array<double, 3> Viewer::FindPoint(const std::string& option, const std::st
       throw Failure(option, "'" + text + "' is beside the heights: give a height above sea level");
     }
   }
-  point[2] = exaggeration * (ground + read.Height);
-  return point;
+  point[2] = ground + read.Height;
+  return this->ToDrawn(point, false);
 }
 
 //------------------------------------------------------------------------------
@@ -118,12 +136,12 @@ void Viewer::Look(const ViewOptions& options)
 void Viewer::DescribeCamera(SceneValues& values) const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  const double exaggeration = this->Terrain->GetVerticalExaggeration();
-  const auto placeText = [&](const double point[3])
+  const auto placeText = [&](const double drawn[3])
   {
+    const std::array<double, 3> point = this->ToDrawn({ drawn[0], drawn[1], drawn[2] }, true);
     std::array<double, 2> place{};
-    return this->Places.ToPlace(point, place.data())
-      ? ListText({ place[0], place[1], point[2] / exaggeration })
+    return this->Places.ToPlace(point.data(), place.data())
+      ? ListText({ place[0], place[1], point[2] })
       : std::string();
   };
   const std::string from = placeText(camera->GetPosition());
