@@ -7,6 +7,7 @@ heights.tif  heights in degrees (EPSG:4326), 241 x 201 samples, metres above the
 photo.tif    an orthophoto of most of it in UTM 27 N, 10 m a pixel, with alpha
 route.gpx    a walk from the shore to the crater, which the photo shows as a light path
 huts.geojson three huts on the way
+zones.geojson a reserve round the crater, whose middle is none, and meadows of two parts
 
 Needs Python alone, and GDAL's programs gdal_translate and gdalwarp.
 """
@@ -143,12 +144,32 @@ def write_route(route):
     )
 
 
+def circle(distance, wave=0.0, east=0.0, north=0.0):
+    """Longitudes and latitudes round a place in metres from the top, closed."""
+    points = []
+    for k in range(73):
+        angle = 2.0 * math.pi * (k % 72) / 72.0
+        reach = distance * (1.0 + wave * math.sin(5.0 * angle))
+        points.append([round(TOP[0] + (east + reach * math.cos(angle)) / METRES[0], 6),
+                       round(TOP[1] + (north + reach * math.sin(angle)) / METRES[1], 6)])
+    return points
+
+
+def write_zones():
+    zones = [("Reserve", "Polygon", [circle(1500.0, 0.12), circle(420.0)]),
+             ("Meadows", "MultiPolygon", [[circle(520.0, 0.1, -1900.0, -1500.0)], [circle(600.0, 0.1, 2100.0, -900.0)]])]
+    features = [{"type": "Feature", "properties": {"zone": name}, "geometry": {"type": kind, "coordinates": rings}}
+                for name, kind, rings in zones]
+    (HERE / "zones.geojson").write_text(json.dumps({"type": "FeatureCollection", "features": features}) + "\n")
+
+
 def main():
     route = walk()
     with tempfile.TemporaryDirectory() as folder:
         write_heights(pathlib.Path(folder))
         write_photo(pathlib.Path(folder), route)
     write_route(route)
+    write_zones()
 
 
 main()
