@@ -336,9 +336,10 @@ TEST_F(TerrainView, SavesScenesThatAreDrawnAgain)
   EXPECT_NE(scene.find("contours"), std::string::npos) << scene;
   EXPECT_EQ(scene.find("width"), std::string::npos) << scene;
   this->WriteText("more.toml", scene + "title = \"Hill\"\n");
-  ASSERT_TRUE(this->Screen.Start({ TERRAIN_VIEW_PROGRAM, "--scene", "more.toml", "--width",
-                                   std::to_string(kWidth), "--height", std::to_string(kHeight) },
-    this->Folder, this->Path("stdout.txt"), "terrain-view"));
+  ASSERT_TRUE(
+    this->Screen.Start({ TERRAIN_VIEW_PROGRAM, "--scene", "more.toml", "--save-scene", "named.toml",
+                         "--width", std::to_string(kWidth), "--height", std::to_string(kHeight) },
+      this->Folder, this->Path("stdout.txt"), "terrain-view"));
   const Screenshot withoutPosition = this->Screen.CaptureStill();
   this->Screen.Move(kMiddleX, kMiddleY);
   const Screenshot again = this->Screen.CaptureChange(withoutPosition);
@@ -347,7 +348,7 @@ TEST_F(TerrainView, SavesScenesThatAreDrawnAgain)
   this->After('S', again);                         // the first one is kept
   this->Quit();
   EXPECT_EQ(this->ReadText("terrain-view.toml"), scene);
-  EXPECT_NE(this->ReadText("terrain-view-2.toml").find("title = \"Hill\""), std::string::npos);
+  EXPECT_NE(this->ReadText("named.toml").find("title = \"Hill\""), std::string::npos);
   const RunResult drawn = this->RunCommand({ TERRAIN_RENDER_PROGRAM, "--scene", "more.toml",
     "--size", "480x320", "--output", "drawn.png" });
   EXPECT_EQ(drawn.Status, 0) << drawn.Errors;

@@ -33,9 +33,10 @@ public:
   /// Adds the part of each pixel of a row that lies inside, 0 to 1.
   void Cover(int row, std::vector<double>& parts)
   {
-    for (int k = 0; k < kLinesPerPixel; ++k)
+    for (std::size_t k = 0; k < kLinesPerPixel; ++k)
     {
-      std::vector<double>& line = this->OfLines[static_cast<std::size_t>(row * kLinesPerPixel + k)];
+      const std::size_t number = static_cast<std::size_t>(row) * kLinesPerPixel + k;
+      std::vector<double>& line = this->OfLines[number];
       std::sort(line.begin(), line.end());
       for (std::size_t at = 0; at + 1 < line.size(); at += 2)
       {

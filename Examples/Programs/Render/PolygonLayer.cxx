@@ -171,7 +171,7 @@ vtkSmartPointer<vtkImageData> FillPolygons(
   {
     return nullptr;
   }
-  const vtkSmartPointer<vtkImageData> picture = MakePicture(heights, below);
+  vtkSmartPointer<vtkImageData> picture = MakePicture(heights, below);
   if (below)
   {
     CopyPicture(below, picture);

@@ -91,6 +91,14 @@ public:
     this->WriteScene = std::move(writer);
   }
 
+  /// Names the file of the scenes that are saved; empty for a free name each time. Files that are
+  /// read, it never replaces.
+  void SetSceneFile(const std::string& name, const std::vector<std::string>& inputs)
+  {
+    this->SceneFile = name;
+    this->SceneInputs = inputs;
+  }
+
   /// What says in one sentence why a file that is dropped cannot be shown; empty if it can.
   void SetOpener(std::function<std::string(const std::string&)> whyNot)
   {
@@ -168,6 +176,8 @@ private:
   /// What was done last, behind the status.
   std::string Note;
   std::string Next;
+  std::string SceneFile;
+  std::vector<std::string> SceneInputs;
   std::function<std::string(const std::string&, const SceneValues&)> WriteScene;
   std::function<std::string(const std::string&)> WhyNotShown;
   Clipboard Board;

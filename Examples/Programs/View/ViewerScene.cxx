@@ -211,10 +211,14 @@ Viewer::SceneValues Viewer::DescribeScene() const
 //------------------------------------------------------------------------------
 void Viewer::SaveScene()
 {
-  const std::string name = FreeName();
+  const std::string name = this->SceneFile.empty() ? FreeName() : this->SceneFile;
   const std::string text =
     this->WriteScene ? this->WriteScene(name, this->DescribeScene()) : std::string();
   const vtkNew<vtkTerrainOutputFile> file;
+  for (const std::string& input : this->SceneInputs)
+  {
+    file->AddInput(input);
+  }
   if (!(file->Open(name) && file->Write(text.data(), text.size()) && file->Commit()))
   {
     Warn("the scene is not saved: " + file->GetErrorMessage());

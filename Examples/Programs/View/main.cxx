@@ -295,6 +295,7 @@ std::string Show(Options& options)
   viewer.Look(options.View);
   viewer.SetSceneWriter([&options](const std::string& path, const Viewer::SceneValues& values)
     { return WriteScene(options, path, values); });
+  viewer.SetSceneFile(options.Scene.GetOutput(), { options.Heights, options.Scene.GetInput() });
   viewer.SetOpener(WhyNotShown);
   viewer.Run();
   ThrowOnError(name);
