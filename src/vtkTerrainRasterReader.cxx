@@ -222,7 +222,15 @@ int vtkTerrainRasterReader::Fail(const std::string& reason)
   {
     output->Initialize();
   }
-  vtkErrorMacro(<< this->ErrorMessage);
+  // whoever asks again of what has not changed, as ParaView does, was told
+  std::ostringstream told;
+  vtkInternals::PrintSettings(*this, told, vtkIndent());
+  told << this->ErrorMessage << vtkInternals::StampOf(this->FileName);
+  if (this->Internals->ToldError != told.str())
+  {
+    this->Internals->ToldError = told.str();
+    vtkErrorMacro(<< this->ErrorMessage);
+  }
   return 0;
 }
 
@@ -457,6 +465,7 @@ int vtkTerrainRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
   {
     image->Initialize();
   }
+  this->Internals->ToldError.clear();
   return 1;
 }
 
@@ -549,25 +558,8 @@ void vtkTerrainRasterReader::AddFieldData(vtkTerrainRasterPlan& plan, vtkImageDa
 void vtkTerrainRasterReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n"
-     << indent << "CoordinateSystem: " << this->CoordinateSystem << "\n"
-     << indent << "Part: " << this->Part << "\n"
-     << indent << "HeightUnit: " << this->HeightUnit << "\n"
-     << indent << "Flip: " << this->Flip << "\n"
-     << indent << "Band: " << this->Band << "\n"
-     << indent << "BandsAsTimeSteps: " << this->BandsAsTimeSteps << "\n"
-     << indent << "Window: " << this->Window[0] << " " << this->Window[1] << " " << this->Window[2]
-     << " " << this->Window[3] << "\n"
-     << indent << "MaximumSize: " << this->MaximumSize << "\n"
-     << indent << "MaximumNumberOfSamples: " << this->MaximumNumberOfSamples << "\n"
-     << indent << "NoDataValue: " << this->NoDataValue << "\n"
-     << indent << "UseNoDataValue: " << this->UseNoDataValue << "\n"
-     << indent << "DetectNoData: " << this->DetectNoData << "\n"
-     << indent << "NoDataAsNaN: " << this->NoDataAsNaN << "\n"
-     << indent << "UseLevels: " << this->UseLevels << "\n"
-     << indent << "UseCache: " << this->UseCache << "\n"
-     << indent << "MemoryBudget: " << this->MemoryBudget << "\n"
-     << indent << "Level: " << this->Level << "\n"
+  vtkInternals::PrintSettings(*this, os, indent);
+  os << indent << "Level: " << this->Level << "\n"
      << indent << "WarnOfSites: " << this->WarnOfSites << "\n"
      << indent << "NumberOfSites: " << this->NumberOfSites << "\n"
      << indent << "Site: " << this->Site << "\n"

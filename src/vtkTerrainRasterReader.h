@@ -304,7 +304,8 @@ public:
   vtkBooleanMacro(WarnOfSites, bool);
   ///@}
 
-  /// Why the last update failed, one line; empty if it did not.
+  /// Why the last update failed, one line; empty if it did not. It is told (ErrorEvent) once,
+  /// and again after settings or the file have changed.
   const char* GetErrorMessage() const;
   /// What was warned of since the size was last asked for, a line each; empty if nothing.
   const char* GetWarningMessage() const;

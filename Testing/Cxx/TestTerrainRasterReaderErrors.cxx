@@ -90,6 +90,35 @@ TEST_F(TerrainRasterReaderErrors, MissingFile)
   this->ExpectError(TemporaryFile("missing.tif"), "no such file");
 }
 
+// Hosts such as ParaView update again and again, whatever the last update said.
+TEST_F(TerrainRasterReaderErrors, IsToldOnceUntilSomethingChanges)
+{
+  const std::string path = TemporaryFile("told-once.tif");
+  std::filesystem::remove(path);
+  this->ExpectError(path, "no such file"); // which sets the count back
+  const auto countAfterUpdate = [this]
+  {
+    this->Reader->Modified();
+    this->Reader->UpdateInformation();
+    this->Reader->Update();
+    return this->Errors;
+  };
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_EQ(countAfterUpdate(), 0);
+    EXPECT_NE(std::string(this->Reader->GetErrorMessage()).find("no such file"), std::string::npos);
+    EXPECT_NE(this->Reader->GetErrorCode(), 0u);
+  }
+  WriteText(path, "no raster");
+  EXPECT_EQ(countAfterUpdate(), 1);
+  EXPECT_EQ(countAfterUpdate(), 1);
+  MakeSquare(3).Write("told-once.tif");
+  EXPECT_EQ(countAfterUpdate(), 1);
+  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 9);
+  std::filesystem::remove(path);
+  EXPECT_EQ(countAfterUpdate(), 2);
+}
+
 TEST_F(TerrainRasterReaderErrors, Directory)
 {
   const std::string path = TemporaryFile("folder.tif");

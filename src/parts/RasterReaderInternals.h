@@ -35,6 +35,29 @@ public:
       : std::string();
   }
 
+  /// What users have set, as lines of text.
+  static void PrintSettings(const vtkTerrainRasterReader& reader, ostream& os, vtkIndent indent)
+  {
+    os << indent << "FileName: " << reader.FileName << "\n"
+       << indent << "CoordinateSystem: " << reader.CoordinateSystem << "\n"
+       << indent << "Part: " << reader.Part << "\n"
+       << indent << "HeightUnit: " << reader.HeightUnit << "\n"
+       << indent << "Flip: " << reader.Flip << "\n"
+       << indent << "Band: " << reader.Band << "\n"
+       << indent << "BandsAsTimeSteps: " << reader.BandsAsTimeSteps << "\n"
+       << indent << "Window: " << reader.Window[0] << " " << reader.Window[1] << " "
+       << reader.Window[2] << " " << reader.Window[3] << "\n"
+       << indent << "MaximumSize: " << reader.MaximumSize << "\n"
+       << indent << "MaximumNumberOfSamples: " << reader.MaximumNumberOfSamples << "\n"
+       << indent << "NoDataValue: " << reader.NoDataValue << "\n"
+       << indent << "UseNoDataValue: " << reader.UseNoDataValue << "\n"
+       << indent << "DetectNoData: " << reader.DetectNoData << "\n"
+       << indent << "NoDataAsNaN: " << reader.NoDataAsNaN << "\n"
+       << indent << "UseLevels: " << reader.UseLevels << "\n"
+       << indent << "UseCache: " << reader.UseCache << "\n"
+       << indent << "MemoryBudget: " << reader.MemoryBudget << "\n";
+  }
+
   /// Lines without the name of the file that they begin with.
   static std::vector<std::string> ListWarnings(const std::string& message)
   {
@@ -54,6 +77,8 @@ public:
   std::string Stamp;
   /// Fill values that were warned of.
   std::set<double> ToldFill;
+  /// The last error that was told, and the settings and the state of the file that it is about.
+  std::string ToldError;
 };
 
 #endif
