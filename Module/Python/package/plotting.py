@@ -227,9 +227,8 @@ def _check_frame(frame, given, options):
         raise ValueError(f"a globe has no {unwanted[0]}: leave it out, or draw the heights flat (frame=None)")
 
 
-def _check_size(heights):
+def _check_size(rows, columns):
     """Arrays are drawn whole or not at all."""
-    columns, rows, _ = heights.GetDimensions()
     if max(columns, rows) > _LARGEST_TEXTURE:
         raise ValueError(f"{rows} x {columns} samples are more than the {_LARGEST_TEXTURE} a side that drivers take: "
                          "write them to a file and give its name, which is drawn from tiles, or every second one")
@@ -332,6 +331,9 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     is_auto = isinstance(exaggeration, str) and exaggeration == "auto"
     actor.exaggeration = 1.0 if is_auto else exaggeration
     actor.SetTechnique(techniques[technique])
+    has_rays = technique not in ("mesh", "strips")
+    if has_rays and isinstance(heights, np.ndarray) and heights.ndim == 2:
+        _check_size(*heights.shape)  # before it is looked through
     place = {key: options.pop(key) for key in tuple(options) if key in _OF_PLACE}
     _check_frame(frame, given, options)
     scene = scene or terrain_scene(plotter)
@@ -353,8 +355,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         actor._file = os.fspath(heights)
     else:
         raise OSError(actor.GetErrorMessage())
-    if actor.GetHeights() is not None and technique not in ("mesh", "strips"):
-        _check_size(actor.GetHeights())
+    if actor.GetHeights() is not None and has_rays:
+        _check_size(*actor.GetHeights().GetDimensions()[1::-1])
     if isinstance(heights, _LaidOut) and heights.range:
         actor.SetLookupTable(_relief_of(heights.range))
     if not actor.HasSurface():
