@@ -229,58 +229,35 @@ void WriteNumber(std::ostream& file, std::size_t number)
 {
   WriteNumbers(file, std::vector<std::uint32_t>{ static_cast<std::uint32_t>(number) });
 }
-}
 
-bool WriteGLB(vtkPolyData* mesh, const std::array<double, 3>& origin, const std::string& texture,
-  std::ostream& file)
+/// The triangles, positions converted, as a primitive.
+Json::Value AddPrimitive(
+  vtkPolyData* mesh, const Conversion& conversion, bool hasTexture, Buffers& buffers)
 {
-  double bounds[6];
-  mesh->GetBounds(bounds);
-  std::array<double, 3> middle{};
-  Conversion fromMiddle;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    middle[axis] = std::floor(0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]));
-    fromMiddle.Offset[axis] = -middle[axis];
-    middle[axis] += origin[axis];
-  }
-  Buffers buffers;
   Json::Value primitive;
   Json::Value& attributes = primitive["attributes"];
   vtkDataArray* points = mesh->GetPoints()->GetData();
-  const int positions = AddFloats(points, fromMiddle, buffers);
+  const int positions = AddFloats(points, conversion, buffers);
   attributes["POSITION"] = positions;
-  AddRange(points, fromMiddle, buffers.Accessors[positions]);
+  AddRange(points, conversion, buffers.Accessors[positions]);
   if (vtkDataArray* normals = mesh->GetPointData()->GetNormals())
   {
     attributes["NORMAL"] = AddFloats(normals, {}, buffers);
   }
   vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
-  if (coordinates && !texture.empty())
+  if (coordinates && hasTexture)
   {
     const Conversion fromTop{ { { 1.0, -1.0, 1.0 } }, { { 0.0, 1.0, 0.0 } } };
     attributes["TEXCOORD_0"] = AddFloats(coordinates, fromTop, buffers);
   }
   primitive["indices"] = AddIndices(mesh, buffers);
   primitive["material"] = 0;
+  return primitive;
+}
 
-  Json::Value root;
-  root["asset"]["version"] = "2.0";
-  root["asset"]["generator"] = "terrain-prepare";
-  root["scene"] = 0;
-  root["scenes"][0]["nodes"].append(0);
-  root["nodes"][0]["mesh"] = 0;
-  root["nodes"][0]["matrix"] = NodeMatrix(middle);
-  root["meshes"][0]["primitives"].append(primitive);
-  root["materials"].append(MakeMaterial(!texture.empty()));
-  if (!texture.empty())
-  {
-    AddTexture(texture, buffers, root);
-  }
-  root["bufferViews"] = buffers.Views;
-  root["accessors"] = buffers.Accessors;
-  root["buffers"][0]["byteLength"] = static_cast<Json::UInt64>(buffers.Size);
-
+/// Header, JSON and buffers; false, and nothing, if that is too much for the format.
+bool WriteChunks(const Json::Value& root, const Buffers& buffers, std::ostream& file)
+{
   Json::StreamWriterBuilder writer;
   writer["indentation"] = "";
   writer["precision"] = 17;
@@ -303,4 +280,38 @@ bool WriteGLB(vtkPolyData* mesh, const std::array<double, 3>& origin, const std:
     part(file);
   }
   return true;
+}
+}
+
+bool WriteGLB(vtkPolyData* mesh, const std::array<double, 3>& origin, const std::string& texture,
+  std::ostream& file)
+{
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  std::array<double, 3> middle{};
+  Conversion fromMiddle;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    middle[axis] = std::floor(0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]));
+    fromMiddle.Offset[axis] = -middle[axis];
+    middle[axis] += origin[axis];
+  }
+  Buffers buffers;
+  Json::Value root;
+  root["asset"]["version"] = "2.0";
+  root["asset"]["generator"] = "terrain-prepare";
+  root["scene"] = 0;
+  root["scenes"][0]["nodes"].append(0);
+  root["nodes"][0]["mesh"] = 0;
+  root["nodes"][0]["matrix"] = NodeMatrix(middle);
+  root["meshes"][0]["primitives"].append(AddPrimitive(mesh, fromMiddle, !texture.empty(), buffers));
+  root["materials"].append(MakeMaterial(!texture.empty()));
+  if (!texture.empty())
+  {
+    AddTexture(texture, buffers, root);
+  }
+  root["bufferViews"] = buffers.Views;
+  root["accessors"] = buffers.Accessors;
+  root["buffers"][0]["byteLength"] = static_cast<Json::UInt64>(buffers.Size);
+  return WriteChunks(root, buffers, file);
 }

@@ -15,11 +15,11 @@
 
 class vtkPolyData;
 
-/// Writes the file, some numbers at a time; the state of the stream tells whether that worked. mesh:
-/// triangles; normals and texture coordinates are written if it has them. texture: bytes of a PNG or
-/// JPEG file, or empty. origin: where that of the mesh lies. Positions are relative to the middle of the bounds, rounded to metres; the
-/// node's matrix moves them there and turns z up into glTF's y up. False, and nothing is written, if
-/// it would take more than the 4 GiB of the format.
+/// Writes the file, some numbers at a time; the state of the stream tells whether that worked.
+/// mesh: triangles; normals and texture coordinates are written if it has them. texture: bytes of a
+/// PNG or JPEG file, or empty. origin: where that of the mesh lies. Positions are relative to the
+/// middle of the bounds, rounded to metres; the node's matrix moves them there and turns z up into
+/// glTF's y up. False, and nothing is written, if it would take more than the 4 GiB of the format.
 bool WriteGLB(vtkPolyData* mesh, const std::array<double, 3>& origin, const std::string& texture,
   std::ostream& file);
 

@@ -65,9 +65,8 @@ struct GridMesh
 /**
  * Builds the mesh of a view. It covers exactly the cells whose four samples have heights, with no
  * vertex inside of another triangle's edge. Empty where there is no such cell. Same result however
- * parallelFor splits its ranges. Error:
- * FindMeshError() (MeshError.h) <= max(MaximumError, 2 kMeshErrorSlack times the largest height). T: see
- * SampleTypes.h.
+ * parallelFor splits its ranges. Error: FindMeshError() (MeshError.h)
+ * <= max(MaximumError, 2 kMeshErrorSlack times the largest height). T: see SampleTypes.h.
  */
 template <typename T>
 GridMesh BuildGreedyMesh(

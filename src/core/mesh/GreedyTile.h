@@ -26,8 +26,8 @@ namespace terrain
 /// Most cells along a side of a tile: the determinant of InCircle() stays below 2^62.
 constexpr int kMostTileCells = 4096;
 
-/// Triangles that wait to be improved, roughly the worst first: 16 buckets for each factor of two of
-/// error, so that putting in and taking out cost the same whatever waits.
+/// Triangles that wait to be improved, roughly the worst first: 16 buckets for each factor of two
+/// of error, so that putting in and taking out cost the same whatever waits.
 class ErrorQueue
 {
 public:
