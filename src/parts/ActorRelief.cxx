@@ -13,6 +13,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -41,8 +42,23 @@ std::vector<double> SomeHeights(vtkImageData* heights)
   return samples;
 }
 
-/// Slope in the middle of a cell, in degrees; NaN where one of its samples has no height.
-double SlopeOfCell(vtkImageData* heights, int column, int row)
+/// Sides of a cell, in the unit of heights; on a globe in metres.
+std::array<double, 2> SidesOfCell(vtkImageData* heights, const terrain::GlobeGrid* globe, int row)
+{
+  const double* spacing = heights->GetSpacing();
+  if (!globe)
+  {
+    return { spacing[0], spacing[1] };
+  }
+  const double south = globe->Latitudes[static_cast<std::size_t>(row)];
+  const double north = globe->Latitudes[static_cast<std::size_t>(row) + 1];
+  const double radius = globe->Body.Equatorial;
+  return { globe->Step * radius * std::cos(0.5 * (south + north)), (north - south) * radius };
+}
+
+/// Slope in the middle of a cell of some sides, in degrees; NaN where one of its samples has no
+/// height.
+double SlopeOfCell(vtkImageData* heights, const std::array<double, 2>& sides, int column, int row)
 {
   constexpr double kDegrees = 57.29577951308232;
   vtkDataArray* scalars = heights->GetPointData()->GetScalars();
@@ -54,10 +70,9 @@ double SlopeOfCell(vtkImageData* heights, int column, int row)
     const bool isHidden = ghosts && (ghosts->GetValue(at) & vtkDataSetAttributes::HIDDENPOINT) != 0;
     return isHidden ? std::numeric_limits<double>::quiet_NaN() : scalars->GetComponent(at, 0);
   };
-  const double* spacing = heights->GetSpacing();
   const double east = height(1, 0) + height(1, 1) - height(0, 0) - height(0, 1);
   const double north = height(0, 1) + height(1, 1) - height(0, 0) - height(1, 0);
-  return kDegrees * std::atan(0.5 * std::hypot(east / spacing[0], north / spacing[1]));
+  return kDegrees * std::atan(0.5 * std::hypot(east / sides[0], north / sides[1]));
 }
 
 /// Of cells in columns and rows at equal distances.
@@ -71,11 +86,14 @@ std::vector<double> SomeSlopes(vtkImageData* heights)
   }
   const double share = static_cast<double>(heights->GetNumberOfPoints()) / kMostOfRelief;
   const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(share))));
+  const auto found = terrain::GlobeData::Get(heights);
+  const terrain::GlobeGrid* globe = found && found->WhyNot().empty() ? found.get() : nullptr;
   for (int row = 0; row + 1 < dimensions[1]; row += step)
   {
+    const std::array<double, 2> sides = SidesOfCell(heights, globe, row);
     for (int column = 0; column + 1 < dimensions[0]; column += step)
     {
-      slopes.push_back(SlopeOfCell(heights, column, row));
+      slopes.push_back(SlopeOfCell(heights, sides, column, row));
     }
   }
   return slopes;
