@@ -97,7 +97,7 @@ std::string FrameOne(const ReadHeightsResult& read, const Options& options, Terr
     return {};
   }
   return "; too far for one view, which shows number " + std::to_string(read.Site) +
-    " (--camera shows all)";
+    " (--look-from and --look-at show another, --camera all)";
 }
 
 void WarnOf(const std::string& text, const Options& options, Statistics& statistics)
