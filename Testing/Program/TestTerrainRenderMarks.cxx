@@ -413,7 +413,7 @@ TEST_F(TerrainRenderMarks, LettersOfOtherScriptsAreDrawnOrTold)
   // Cyrillic, Greek, Chinese; nothing may vanish in silence
   const std::map<std::string, std::string> titles = { { "\xD0\x92\xD1\x8B\xD1\x81", "\xD0\x92" },
     { "\xCE\xA9\xCE\xB4\xCE\xB7", "\xCE\xA9" }, { "\xE5\xB1\xB1\xE5\xB3\xB0", "\xE5\xB1\xB1" } };
-  const Picture bare = this->DrawPicture({});
+  const Picture bare = this->DrawPicture({ "--title", "." }); // with room for a title
   for (const auto& [title, letter] : titles)
   {
     const RunResult result = this->Run(
