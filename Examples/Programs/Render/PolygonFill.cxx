@@ -13,10 +13,10 @@ namespace
 constexpr int kLinesPerPixel = 4;
 
 /// Where rings cross the lines of a picture, in pixels from the left border of the first one.
-class Crossings
+class RingCrossings
 {
 public:
-  Crossings(vtkImageData* picture, const PlaneRings& rings)
+  RingCrossings(vtkImageData* picture, const PlaneRings& rings)
     : Origin{ picture->GetOrigin()[0], picture->GetOrigin()[1] }
     , Spacing{ picture->GetSpacing()[0], picture->GetSpacing()[1] }
     , OfLines(static_cast<std::size_t>(picture->GetDimensions()[1]) * kLinesPerPixel)
@@ -99,7 +99,7 @@ void Blend(unsigned char* pixel, const std::array<double, 4>& color, double part
 //------------------------------------------------------------------------------
 void FillRings(vtkImageData* picture, const PlaneRings& rings, const std::array<double, 4>& color)
 {
-  Crossings crossings(picture, rings);
+  RingCrossings crossings(picture, rings);
   const int* size = picture->GetDimensions();
   std::vector<double> parts(static_cast<std::size_t>(size[0]));
   for (int row = 0; row < size[1]; ++row)

@@ -36,9 +36,9 @@ constexpr double kMostPixelsOfPicture = 16384.0;
 
 void RefuseRoundScene(const PlacedHeights& heights)
 {
-  using FrameType = vtkTerrainGeoreference::FrameType;
-  const FrameType frame = heights.Georeference->GetFrame();
-  if (frame == FrameType::Local || frame == FrameType::Geocentric || frame == FrameType::Globe)
+  using Frames = vtkTerrainGeoreference::FrameType;
+  const Frames frame = heights.Georeference->GetFrame();
+  if (frame == Frames::Local || frame == Frames::Geocentric || frame == Frames::Globe)
   {
     throw Failure(
       "--polygons", "lie in a plane, and this scene is round: choose --frame plane or map");
