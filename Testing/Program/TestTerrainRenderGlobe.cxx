@@ -191,6 +191,39 @@ TEST_F(TerrainRenderGlobe, FinerHeightsWin)
   ExpectRefused(this->Draw(world, { "--finer", finer, "--peaks", "3" }), 1, "gdalbuildvrt");
 }
 
+// Along the border of a finer raster the coarse one falls to below it or rises beside it: seen aslant
+// from outside and from inside, nothing is seen through between them.
+TEST_F(TerrainRenderGlobe, NoGapOpensAroundFinerHeights)
+{
+  const std::string world = this->WriteWorld();
+  for (const double height : { 20.0, 2500.0 })
+  {
+    RasterDescription region = Degrees(0.05, 20.03, 0.1, 200, 200);
+    region.Sample = [height](int i, int j) { return height + 40.0 * ((i + j) % 5); };
+    const std::string finer = this->WriteRaster("region.tif", region);
+    for (const auto& [from, at] : { std::pair("10,-6,300000", "10,1,0"),
+           std::pair("10,4,150000", "10.3,-1,0"), std::pair("-3,23,200000", "1,19.5,0") })
+    {
+      SCOPED_TRACE(::testing::Message() << from << " beside " << height);
+      this->ExpectDrawn(
+        this->Draw(world, { "--finer", finer, "--look-from", from, "--look-at", at }), 5000);
+      const Depths depths = this->ReadDepths();
+      int holes = 0;
+      for (int x = 0; x < depths.Width; ++x)
+      {
+        bool below = false; // the horizon
+        for (int y = 0; y < depths.Height; ++y)
+        {
+          const bool isHit = !std::isnan(depths.At(x, y));
+          holes += below && !isHit ? 1 : 0;
+          below = below || isHit;
+        }
+      }
+      EXPECT_EQ(holes, 0);
+    }
+  }
+}
+
 // Systems of other worlds, each axis asked for its direction; spheres, ellipsoids and radii.
 TEST_F(TerrainRenderGlobe, OtherWorldsAreAsTheirSystemsSay)
 {
