@@ -24,7 +24,7 @@ using vtkTerrainTesting::GlobeTexture;
 using vtkTerrainTesting::MiddleOf;
 using Texel = vtkTerrainTesting::GlobeTexel;
 
-/// Metres along rays that are compared with the reference, and by which part of that they may be off.
+/// Metres along rays that are compared with the reference, and the part of it they may be off by.
 constexpr double kFarthest = 1e5;
 constexpr double kPart = 1e-6;
 }

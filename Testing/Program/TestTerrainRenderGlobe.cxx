@@ -191,8 +191,8 @@ TEST_F(TerrainRenderGlobe, FinerHeightsWin)
   ExpectRefused(this->Draw(world, { "--finer", finer, "--peaks", "3" }), 1, "gdalbuildvrt");
 }
 
-// Along the border of a finer raster the coarse one falls to below it or rises beside it: seen aslant
-// from outside and from inside, nothing is seen through between them.
+// Along the border of a finer raster the coarse one falls to below it or rises beside it: seen
+// aslant from outside and from inside, nothing is seen through between them.
 TEST_F(TerrainRenderGlobe, NoGapOpensAroundFinerHeights)
 {
   const std::string world = this->WriteWorld();
