@@ -135,8 +135,8 @@ for file in $(git ls-files 'src/*/*.h' 'src/*/*.cxx'); do
     part=
   done
 done
-# Names (docs/architecture.md): functions begin with a capital, constants of a file with k, those of
-# a class as its members.
+# Names (docs/architecture.md): functions begin with a capital; outside the tests constants of a file
+# begin with k, those of a class as its members.
 # shellcheck disable=SC2046
 names=$(awk '
   FNR == 1 { head = "" }
@@ -147,18 +147,18 @@ names=$(awk '
     if (head !~ /^(namespace|struct|class|enum|union|extern)/ && words[count] ~ /^[a-z][A-Za-z0-9]*$/ &&
       words[count] !~ /^(main|vtk.*)$/) print FILENAME ": " words[count] "() begins with a capital"
   }
-  /^(inline |static )*const(expr)? [^;(]*[={[]/ && !/^const char\* [A-Z]/ {
+  /^(inline |static )*const(expr)? [^;(]*[={[]/ && !/^const char\* [A-Z]/ && FILENAME !~ /^Testing/ {
     name = $0
     sub(/ ?[={[].*/, "", name)
     sub(/.*[ *&]/, "", name)
     if (name !~ /^k[A-Z]/) print FILENAME ": " name " begins with k, as constants do"
   }
-  /^  (inline )?static constexpr .* k[A-Z][A-Za-z]* *[={]/ && FILENAME ~ /\.h$/ {
+  /^  (inline )?static constexpr .* k[A-Z][A-Za-z]* *[={]/ && FILENAME ~ /\.h$/ && FILENAME !~ /^Testing/ {
     name = $0
     sub(/ *[={].*/, "", name)
     sub(/.*[ *&]/, "", name)
     print FILENAME ": " name " is a constant of a class, which begins like a member"
-  }' $(git ls-files 'src/*.h' 'src/*.cxx' 'Examples/*.h' 'Examples/*.cxx' 'Module/*.h' 'Module/*.cxx'))
+  }' $(git ls-files '*.h' '*.cxx'))
 [ -z "$names" ] || offence "$names"
 # Files include one another in no circle. A header and its .cxx count as one, and so do a class and
 # the header of its private half (XxxInternals.h), which defines a class within it.

@@ -64,7 +64,7 @@ using Clock = std::chrono::steady_clock;
 /// Metres.
 constexpr double kGlobeRadius = 6378137.0;
 
-double millisecondsSince(Clock::time_point start)
+double MillisecondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -85,17 +85,17 @@ constexpr std::array<View, 4> Views{
     { "down", { 0.5, 0.5, 30000.0 }, { 0.5, 0.501, 0.0 }, false } }
 };
 
-double heightAt(vtkImageData* image, double x, double y)
+double HeightAt(vtkImageData* image, double x, double y)
 {
   const int* dims = image->GetDimensions();
   return image->GetScalarComponentAsDouble(
     static_cast<int>(x * (dims[0] - 1)), static_cast<int>(y * (dims[1] - 1)), 0, 0);
 }
 
-void look(vtkRenderer* renderer, vtkImageData* image, const View& view)
+void Look(vtkRenderer* renderer, vtkImageData* image, const View& view)
 {
   const double side = image->GetSpacing()[0] * (image->GetDimensions()[0] - 1);
-  const double eyeBase = view.AboveGround ? heightAt(image, view.Eye[0], view.Eye[1]) : 0.0;
+  const double eyeBase = view.AboveGround ? HeightAt(image, view.Eye[0], view.Eye[1]) : 0.0;
   const double focusBase = view.AboveGround ? eyeBase : 0.0;
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(side * view.Eye[0], side * view.Eye[1], eyeBase + view.Eye[2]);
@@ -120,7 +120,7 @@ struct Entry
   Times Taken;
 };
 
-vtkOpenGLTerrainMapper::Techniques techniqueOf(const std::string& name)
+vtkOpenGLTerrainMapper::Techniques TechniqueOf(const std::string& name)
 {
   using Techniques = vtkOpenGLTerrainMapper::Techniques;
   const auto has = [&name](const char* word) { return name.find(word) != std::string::npos; };
@@ -132,17 +132,17 @@ vtkOpenGLTerrainMapper::Techniques techniqueOf(const std::string& name)
                          : Techniques::Pyramid;
 }
 
-bool endsIn(const std::string& name, const std::string& end)
+bool EndsIn(const std::string& name, const std::string& end)
 {
   return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
 }
 
-bool isInSun(const std::string& name)
+bool IsInSun(const std::string& name)
 {
-  return endsIn(name, "-shadows") || endsIn(name, "-soft") || endsIn(name, "-sky");
+  return EndsIn(name, "-shadows") || EndsIn(name, "-soft") || EndsIn(name, "-sky");
 }
 
-void shine(vtkRenderer* renderer)
+void Shine(vtkRenderer* renderer)
 {
   renderer->AutomaticLightCreationOff();
   vtkNew<vtkLight> sun;
@@ -153,7 +153,7 @@ void shine(vtkRenderer* renderer)
 }
 
 /// The samples on the globe, in degrees about (0, 0).
-vtkSmartPointer<vtkImageData> layOnGlobe(vtkImageData* image)
+vtkSmartPointer<vtkImageData> LayOnGlobe(vtkImageData* image)
 {
   const double degrees = vtkMath::DegreesFromRadians(image->GetSpacing()[0] / kGlobeRadius);
   vtkNew<vtkImageData> heights;
@@ -168,7 +168,7 @@ vtkSmartPointer<vtkImageData> layOnGlobe(vtkImageData* image)
 }
 
 /// East, north and up at (0, 0) along x, y and z.
-void turnToMap(vtkActor* actor)
+void TurnToMap(vtkActor* actor)
 {
   constexpr double axes[16] = { 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0,
     -kGlobeRadius, 0.0, 0.0, 0.0, 1.0 };
@@ -178,7 +178,7 @@ void turnToMap(vtkActor* actor)
 }
 
 /// The samples as tiles of 256 x 256 cells.
-std::shared_ptr<terrain::TileSource> makeTiles(vtkImageData* image)
+std::shared_ptr<terrain::TileSource> MakeTiles(vtkImageData* image)
 {
   terrain::HeightfieldView<unsigned short> view;
   view.Samples = static_cast<const unsigned short*>(image->GetScalarPointer());
@@ -187,7 +187,7 @@ std::shared_ptr<terrain::TileSource> makeTiles(vtkImageData* image)
   return terrain::MakeMemoryTiles(view, 8, terrain::SerialFor);
 }
 
-Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMesh* hull)
+Entry MakeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMesh* hull)
 {
   using Modes = vtkOpenGLTerrainMapper::ComputeModes;
   vtkNew<vtkOpenGLTerrainMapper> mapper;
@@ -202,12 +202,12 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
   }
   mapper->SetHeightsData(image);
   const bool compute = name.rfind("compute", 0) == 0;
-  mapper->SetSunShadows(endsIn(name, "-shadows") || endsIn(name, "-soft"));
-  mapper->SetSunAngle(endsIn(name, "-soft") ? 0.53 : 0.0);
-  mapper->SetSkyLight(endsIn(name, "-sky") ? 0.35 : 0.0);
-  mapper->SetTechnique(techniqueOf(name));
+  mapper->SetSunShadows(EndsIn(name, "-shadows") || EndsIn(name, "-soft"));
+  mapper->SetSunAngle(EndsIn(name, "-soft") ? 0.53 : 0.0);
+  mapper->SetSkyLight(EndsIn(name, "-sky") ? 0.35 : 0.0);
+  mapper->SetTechnique(TechniqueOf(name));
   mapper->SetComputeMode(compute ? Modes::On : Modes::Off);
-  mapper->SetUseBeams(!endsIn(name, "-alone") && !endsIn(name, "globe"));
+  mapper->SetUseBeams(!EndsIn(name, "-alone") && !EndsIn(name, "globe"));
   mapper->SetPixelTolerance(name == "pyramid-within" ? 1.0 : 0.0);
   if (name == "pyramid-detail" || name == "compute-detail")
   {
@@ -218,22 +218,22 @@ Entry makeEntry(const std::string& name, vtkImageData* image, vtkTerrainCoarseMe
   }
   if (name.find("tiles") != std::string::npos)
   {
-    mapper->SetTileSource(makeTiles(image));
+    mapper->SetTileSource(MakeTiles(image));
   }
   Entry entry;
   entry.Name = name;
   entry.Actor = vtkSmartPointer<vtkActor>::New();
   entry.Actor->SetMapper(mapper);
-  if (endsIn(name, "globe"))
+  if (EndsIn(name, "globe"))
   {
-    mapper->SetHeightsData(layOnGlobe(image));
-    turnToMap(entry.Actor);
+    mapper->SetHeightsData(LayOnGlobe(image));
+    TurnToMap(entry.Actor);
   }
   entry.Actor->VisibilityOff();
   return entry;
 }
 
-void drawOnce(vtkRenderWindow* window, Entry& entry)
+void DrawOnce(vtkRenderWindow* window, Entry& entry)
 {
   vtkOpenGLRenderTimer timer;
   entry.Actor->VisibilityOn();
@@ -243,7 +243,7 @@ void drawOnce(vtkRenderWindow* window, Entry& entry)
   window->Render();
   timer.Stop();
   window->WaitForCompletion();
-  entry.Taken.Clock.push_back(millisecondsSince(start));
+  entry.Taken.Clock.push_back(MillisecondsSince(start));
   entry.Taken.Cpu.push_back(1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC);
   while (!timer.Ready())
   {
@@ -254,13 +254,13 @@ void drawOnce(vtkRenderWindow* window, Entry& entry)
 }
 
 /// The frames of all techniques, in turns, the first of each apart.
-void measure(vtkRenderWindow* window, std::vector<Entry>& entries, int frames)
+void Measure(vtkRenderWindow* window, std::vector<Entry>& entries, int frames)
 {
   for (int frame = -1; frame < frames; ++frame)
   {
     for (Entry& entry : entries)
     {
-      drawOnce(window, entry);
+      DrawOnce(window, entry);
       if (frame < 0)
       {
         entry.First = entry.Taken.Clock.front();
@@ -276,42 +276,42 @@ void measure(vtkRenderWindow* window, std::vector<Entry>& entries, int frames)
   }
 }
 
-double median(const std::vector<double>& sorted)
+double Median(const std::vector<double>& sorted)
 {
   return sorted[sorted.size() / 2];
 }
 
-void print(const char* label, const std::vector<double>& sorted)
+void Print(const char* label, const std::vector<double>& sorted)
 {
-  std::cout << "  " << label << " " << std::setw(9) << median(sorted) << " (" << sorted.front()
+  std::cout << "  " << label << " " << std::setw(9) << Median(sorted) << " (" << sorted.front()
             << " .. " << sorted.back() << ")";
 }
 
 /// Draws a view with all entries in turn, and prints what they took over the first one.
-void compare(vtkRenderWindow* window, vtkRenderer* renderer, vtkImageData* image, const View& view,
+void Compare(vtkRenderWindow* window, vtkRenderer* renderer, vtkImageData* image, const View& view,
   std::vector<Entry>& entries, int frames)
 {
   for (Entry& entry : entries)
   {
     entry.Actor->VisibilityOn(); // for the clipping range
   }
-  look(renderer, image, view);
+  Look(renderer, image, view);
   for (Entry& entry : entries)
   {
     entry.Actor->VisibilityOff();
   }
-  measure(window, entries, frames);
-  const double gpu = median(entries.front().Taken.Gpu);
-  const double clock = median(entries.front().Taken.Clock);
-  const double cpu = median(entries.front().Taken.Cpu);
+  Measure(window, entries, frames);
+  const double gpu = Median(entries.front().Taken.Gpu);
+  const double clock = Median(entries.front().Taken.Clock);
+  const double cpu = Median(entries.front().Taken.Cpu);
   for (Entry& entry : entries)
   {
     std::cout << std::setw(16) << entry.Name << std::setw(9) << view.Name;
-    print("gpu ms", entry.Taken.Gpu);
-    print("clock ms", entry.Taken.Clock);
-    print("cpu ms", entry.Taken.Cpu);
-    std::cout << "  x " << median(entry.Taken.Gpu) / gpu << ", "
-              << median(entry.Taken.Clock) / clock << ", " << median(entry.Taken.Cpu) / cpu
+    Print("gpu ms", entry.Taken.Gpu);
+    Print("clock ms", entry.Taken.Clock);
+    Print("cpu ms", entry.Taken.Cpu);
+    std::cout << "  x " << Median(entry.Taken.Gpu) / gpu << ", "
+              << Median(entry.Taken.Clock) / clock << ", " << Median(entry.Taken.Cpu) / cpu
               << "  first " << entry.First << "\n"
               << std::flush;
   }
@@ -321,7 +321,7 @@ void compare(vtkRenderWindow* window, vtkRenderer* renderer, vtkImageData* image
   }
 }
 
-void printMemory(const std::vector<Entry>& entries, int samples)
+void PrintMemory(const std::vector<Entry>& entries, int samples)
 {
   for (const Entry& entry : entries)
   {
@@ -332,7 +332,7 @@ void printMemory(const std::vector<Entry>& entries, int samples)
   }
 }
 
-void printDriver(vtkRenderWindow* window)
+void PrintDriver(vtkRenderWindow* window)
 {
   std::istringstream capabilities(window->ReportCapabilities());
   for (std::string line; std::getline(capabilities, line);)
@@ -367,7 +367,7 @@ int main(int argc, char* argv[])
   source->SetOutputScalarTypeToUnsignedShort();
   Clock::time_point start = Clock::now();
   source->Update();
-  std::cout << std::fixed << std::setprecision(3) << "source " << millisecondsSince(start)
+  std::cout << std::fixed << std::setprecision(3) << "source " << MillisecondsSince(start)
             << " ms\n";
   vtkImageData* image = source->GetOutput();
 
@@ -376,7 +376,7 @@ int main(int argc, char* argv[])
   hull->SetCellsPerQuad(argc > 5 ? std::atoi(argv[5]) : 0);
   start = Clock::now();
   hull->Update();
-  std::cout << "coarse mesh " << millisecondsSince(start) << " ms, "
+  std::cout << "coarse mesh " << MillisecondsSince(start) << " ms, "
             << hull->GetOutput()->GetNumberOfCells() << " triangles, "
             << hull->GetEffectiveCellsPerQuad() << " cells a quad\n";
 
@@ -385,22 +385,22 @@ int main(int argc, char* argv[])
   window->SetSize(std::atoi(argv[2]), std::atoi(argv[3]));
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
-  if (std::any_of(techniques.begin(), techniques.end(), isInSun))
+  if (std::any_of(techniques.begin(), techniques.end(), IsInSun))
   {
-    shine(renderer);
+    Shine(renderer);
   }
   std::vector<Entry> entries;
   for (const std::string& technique : techniques)
   {
-    entries.push_back(makeEntry(technique, image, hull));
+    entries.push_back(MakeEntry(technique, image, hull));
     renderer->AddActor(entries.back().Actor);
   }
   window->Render(); // timers need a context
   for (const View& view : Views)
   {
-    compare(window, renderer, image, view, entries, frames);
+    Compare(window, renderer, image, view, entries, frames);
   }
-  printMemory(entries, samples);
-  printDriver(window);
+  PrintMemory(entries, samples);
+  PrintDriver(window);
   return 0;
 }

@@ -38,7 +38,7 @@ constexpr int Rows = 33;
 constexpr int PixelsX = vtkTerrainTesting::DrawingWidth;
 constexpr int PixelsY = vtkTerrainTesting::DrawingHeight;
 
-vtkSmartPointer<vtkImageData> hills(double originX, double originY, bool withHole)
+vtkSmartPointer<vtkImageData> Hills(double originX, double originY, bool withHole)
 {
   vtkNew<vtkDoubleArray> heights;
   heights->SetNumberOfValues(vtkIdType{ Columns } * Rows);
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkImageData> hills(double originX, double originY, bool withHol
 }
 
 /// Ray height minus surface height at a grid position; NaN where there is no surface.
-double above(const terrain::HeightfieldView<double>& view, const glm::dvec3& p)
+double Above(const terrain::HeightfieldView<double>& view, const glm::dvec3& p)
 {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   if (!(p.x >= 0.0 && p.y >= 0.0 && p.x <= view.Width - 1.0 && p.y <= view.Height - 1.0))
@@ -87,7 +87,7 @@ enum class Sides
 
 /// Distance at which a ray, sampled finely, first passes through such a side of the surface; NaN if
 /// it does not.
-double sampledDistance(const terrain::HeightfieldView<double>& view, const terrain::PixelRays& rays,
+double SampledDistance(const terrain::HeightfieldView<double>& view, const terrain::PixelRays& rays,
   const glm::dvec2& pixel, double end, Sides sides)
 {
   const glm::dvec3 origin = terrain::AtPixel(rays.OriginGC, pixel);
@@ -96,7 +96,7 @@ double sampledDistance(const terrain::HeightfieldView<double>& view, const terra
   double before = std::numeric_limits<double>::quiet_NaN();
   for (double s = rays.Near; s < end; s += step)
   {
-    const double now = above(view, origin + s * direction);
+    const double now = Above(view, origin + s * direction);
     if (before * now <= 0.0 && (sides == Sides::Both || now < before))
     {
       return s - step * now / (now - before);
@@ -107,7 +107,7 @@ double sampledDistance(const terrain::HeightfieldView<double>& view, const terra
 }
 
 /// Pixels that differ from the sampled surface by more than a thousandth of the distance.
-int countWrong(Drawing& drawing, Sides sides = Sides::Both)
+int CountWrong(Drawing& drawing, Sides sides = Sides::Both)
 {
   vtkImageData* distances = drawing.Distances();
   const auto view = terrain::ImageHeights::View<double>(drawing.Heights);
@@ -119,7 +119,7 @@ int countWrong(Drawing& drawing, Sides sides = Sides::Both)
     for (int x = 0; x < PixelsX; ++x)
     {
       const double drawn = distances->GetScalarComponentAsDouble(x, y, 0, 0);
-      const double truth = sampledDistance(view, rays, { x + 0.5, y + 0.5 }, end, sides);
+      const double truth = SampledDistance(view, rays, { x + 0.5, y + 0.5 }, end, sides);
       const bool same =
         std::isnan(truth) ? std::isnan(drawn) : std::abs(drawn - truth) <= 1e-3 * truth;
       wrong += same ? 0 : 1;
@@ -136,52 +136,52 @@ constexpr int SamplingMisses = 8;
 //------------------------------------------------------------------------------
 TEST(OpenGLTerrainMapper, DrawsTheSurfaceFromOutside)
 {
-  Drawing drawing(hills(0.0, 0.0, false));
+  Drawing drawing(Hills(0.0, 0.0, false));
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
 }
 
 TEST(OpenGLTerrainMapper, DrawsTheSurfaceFromTheSide)
 {
-  Drawing drawing(hills(0.0, 0.0, false));
+  Drawing drawing(Hills(0.0, 0.0, false));
   drawing.Look(-30.0, 10.0, 90.0, 20.0, 16.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
 }
 
 TEST(OpenGLTerrainMapper, DrawsTheSurfaceFromWithinTheBox)
 {
-  Drawing drawing(hills(0.0, 0.0, false));
+  Drawing drawing(Hills(0.0, 0.0, false));
   drawing.Look(5.0, 5.0, 150.0, 30.0, 20.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
 }
 
 TEST(OpenGLTerrainMapper, DrawsWithEqualSteps)
 {
   // steps of half a cell may pass a narrow ridge: one pixel in a hundred
-  Drawing drawing(hills(0.0, 0.0, true), Techniques::Equidistant);
+  Drawing drawing(Hills(0.0, 0.0, true), Techniques::Equidistant);
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
-  EXPECT_LE(countWrong(drawing), PixelsX * PixelsY / 100);
+  EXPECT_LE(CountWrong(drawing), PixelsX * PixelsY / 100);
 }
 
 TEST(OpenGLTerrainMapper, DrawsTheSameThroughAComputeShader)
 {
   using Modes = vtkOpenGLTerrainMapper::ComputeModes;
-  Drawing drawing(hills(500000.0, 5000000.0, true));
+  Drawing drawing(Hills(500000.0, 5000000.0, true));
   drawing.Mapper->SetComputeMode(Modes::On);
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
   const auto computed = vtkTerrainTesting::Render(drawing.Scene.Window);
   drawing.Mapper->SetComputeMode(Modes::Off);
   const auto fragments = vtkTerrainTesting::Render(drawing.Scene.Window);
   EXPECT_LE(vtkTerrainTesting::CountDifferentPixels(computed, fragments, 2), 2);
   drawing.Mapper->SetComputeMode(Modes::On);
   drawing.Look(5.0, 5.0, 150.0, 30.0, 20.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
 }
 
 TEST(OpenGLTerrainMapper, DrawsTheSameWithAndWithoutBeams)
 {
-  Drawing drawing(hills(500000.0, 5000000.0, true));
+  Drawing drawing(Hills(500000.0, 5000000.0, true));
   vtkNew<vtkPlane> plane; // keeps the north
   plane->SetOrigin(500000.0, 5000000.0 + 100.0, 0.0);
   plane->SetNormal(0.0, 1.0, 0.0);
@@ -213,62 +213,62 @@ TEST(OpenGLTerrainMapper, DrawsTheSameWithAndWithoutBeams)
 
 TEST(OpenGLTerrainMapper, DrawsTheUnderside)
 {
-  Drawing drawing(hills(0.0, 0.0, false));
+  Drawing drawing(Hills(0.0, 0.0, false));
   drawing.Look(20.0, -10.0, -200.0, 20.0, 16.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
   drawing.Look(20.5, 16.5, 80.0, 30.0, 20.0, 90.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
 }
 
 TEST(OpenGLTerrainMapper, DrawsInParallelProjection)
 {
-  Drawing drawing(hills(0.0, 0.0, false));
+  Drawing drawing(Hills(0.0, 0.0, false));
   drawing.Camera()->ParallelProjectionOn();
   drawing.Camera()->SetParallelScale(150.0);
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
 }
 
 TEST(OpenGLTerrainMapper, LeavesHolesWhereThereAreNoData)
 {
-  Drawing drawing(hills(0.0, 0.0, true));
+  Drawing drawing(Hills(0.0, 0.0, true));
   drawing.Look(20.0, -10.0, 500.0, 20.0, 14.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
 }
 
 TEST(OpenGLTerrainMapper, IsExactAtLargeCoordinates)
 {
-  Drawing drawing(hills(500000.0, 5000000.0, false));
+  Drawing drawing(Hills(500000.0, 5000000.0, false));
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
 }
 
 TEST(OpenGLTerrainMapper, FollowsTheActor)
 {
-  Drawing drawing(hills(0.0, 0.0, false));
+  Drawing drawing(Hills(0.0, 0.0, false));
   drawing.Actor->SetOrientation(10.0, 5.0, 30.0);
   drawing.Actor->SetScale(1.0, 0.8, -1.2);
   drawing.Actor->SetPosition(20.0, 10.0, 150.0);
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
 }
 
 TEST(OpenGLTerrainMapper, ExaggeratesWithoutUploads)
 {
-  Drawing drawing(hills(0.0, 0.0, false));
+  Drawing drawing(Hills(0.0, 0.0, false));
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
   const double before = drawing.Mapper->GetBounds()[5];
   drawing.Mapper->SetVerticalExaggeration(2.0);
   drawing.Scene.Renderer->ResetCameraClippingRange();
-  EXPECT_LE(countWrong(drawing), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing), SamplingMisses);
   EXPECT_DOUBLE_EQ(drawing.Mapper->GetBounds()[5], 2.0 * before);
   EXPECT_EQ(drawing.Mapper->GetNumberOfHeightUploads(), 1);
 }
 
 TEST(OpenGLTerrainMapper, ShowsWhatLiesBehindAClippingPlane)
 {
-  Drawing drawing(hills(0.0, 0.0, false));
+  Drawing drawing(Hills(0.0, 0.0, false));
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
   vtkNew<vtkPlane> plane; // keeps the north
   plane->SetOrigin(0.0, 200.0, 0.0);
@@ -297,10 +297,10 @@ TEST(OpenGLTerrainMapper, ShowsWhatLiesBehindAClippingPlane)
 
 TEST(OpenGLTerrainMapper, CullsFacesOfTheSurface)
 {
-  Drawing drawing(hills(0.0, 0.0, false));
+  Drawing drawing(Hills(0.0, 0.0, false));
   drawing.Look(20.0, -10.0, -200.0, 20.0, 16.0, 100.0); // from below
   drawing.Actor->GetProperty()->BackfaceCullingOn();
-  EXPECT_LE(countWrong(drawing, Sides::Top), SamplingMisses);
+  EXPECT_LE(CountWrong(drawing, Sides::Top), SamplingMisses);
   vtkDataArray* distances = drawing.Distances()->GetPointData()->GetScalars();
   int drawn = 0;
   for (vtkIdType i = 0; i < distances->GetNumberOfTuples(); ++i)
@@ -313,7 +313,7 @@ TEST(OpenGLTerrainMapper, CullsFacesOfTheSurface)
 
 TEST(OpenGLTerrainMapper, UploadsHeightsOncePerChange)
 {
-  Drawing drawing(hills(0.0, 0.0, false));
+  Drawing drawing(Hills(0.0, 0.0, false));
   drawing.Look(20.0, -30.0, 400.0, 20.0, 14.0, 100.0);
   drawing.Scene.Window->Render();
   drawing.Camera()->Azimuth(10.0);
@@ -329,7 +329,7 @@ TEST(OpenGLTerrainMapper, UploadsHeightsOncePerChange)
 
 TEST(OpenGLTerrainMapper, HasTheBoundsOfTheHeights)
 {
-  Drawing drawing(hills(1000.0, 2000.0, true));
+  Drawing drawing(Hills(1000.0, 2000.0, true));
   double bounds[6];
   drawing.Mapper->GetBounds(bounds);
   double range[2] = { 1e300, -1e300 };

@@ -42,7 +42,7 @@ constexpr double FirstTime = 1.7e9;
 
 /// Hills with the point arrays temperature (NaN in places), wind (3 components), time (far from 0)
 /// and paint (RGBA), and the cell arrays zone and stain (RGB).
-vtkSmartPointer<vtkImageData> makeField()
+vtkSmartPointer<vtkImageData> MakeField()
 {
   auto image = MakeHills();
   const int* size = image->GetDimensions();
@@ -90,15 +90,15 @@ vtkSmartPointer<vtkImageData> makeField()
   return image;
 }
 
-Demands ofField()
+Demands OfField()
 {
   Demands demands;
-  demands.Heights = makeField();
+  demands.Heights = MakeField();
   return demands;
 }
 
 /// Colours by an array of points or of cells; plain mappers interpolate before mapping.
-void colorBy(vtkMapper* mapper, const char* array, bool cells, double low, double high)
+void ColorBy(vtkMapper* mapper, const char* array, bool cells, double low, double high)
 {
   mapper->ScalarVisibilityOn();
   mapper->SetInterpolateScalarsBeforeMapping(!cells);
@@ -114,7 +114,7 @@ void colorBy(vtkMapper* mapper, const char* array, bool cells, double low, doubl
   mapper->SetScalarRange(low, high);
 }
 
-vtkSmartPointer<vtkLookupTable> makeTable()
+vtkSmartPointer<vtkLookupTable> MakeTable()
 {
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(512);
@@ -129,7 +129,7 @@ vtkSmartPointer<vtkLookupTable> makeTable()
 }
 
 /// A picture of squares of changing colours; odd ones are transparent if it has alpha.
-vtkSmartPointer<vtkImageData> makePicture(int components)
+vtkSmartPointer<vtkImageData> MakePicture(int components)
 {
   constexpr int side = 256;
   vtkNew<vtkUnsignedCharArray> texels;
@@ -153,7 +153,7 @@ vtkSmartPointer<vtkImageData> makePicture(int components)
 
 /// Component of a picture, 0..255, at a position in pixels, bilinearly; times alpha but for alpha
 /// itself, which is the last of four components.
-double premultipliedAt(vtkImageData* picture, double x, double y, int component)
+double PremultipliedAt(vtkImageData* picture, double x, double y, int component)
 {
   const int* size = picture->GetDimensions();
   double sum = 0.0;
@@ -173,7 +173,7 @@ double premultipliedAt(vtkImageData* picture, double x, double y, int component)
 }
 
 /// What a picture with alpha within bounds makes of a colour, over all of the hills.
-vtkSmartPointer<vtkImageData> composite(
+vtkSmartPointer<vtkImageData> Composite(
   vtkImageData* picture, const double bounds[4], const double color[3])
 {
   constexpr int side = 1024;
@@ -189,10 +189,10 @@ vtkSmartPointer<vtkImageData> composite(
     const double i = size[0] * (x - bounds[0]) / (bounds[1] - bounds[0]) - 0.5;
     const double j = size[1] * (y - bounds[2]) / (bounds[3] - bounds[2]) - 0.5;
     const bool within = x > bounds[0] && x < bounds[1] && y > bounds[2] && y < bounds[3];
-    const double alpha = within ? premultipliedAt(picture, i, j, 3) / 255.0 : 0.0;
+    const double alpha = within ? PremultipliedAt(picture, i, j, 3) / 255.0 : 0.0;
     for (int c = 0; c < 3; ++c)
     {
-      const double above = within ? premultipliedAt(picture, i, j, c) : 0.0;
+      const double above = within ? PremultipliedAt(picture, i, j, c) : 0.0;
       texels->SetComponent(index, c, above + (1.0 - alpha) * 255.0 * color[c]);
     }
   }
@@ -206,7 +206,7 @@ constexpr double Azimuth = 60.0;
 constexpr double Altitude = 35.0;
 
 /// Colours the cells of a mesh by their slope and aspect as a sun would.
-void shadeCells(vtkPolyData* mesh, vtkMapper* mapper, vtkActor* actor)
+void ShadeCells(vtkPolyData* mesh, vtkMapper* mapper, vtkActor* actor)
 {
   vtkDataArray* slopes = mesh->GetCellData()->GetArray("Slope");
   vtkDataArray* aspects = mesh->GetCellData()->GetArray("Aspect");
@@ -225,7 +225,7 @@ void shadeCells(vtkPolyData* mesh, vtkMapper* mapper, vtkActor* actor)
     shades->InsertNextTuple3(shade * color[0], shade * color[1], shade * color[2]);
   }
   mesh->GetCellData()->AddArray(shades);
-  colorBy(mapper, "Shade", true, 0.0, 1.0);
+  ColorBy(mapper, "Shade", true, 0.0, 1.0);
 }
 }
 
@@ -234,8 +234,8 @@ TEST(OpenGLTerrainMapperColors, TranslucentTable)
 {
   auto color = [](vtkMapper* mapper, vtkActor*)
   {
-    colorBy(mapper, "heights", false, 60.0, 140.0);
-    const auto table = makeTable();
+    ColorBy(mapper, "heights", false, 60.0, 140.0);
+    const auto table = MakeTable();
     table->SetAlphaRange(0.1, 0.9);
     table->ForceBuild();
     mapper->SetLookupTable(table);
@@ -266,8 +266,8 @@ TEST(OpenGLTerrainMapperColors, HeightsThroughATable)
 {
   auto color = [](vtkMapper* mapper, vtkActor*)
   {
-    colorBy(mapper, "heights", false, 75.0, 125.0);
-    mapper->SetLookupTable(makeTable());
+    ColorBy(mapper, "heights", false, 75.0, 125.0);
+    mapper->SetLookupTable(MakeTable());
   };
   EXPECT_TRUE(DrawsAsThePlainMesh(color, color));
 }
@@ -276,28 +276,28 @@ TEST(OpenGLTerrainMapperColors, PointArrayWithGaps)
 {
   auto color = [](vtkMapper* mapper, vtkActor*)
   {
-    colorBy(mapper, "temperature", false, 1000.0, 1050.0);
-    mapper->SetLookupTable(makeTable());
+    ColorBy(mapper, "temperature", false, 1000.0, 1050.0);
+    mapper->SetLookupTable(MakeTable());
   };
-  EXPECT_TRUE(DrawsAsThePlainMesh(color, color, ofField()));
+  EXPECT_TRUE(DrawsAsThePlainMesh(color, color, OfField()));
 }
 
 TEST(OpenGLTerrainMapperColors, ValuesFarFromZero)
 {
   auto color = [](vtkMapper* mapper, vtkActor*)
   {
-    colorBy(mapper, "time", false, FirstTime, FirstTime + 100.0);
-    mapper->SetLookupTable(makeTable());
+    ColorBy(mapper, "time", false, FirstTime, FirstTime + 100.0);
+    mapper->SetLookupTable(MakeTable());
   };
-  EXPECT_TRUE(DrawsAsThePlainMesh(color, color, ofField()));
+  EXPECT_TRUE(DrawsAsThePlainMesh(color, color, OfField()));
 }
 
 TEST(OpenGLTerrainMapperColors, LogarithmicScale)
 {
   auto color = [](vtkMapper* mapper, vtkActor*)
   {
-    colorBy(mapper, "heights", false, 60.0, 140.0);
-    const auto table = makeTable();
+    ColorBy(mapper, "heights", false, 60.0, 140.0);
+    const auto table = MakeTable();
     table->SetScaleToLog10();
     mapper->SetLookupTable(table);
   };
@@ -308,7 +308,7 @@ TEST(OpenGLTerrainMapperColors, TransferFunction)
 {
   auto color = [](vtkMapper* mapper, vtkActor*)
   {
-    colorBy(mapper, "heights", false, 60.0, 140.0);
+    ColorBy(mapper, "heights", false, 60.0, 140.0);
     vtkNew<vtkColorTransferFunction> function;
     function->AddRGBPoint(60.0, 0.0, 0.2, 0.6);
     function->AddRGBPoint(100.0, 0.2, 0.7, 0.1);
@@ -324,14 +324,14 @@ TEST(OpenGLTerrainMapperColors, ComponentsAndMagnitude)
   {
     auto color = [component](vtkMapper* mapper, vtkActor*)
     {
-      colorBy(mapper, "wind", false, -1.5, 2.5);
-      const auto table = makeTable();
+      ColorBy(mapper, "wind", false, -1.5, 2.5);
+      const auto table = MakeTable();
       table->SetVectorMode(
         component < 0 ? vtkScalarsToColors::MAGNITUDE : vtkScalarsToColors::COMPONENT);
       table->SetVectorComponent(std::max(component, 0));
       mapper->SetLookupTable(table);
     };
-    EXPECT_TRUE(DrawsAsThePlainMesh(color, color, ofField())) << component;
+    EXPECT_TRUE(DrawsAsThePlainMesh(color, color, OfField())) << component;
   }
 }
 
@@ -339,10 +339,10 @@ TEST(OpenGLTerrainMapperColors, CellArray)
 {
   auto color = [](vtkMapper* mapper, vtkActor*)
   {
-    colorBy(mapper, "zone", true, 0.0, 4.0);
-    mapper->SetLookupTable(makeTable());
+    ColorBy(mapper, "zone", true, 0.0, 4.0);
+    mapper->SetLookupTable(MakeTable());
   };
-  EXPECT_TRUE(DrawsAsThePlainMesh(color, color, ofField()));
+  EXPECT_TRUE(DrawsAsThePlainMesh(color, color, OfField()));
 }
 
 TEST(OpenGLTerrainMapperColors, DirectColors)
@@ -351,10 +351,10 @@ TEST(OpenGLTerrainMapperColors, DirectColors)
   {
     auto color = [cells](vtkMapper* mapper, vtkActor*)
     {
-      colorBy(mapper, cells ? "stain" : "paint", cells, 0.0, 1.0);
+      ColorBy(mapper, cells ? "stain" : "paint", cells, 0.0, 1.0);
       mapper->InterpolateScalarsBeforeMappingOff();
     };
-    EXPECT_TRUE(DrawsAsThePlainMesh(color, color, ofField())) << cells;
+    EXPECT_TRUE(DrawsAsThePlainMesh(color, color, OfField())) << cells;
   }
 }
 
@@ -377,7 +377,7 @@ TEST(OpenGLTerrainMapperColors, SlopeAndAspect)
     };
     auto mesh = [&](vtkMapper* mapper, vtkActor*)
     {
-      colorBy(mapper, slope ? "Slope" : "Aspect", true, 0.0, slope ? 120.0 : 360.0);
+      ColorBy(mapper, slope ? "Slope" : "Aspect", true, 0.0, slope ? 120.0 : 360.0);
       mapper->SetLookupTable(table);
     };
     Demands demands;
@@ -393,7 +393,7 @@ TEST(OpenGLTerrainMapperColors, ActorsTexture)
     auto dress = [components](vtkMapper*, vtkActor* actor)
     {
       vtkNew<vtkTexture> texture;
-      texture->SetInputData(makePicture(components));
+      texture->SetInputData(MakePicture(components));
       texture->InterpolateOn();
       actor->SetTexture(texture);
     };
@@ -409,12 +409,12 @@ TEST(OpenGLTerrainMapperColors, DrapeOverTheWholeTerrain)
   auto terrain = [](vtkMapper* mapper, vtkActor*)
   {
     const double bounds[4] = { 0.0, 400.0, 0.0, 384.0 };
-    static_cast<vtkOpenGLTerrainMapper*>(mapper)->SetDrape(makePicture(3), bounds);
+    static_cast<vtkOpenGLTerrainMapper*>(mapper)->SetDrape(MakePicture(3), bounds);
   };
   auto mesh = [](vtkMapper*, vtkActor* actor)
   {
     vtkNew<vtkTexture> texture;
-    texture->SetInputData(makePicture(3));
+    texture->SetInputData(MakePicture(3));
     texture->InterpolateOn();
     texture->MipmapOn();
     actor->SetTexture(texture);
@@ -441,7 +441,7 @@ TEST(OpenGLTerrainMapperColors, DrapeWithAlphaOverAPart)
   };
   auto terrain = [&](vtkMapper* mapper, vtkActor* actor)
   {
-    const auto picture = makePicture(4);
+    const auto picture = MakePicture(4);
     picture->SetSpacing(200.0 / 256.0, 192.0 / 256.0, 1.0);
     picture->SetOrigin(100.0 + 100.0 / 256.0, 96.0 + 96.0 / 256.0, 0.0);
     static_cast<vtkOpenGLTerrainMapper*>(mapper)->SetDrape(picture); // the bounds above
@@ -450,7 +450,7 @@ TEST(OpenGLTerrainMapperColors, DrapeWithAlphaOverAPart)
   auto mesh = [&](vtkMapper*, vtkActor* actor)
   {
     vtkNew<vtkTexture> texture;
-    texture->SetInputData(composite(makePicture(4), bounds, actor->GetProperty()->GetColor()));
+    texture->SetInputData(Composite(MakePicture(4), bounds, actor->GetProperty()->GetColor()));
     texture->InterpolateOn();
     texture->MipmapOn();
     texture->SetMaximumAnisotropicFiltering(1.0f);
@@ -471,7 +471,7 @@ TEST(OpenGLTerrainMapperColors, Hillshade)
     rays->SetHillshadeAltitude(Altitude);
   };
   auto mesh = [](vtkMapper* mapper, vtkActor* actor)
-  { shadeCells(static_cast<vtkPolyDataMapper*>(mapper)->GetInput(), mapper, actor); };
+  { ShadeCells(static_cast<vtkPolyDataMapper*>(mapper)->GetInput(), mapper, actor); };
   Demands demands;
   demands.Parts = 15; // each triangle of the mesh has one colour
   EXPECT_TRUE(DrawsAsThePlainMesh(terrain, mesh, demands));
@@ -484,7 +484,7 @@ TEST(OpenGLTerrainMapperColors, AllTogether)
     const double bounds[4] = { 100.0, 300.0, 96.0, 288.0 };
     terrain.Mapper->ScalarVisibilityOn();
     terrain.Mapper->SetScalarRange(60.0, 140.0);
-    terrain.Mapper->SetDrape(makePicture(4), bounds);
+    terrain.Mapper->SetDrape(MakePicture(4), bounds);
     terrain.Mapper->SetContours(true);
     terrain.Mapper->SetContourInterval(10.0);
     terrain.Mapper->SetHillshade(true);

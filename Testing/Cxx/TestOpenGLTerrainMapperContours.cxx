@@ -27,7 +27,7 @@ namespace
 using Techniques = vtkOpenGLTerrainMapper::Techniques;
 
 /// Puts heights higher, in double.
-vtkSmartPointer<vtkImageData> raise(vtkImageData* heights, double by)
+vtkSmartPointer<vtkImageData> Raise(vtkImageData* heights, double by)
 {
   vtkNew<vtkDoubleArray> raised;
   raised->DeepCopy(heights->GetPointData()->GetScalars());
@@ -55,7 +55,7 @@ TEST_P(OpenGLTerrainMapperLevels, LieAtTheirHeights)
   vtkNew<vtkTerrainPicker> picker;
   int compared = 0;
   TerrainScene scene(Techniques::Pyramid);
-  const TerrainProp terrain = scene.AddTerrain(raise(MakeHills(), level));
+  const TerrainProp terrain = scene.AddTerrain(Raise(MakeHills(), level));
   terrain.Actor->GetProperty()->LightingOff();
   terrain.Actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
   terrain.Mapper->SetContours(true);

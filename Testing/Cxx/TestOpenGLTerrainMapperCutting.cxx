@@ -39,7 +39,7 @@ constexpr int Last[2] = { 30, 26 };
 constexpr double Base = 20.0;
 
 /// Keeps the west, and what is south of a slanting plane.
-void cut(vtkMapper* mapper)
+void Cut(vtkMapper* mapper)
 {
   vtkNew<vtkPlane> west;
   west->SetOrigin(290.0, 0.0, 0.0);
@@ -51,7 +51,7 @@ void cut(vtkMapper* mapper)
   mapper->AddClippingPlane(south);
 }
 
-vtkSmartPointer<vtkImageData> extract(vtkImageData* heights)
+vtkSmartPointer<vtkImageData> Extract(vtkImageData* heights)
 {
   vtkNew<vtkExtractVOI> filter;
   filter->SetInputData(heights);
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkImageData> extract(vtkImageData* heights)
 }
 
 /// Adds a wall below the line from one point of the surface to the next.
-void addWall(vtkPoints* points, vtkCellArray* walls, const double a[3], const double b[3])
+void AddWall(vtkPoints* points, vtkCellArray* walls, const double a[3], const double b[3])
 {
   const vtkIdType corner = points->GetNumberOfPoints();
   points->InsertNextPoint(a[0], a[1], Base);
@@ -76,7 +76,7 @@ void addWall(vtkPoints* points, vtkCellArray* walls, const double a[3], const do
 }
 
 /// The walls of the block under heights, and its floor.
-vtkSmartPointer<vtkPolyData> makeWalls(vtkImageData* heights)
+vtkSmartPointer<vtkPolyData> MakeWalls(vtkImageData* heights)
 {
   const int* size = heights->GetDimensions();
   vtkNew<vtkPoints> points;
@@ -94,13 +94,13 @@ vtkSmartPointer<vtkPolyData> makeWalls(vtkImageData* heights)
     {
       at(i, side * (size[1] - 1), a);
       at(i + 1, side * (size[1] - 1), b);
-      addWall(points, walls, a, b);
+      AddWall(points, walls, a, b);
     }
     for (int j = 0; j + 1 < size[1]; ++j)
     {
       at(side * (size[0] - 1), j, a);
       at(side * (size[0] - 1), j + 1, b);
-      addWall(points, walls, a, b);
+      AddWall(points, walls, a, b);
     }
   }
   const double* bounds = heights->GetBounds();
@@ -117,12 +117,12 @@ vtkSmartPointer<vtkPolyData> makeWalls(vtkImageData* heights)
 }
 
 /// A block: of a terrain's own, or of walls beside a mesh.
-void standOnBlock(TerrainScene& scene, const TerrainProp& terrain)
+void StandOnBlock(TerrainScene& scene, const TerrainProp& terrain)
 {
   if (terrain.Mapper->GetTechnique() == Techniques::Mesh)
   {
     vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(makeWalls(terrain.Mapper->GetHeights()));
+    mapper->SetInputData(MakeWalls(terrain.Mapper->GetHeights()));
     vtkNew<vtkActor> walls;
     walls->SetMapper(mapper);
     walls->SetProperty(terrain.Actor->GetProperty());
@@ -140,7 +140,7 @@ void standOnBlock(TerrainScene& scene, const TerrainProp& terrain)
 //------------------------------------------------------------------------------
 TEST(OpenGLTerrainMapperCutting, ClippingPlanes)
 {
-  auto clip = [](vtkMapper* mapper, vtkActor*) { cut(mapper); };
+  auto clip = [](vtkMapper* mapper, vtkActor*) { Cut(mapper); };
   EXPECT_TRUE(DrawsAsThePlainMesh(clip, clip));
 }
 
@@ -148,7 +148,7 @@ TEST(OpenGLTerrainMapperCutting, ClippingPlanesAndExaggeration)
 {
   auto clip = [](TerrainScene& scene, const TerrainProp& terrain)
   {
-    cut(terrain.Mapper);
+    Cut(terrain.Mapper);
     terrain.Mapper->SetVerticalExaggeration(1.5);
     scene.AddSphere(330.0, 200.0, 120.0, 40.0);
     scene.Renderer->ResetCameraClippingRange();
@@ -176,7 +176,7 @@ TEST(OpenGLTerrainMapperCutting, Extract)
   auto extractRays = [](vtkMapper* mapper, vtkActor*)
   { static_cast<vtkOpenGLTerrainMapper*>(mapper)->SetExtract(First, Last); };
   auto extractMesh = [](vtkMapper* mapper, vtkActor*)
-  { static_cast<vtkPolyDataMapper*>(mapper)->SetInputData(MakeFineMesh(extract(MakeHills()))); };
+  { static_cast<vtkPolyDataMapper*>(mapper)->SetInputData(MakeFineMesh(Extract(MakeHills()))); };
   EXPECT_TRUE(DrawsAsThePlainMesh(extractRays, extractMesh));
 }
 
@@ -196,11 +196,11 @@ TEST(OpenGLTerrainMapperCutting, ExtractHasBounds)
 
 TEST(OpenGLTerrainMapperCutting, BlockFromAboveAndBelow)
 {
-  EXPECT_TRUE(DrawsAsTheMesh(standOnBlock));
+  EXPECT_TRUE(DrawsAsTheMesh(StandOnBlock));
   auto lookUp = [](TerrainScene& scene, const TerrainProp& terrain)
   {
     scene.Look({ 600.0, 700.0, -150.0 }, { 200.0, 190.0, 60.0 });
-    standOnBlock(scene, terrain);
+    StandOnBlock(scene, terrain);
   };
   EXPECT_TRUE(DrawsAsTheMesh(lookUp));
 }
@@ -210,7 +210,7 @@ TEST(OpenGLTerrainMapperCutting, BlockByAComputeShader)
   auto compute = [](TerrainScene& scene, const TerrainProp& terrain)
   {
     terrain.Mapper->SetComputeMode(vtkOpenGLTerrainMapper::ComputeModes::On);
-    standOnBlock(scene, terrain);
+    StandOnBlock(scene, terrain);
   };
   EXPECT_TRUE(DrawsAsTheMesh(compute));
 }
@@ -256,7 +256,7 @@ TEST(OpenGLTerrainMapperCutting, APictureCoversTheWallsToo)
   white->GetPointData()->GetScalars()->Fill(255.0);
   auto drape = [&white](TerrainScene& scene, const TerrainProp& terrain)
   {
-    standOnBlock(scene, terrain);
+    StandOnBlock(scene, terrain);
     const double* bounds = terrain.Mapper->GetHeights()->GetBounds();
     terrain.Mapper->SetDrape(white, bounds);
     terrain.Actor->GetProperty()->LightingOff();
@@ -294,7 +294,7 @@ TEST(OpenGLTerrainMapperCutting, BlockInParallelProjection)
   {
     scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
     scene.Renderer->GetActiveCamera()->SetParallelScale(200.0);
-    standOnBlock(scene, terrain);
+    StandOnBlock(scene, terrain);
   };
   EXPECT_TRUE(DrawsAsTheMesh(look));
 }

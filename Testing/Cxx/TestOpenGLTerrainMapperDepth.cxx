@@ -28,34 +28,34 @@ namespace
 {
 using Techniques = vtkOpenGLTerrainMapper::Techniques;
 
-void addSpheres(TerrainScene& scene, const TerrainProp&)
+void AddSpheres(TerrainScene& scene, const TerrainProp&)
 {
   scene.AddSphere(120.0, 250.0, 100.0, 40.0);
   scene.AddSphere(250.0, 150.0, 180.0, 25.0);
   scene.AddSphere(330.0, 280.0, 40.0, 30.0);
 }
 
-void addGhosts(TerrainScene& scene, const TerrainProp&)
+void AddGhosts(TerrainScene& scene, const TerrainProp&)
 {
   scene.AddSphere(120.0, 250.0, 100.0, 60.0)->GetProperty()->SetOpacity(0.5);
   scene.AddSphere(250.0, 150.0, 150.0, 50.0)->GetProperty()->SetOpacity(0.3);
 }
 
-void makeGhost(TerrainScene& scene, const TerrainProp& terrain)
+void MakeGhost(TerrainScene& scene, const TerrainProp& terrain)
 {
   terrain.Actor->GetProperty()->SetOpacity(0.5);
   scene.AddSphere(150.0, 200.0, 60.0, 30.0);
 }
 
 /// From the side, so that one ridge is seen through the other.
-void makeGhostFromTheSide(TerrainScene& scene, const TerrainProp& terrain)
+void MakeGhostFromTheSide(TerrainScene& scene, const TerrainProp& terrain)
 {
-  makeGhost(scene, terrain);
+  MakeGhost(scene, terrain);
   terrain.Mapper->SetMaximumLayers(10);
   scene.Look({ 200.0, 900.0, 160.0 }, { 200.0, 190.0, 100.0 });
 }
 
-void addShiftedTerrain(TerrainScene& scene, const TerrainProp&)
+void AddShiftedTerrain(TerrainScene& scene, const TerrainProp&)
 {
   const TerrainProp other = scene.AddTerrain(MakeHills());
   other.Actor->GetProperty()->SetColor(0.3, 0.6, 0.9);
@@ -66,25 +66,25 @@ void addShiftedTerrain(TerrainScene& scene, const TerrainProp&)
 //------------------------------------------------------------------------------
 TEST(OpenGLTerrainMapperDepth, OpaqueActorsMeetTheSurface)
 {
-  EXPECT_TRUE(DrawsAsTheMesh(addSpheres));
+  EXPECT_TRUE(DrawsAsTheMesh(AddSpheres));
 }
 
 TEST(OpenGLTerrainMapperDepth, OpaqueActorsMeetTheSearchedSurface)
 {
   Demands demands;
   demands.Technique = Techniques::Equidistant;
-  EXPECT_TRUE(DrawsAsTheMesh(addSpheres, demands));
+  EXPECT_TRUE(DrawsAsTheMesh(AddSpheres, demands));
 }
 
 TEST(OpenGLTerrainMapperDepth, TranslucentActorsMeetTheSurface)
 {
-  EXPECT_TRUE(DrawsAsTheMesh(addGhosts));
+  EXPECT_TRUE(DrawsAsTheMesh(AddGhosts));
 }
 
 TEST(OpenGLTerrainMapperDepth, TranslucentActorsAreBlended)
 {
-  EXPECT_TRUE(DrawsAsTheMesh(makeGhost));
-  EXPECT_TRUE(DrawsAsTheMesh(makeGhostFromTheSide));
+  EXPECT_TRUE(DrawsAsTheMesh(MakeGhost));
+  EXPECT_TRUE(DrawsAsTheMesh(MakeGhostFromTheSide));
 }
 
 TEST(OpenGLTerrainMapperDepth, TranslucentActorsArePeeled)
@@ -93,8 +93,8 @@ TEST(OpenGLTerrainMapperDepth, TranslucentActorsArePeeled)
   {
     auto peel = [dual](TerrainScene& scene, const TerrainProp& terrain)
     {
-      makeGhostFromTheSide(scene, terrain);
-      addGhosts(scene, terrain);
+      MakeGhostFromTheSide(scene, terrain);
+      AddGhosts(scene, terrain);
       scene.Window->AlphaBitPlanesOn();
       scene.Renderer->UseDepthPeelingOn();
       scene.Renderer->SetMaximumNumberOfPeels(16);
@@ -107,7 +107,7 @@ TEST(OpenGLTerrainMapperDepth, TranslucentActorsArePeeled)
 
 TEST(OpenGLTerrainMapperDepth, TerrainsOverlap)
 {
-  EXPECT_TRUE(DrawsAsTheMesh(addShiftedTerrain));
+  EXPECT_TRUE(DrawsAsTheMesh(AddShiftedTerrain));
 }
 
 TEST(OpenGLTerrainMapperDepth, RenderersShareAWindow)
@@ -198,7 +198,7 @@ TEST(OpenGLTerrainMapperDepth, ParallelProjection)
 {
   auto parallel = [](TerrainScene& scene, const TerrainProp& terrain)
   {
-    addSpheres(scene, terrain);
+    AddSpheres(scene, terrain);
     scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
     scene.Renderer->GetActiveCamera()->SetParallelScale(200.0);
     scene.Renderer->ResetCameraClippingRange();
@@ -241,7 +241,7 @@ TEST(OpenGLTerrainMapperDepth, ComputedSightingsHaveLayersToo)
 {
   auto compute = [](TerrainScene& scene, const TerrainProp& terrain)
   {
-    makeGhostFromTheSide(scene, terrain);
+    MakeGhostFromTheSide(scene, terrain);
     terrain.Mapper->SetComputeMode(vtkOpenGLTerrainMapper::ComputeModes::On);
   };
   EXPECT_TRUE(DrawsAsTheMesh(compute));

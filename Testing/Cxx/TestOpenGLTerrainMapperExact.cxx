@@ -28,7 +28,7 @@ using vtkTerrainTesting::Comparison;
 using vtkTerrainTesting::Culling;
 using vtkTerrainTesting::Drawing;
 
-vtkSmartPointer<vtkImageData> toImage(const terrain::TestField& field)
+vtkSmartPointer<vtkImageData> ToImage(const terrain::TestField& field)
 {
   vtkNew<vtkDoubleArray> heights;
   for (const double height : field.Samples)
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkImageData> toImage(const terrain::TestField& field)
 }
 
 /// How high a field of some samples is drawn.
-double heightOf(int columns, int rows)
+double HeightOf(int columns, int rows)
 {
   return 2.5 * std::max(columns, rows);
 }
@@ -66,13 +66,13 @@ constexpr std::array<Place, 6> Places{
     { "parallel", { 0.5, -0.9, 5.0 }, { 0.5, 0.5, 0.5 }, true } }
 };
 
-void look(Drawing& drawing, const Place& place)
+void Look(Drawing& drawing, const Place& place)
 {
   const int* size = drawing.Heights->GetDimensions();
   double range[2];
   drawing.Mapper->GetHeightRange(range);
   const double factor = drawing.Mapper->GetVerticalExaggeration();
-  const double rise = std::max(factor * (range[1] - range[0]), heightOf(size[0], size[1]));
+  const double rise = std::max(factor * (range[1] - range[0]), HeightOf(size[0], size[1]));
   const auto height = [&](double part) { return factor * range[0] + part * rise; };
   drawing.Camera()->SetParallelProjection(place.Parallel);
   drawing.Camera()->SetParallelScale(4.0 * std::max(size[0], size[1]));
@@ -80,7 +80,7 @@ void look(Drawing& drawing, const Place& place)
     place.Focus[0] * (size[0] - 1), place.Focus[1] * (size[1] - 1), height(place.Focus[2]));
 }
 
-void add(Comparison& sum, const Comparison& other)
+void Add(Comparison& sum, const Comparison& other)
 {
   sum.Pixels += other.Pixels;
   sum.Hits += other.Hits;
@@ -90,7 +90,7 @@ void add(Comparison& sum, const Comparison& other)
   sum.Largest = std::max(sum.Largest, other.Largest);
 }
 
-terrain::TestField rollingHills(int width, int height)
+terrain::TestField RollingHills(int width, int height)
 {
   return { "hills", width, height, [](int i, int j) {
             return 100.0 + 60.0 * std::sin(0.21 * i) * std::cos(0.17 * j) +
@@ -102,26 +102,26 @@ terrain::TestField rollingHills(int width, int height)
 //------------------------------------------------------------------------------
 TEST(OpenGLTerrainMapperExact, DrawsAdversarialFields)
 {
-  Drawing drawing(toImage(terrain::AdversarialFields()[0]));
+  Drawing drawing(ToImage(terrain::AdversarialFields()[0]));
   Comparison sum;
   for (const terrain::TestField& field : terrain::AdversarialFields())
   {
     SCOPED_TRACE(field.Name);
-    drawing.SetHeights(toImage(field));
+    drawing.SetHeights(ToImage(field));
     double range[2];
     drawing.Mapper->GetHeightRange(range);
     const double relief = range[1] - range[0];
     drawing.Mapper->SetVerticalExaggeration(
-      relief > 0.0 ? heightOf(field.Width, field.Height) / relief : 1.0);
+      relief > 0.0 ? HeightOf(field.Width, field.Height) / relief : 1.0);
     int hits = 0;
     for (const Place& place : Places)
     {
       SCOPED_TRACE(place.Name);
-      look(drawing, place);
+      Look(drawing, place);
       const Comparison comparison = CompareWithReference(drawing);
       EXPECT_EQ(comparison.Unexplained, 0);
       hits += comparison.Hits;
-      add(sum, comparison);
+      Add(sum, comparison);
     }
     EXPECT_GT(hits, 1000);
   }
@@ -136,7 +136,7 @@ TEST(OpenGLTerrainMapperExact, DrawsAdversarialFields)
 // one does not.
 TEST(OpenGLTerrainMapperExact, WalksThroughTheTerrain)
 {
-  Drawing drawing(toImage(rollingHills(41, 33)));
+  Drawing drawing(ToImage(RollingHills(41, 33)));
   constexpr int Steps = 500;
   Comparison sum;
   int within = 0;
@@ -151,7 +151,7 @@ TEST(OpenGLTerrainMapperExact, WalksThroughTheTerrain)
     const Comparison comparison = CompareWithReference(drawing);
     EXPECT_EQ(comparison.Unexplained, 0);
     within += i > 0.0 && i < 40.0 && z > 30.0 && z < 180.0 ? 1 : 0;
-    add(sum, comparison);
+    Add(sum, comparison);
   }
   EXPECT_GT(within, 100);
   EXPECT_GT(sum.Hits, sum.Pixels / 3);
@@ -164,7 +164,7 @@ TEST(OpenGLTerrainMapperExact, WalksThroughTheTerrain)
 TEST(OpenGLTerrainMapperExact, DrawsTheGroundBeforeTheNearPlane)
 {
   using Techniques = vtkOpenGLTerrainMapper::Techniques;
-  Drawing drawing(toImage(rollingHills(41, 33)));
+  Drawing drawing(ToImage(RollingHills(41, 33)));
   for (const Techniques technique : { Techniques::Pyramid, Techniques::Equidistant })
   {
     drawing.Mapper->SetTechnique(technique);
@@ -197,12 +197,12 @@ TEST(OpenGLTerrainMapperExact, DrawsTheGroundBeforeTheNearPlane)
 
 TEST(OpenGLTerrainMapperExact, PassesByCulledFaces)
 {
-  Drawing drawing(toImage(rollingHills(41, 33)));
+  Drawing drawing(ToImage(RollingHills(41, 33)));
   vtkProperty* property = drawing.Actor->GetProperty();
   for (const Place& place : Places)
   {
     SCOPED_TRACE(place.Name);
-    look(drawing, place);
+    Look(drawing, place);
     for (const Culling culling : { Culling::Front, Culling::Back })
     {
       property->SetFrontfaceCulling(culling == Culling::Front);
@@ -245,15 +245,15 @@ struct Twin
 
 TEST(OpenGLTerrainMapperExact, DrawsColumns)
 {
-  const terrain::TestField field = rollingHills(41, 33);
-  Drawing drawing(toImage(field));
+  const terrain::TestField field = RollingHills(41, 33);
+  Drawing drawing(ToImage(field));
   Twin twin(field);
   twin.Coded.Coded.columns = true;
   drawing.Mapper->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Columns);
   for (const Place& place : Places)
   {
     SCOPED_TRACE(place.Name);
-    look(drawing, place);
+    Look(drawing, place);
     vtkImageData* distances = drawing.Distances();
     const terrain::PixelRays rays = drawing.Rays();
     int different = 0;
@@ -280,7 +280,7 @@ TEST(OpenGLTerrainMapperExact, DrawsColumns)
 // Columns are lit by their own faces: their tops are as bright as flat ground.
 TEST(OpenGLTerrainMapperExact, LightsTheFacesOfColumns)
 {
-  Drawing drawing(toImage(rollingHills(41, 33)));
+  Drawing drawing(ToImage(RollingHills(41, 33)));
   drawing.Mapper->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Columns);
   drawing.Look(20.0, 16.1, 900.0, 20.0, 16.0, 100.0); // from above: tops, lit by the headlight
   const auto picture = vtkTerrainTesting::Render(drawing.Scene.Window);
@@ -294,7 +294,7 @@ TEST(OpenGLTerrainMapperExact, LightsTheFacesOfColumns)
 // With a tolerance the surface is off by less than so many pixels, and never later on a ray.
 TEST(OpenGLTerrainMapperExact, StaysWithinThePixelTolerance)
 {
-  Drawing drawing(toImage(rollingHills(401, 333)));
+  Drawing drawing(ToImage(RollingHills(401, 333)));
   drawing.Look(200.0, -150.0, 2500.0, 200.0, 160.0, 100.0);
   vtkNew<vtkImageData> exact;
   exact->DeepCopy(drawing.Distances());
@@ -353,10 +353,10 @@ TEST(OpenGLTerrainMapperExact, StaysWithinThePixelTolerance)
 
 namespace
 {
-vtkSmartPointer<vtkImageData> shortHills(int width, int height)
+vtkSmartPointer<vtkImageData> ShortHills(int width, int height)
 {
   vtkNew<vtkShortArray> heights;
-  for (const double value : rollingHills(width, height).Samples)
+  for (const double value : RollingHills(width, height).Samples)
   {
     heights->InsertNextValue(static_cast<short>(value));
   }
@@ -368,7 +368,7 @@ vtkSmartPointer<vtkImageData> shortHills(int width, int height)
 }
 
 /// Lays a hill of a height onto some samples.
-void raise(vtkImageData* image, int x0, int x1, int y0, int y1, double height)
+void Raise(vtkImageData* image, int x0, int x1, int y0, int y1, double height)
 {
   for (int y = y0; y <= y1; ++y)
   {
@@ -386,16 +386,16 @@ TEST(OpenGLTerrainMapperExact, BringsChangedPartsUpToDate)
   for (const bool integer : { true, false })
   {
     SCOPED_TRACE(integer);
-    const auto image = integer ? shortHills(101, 83) : toImage(rollingHills(101, 83));
+    const auto image = integer ? ShortHills(101, 83) : ToImage(RollingHills(101, 83));
     Drawing drawing(image);
-    look(drawing, Places[0]);
+    Look(drawing, Places[0]);
     drawing.Distances();
     const vtkIdType all = drawing.Mapper->GetNumberOfUploadedTexels();
     EXPECT_GE(all, 101 * 83 + 50 * 41);
 
-    raise(image, 30, 37, 20, 25, 160.0);
+    Raise(image, 30, 37, 20, 25, 160.0);
     drawing.Mapper->HeightsModified(30, 37, 20, 25);
-    raise(image, 100, 100, 82, 82, 42.0); // a corner
+    Raise(image, 100, 100, 82, 82, 42.0); // a corner
     drawing.Mapper->HeightsModified(100, 100, 82, 82);
     vtkNew<vtkImageData> part;
     part->DeepCopy(drawing.Distances());
@@ -406,7 +406,7 @@ TEST(OpenGLTerrainMapperExact, BringsChangedPartsUpToDate)
     EXPECT_EQ(CompareWithReference(drawing).Unexplained, 0);
 
     Drawing whole(image);
-    look(whole, Places[0]);
+    Look(whole, Places[0]);
     EXPECT_EQ(vtkTerrainTesting::CountDifferentDistances(part, whole.Distances()), 0);
     const auto wholePicture = vtkTerrainTesting::Render(whole.Scene.Window);
     EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(partPicture, wholePicture), 0);
@@ -415,18 +415,18 @@ TEST(OpenGLTerrainMapperExact, BringsChangedPartsUpToDate)
 
 TEST(OpenGLTerrainMapperExact, TakesAllHeightsWhereAPartLeavesTheirRange)
 {
-  const auto image = shortHills(101, 83);
+  const auto image = ShortHills(101, 83);
   Drawing drawing(image);
-  look(drawing, Places[0]);
+  Look(drawing, Places[0]);
   drawing.Distances();
-  raise(image, 50, 52, 40, 42, 900.0);
+  Raise(image, 50, 52, 40, 42, 900.0);
   drawing.Mapper->HeightsModified(50, 52, 40, 42);
-  look(drawing, Places[0]);
+  Look(drawing, Places[0]);
   EXPECT_EQ(CompareWithReference(drawing).Unexplained, 0);
   EXPECT_EQ(drawing.Mapper->GetNumberOfHeightUploads(), 2);
   EXPECT_DOUBLE_EQ(drawing.Mapper->GetBounds()[5], 900.0);
   // nothing said: all of them as well
-  raise(image, 10, 12, 40, 42, 100.0);
+  Raise(image, 10, 12, 40, 42, 100.0);
   drawing.Distances();
   EXPECT_EQ(drawing.Mapper->GetNumberOfHeightUploads(), 3);
   // beside the heights: nothing at all

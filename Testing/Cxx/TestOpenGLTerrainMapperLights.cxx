@@ -38,7 +38,7 @@ enum class Kinds
   Count
 };
 
-void addLight(TerrainScene& scene, Kinds kind, double east = 700.0)
+void AddLight(TerrainScene& scene, Kinds kind, double east = 700.0)
 {
   vtkNew<vtkLight> light;
   if (kind == Kinds::Head)
@@ -65,14 +65,14 @@ void addLight(TerrainScene& scene, Kinds kind, double east = 700.0)
   scene.Renderer->AddLight(light);
 }
 
-void shine(const TerrainProp& terrain)
+void Shine(const TerrainProp& terrain)
 {
   terrain.Actor->GetProperty()->SetSpecular(0.5);
   terrain.Actor->GetProperty()->SetSpecularPower(15.0);
 }
 
 /// A sky that is bright in the east and above.
-vtkSmartPointer<vtkTexture> makeSky()
+vtkSmartPointer<vtkTexture> MakeSky()
 {
   constexpr int width = 64;
   constexpr int height = 32;
@@ -105,8 +105,8 @@ TEST(OpenGLTerrainMapperLights, EveryKindOfLight)
   {
     auto light = [kind](TerrainScene& scene, const TerrainProp& terrain)
     {
-      addLight(scene, static_cast<Kinds>(kind));
-      shine(terrain);
+      AddLight(scene, static_cast<Kinds>(kind));
+      Shine(terrain);
     };
     EXPECT_TRUE(DrawsAsTheMesh(light)) << kind;
   }
@@ -137,9 +137,9 @@ TEST(OpenGLTerrainMapperLights, ManyLights)
   {
     for (int i = 0; i < 7; ++i)
     {
-      addLight(scene, i % 2 == 0 ? Kinds::Spot : Kinds::Bulb, 200.0 * i - 300.0);
+      AddLight(scene, i % 2 == 0 ? Kinds::Spot : Kinds::Bulb, 200.0 * i - 300.0);
     }
-    shine(terrain);
+    Shine(terrain);
   };
   EXPECT_TRUE(DrawsAsTheMesh(light));
 }
@@ -221,7 +221,7 @@ TEST(OpenGLTerrainMapperLights, FromBelow)
         property->SetColor(0.2, 0.4, 0.9);
         terrain.Actor->SetBackfaceProperty(property);
       }
-      addLight(scene, Kinds::Sun);
+      AddLight(scene, Kinds::Sun);
       scene.Look({ 200.0, 500.0, -300.0 }, { 200.0, 190.0, 80.0 });
     };
     EXPECT_TRUE(DrawsAsTheMesh(lookUp)) << back;
@@ -248,7 +248,7 @@ TEST(OpenGLTerrainMapperLights, PhysicallyBased)
   {
     auto render = [coat](TerrainScene& scene, const TerrainProp& terrain)
     {
-      addLight(scene, Kinds::Sun);
+      AddLight(scene, Kinds::Sun);
       terrain.Actor->GetProperty()->SetInterpolationToPBR();
       terrain.Actor->GetProperty()->SetMetallic(0.4);
       terrain.Actor->GetProperty()->SetRoughness(0.35);
@@ -267,7 +267,7 @@ TEST(OpenGLTerrainMapperLights, EnvironmentLight)
     terrain.Actor->GetProperty()->SetMetallic(0.5);
     terrain.Actor->GetProperty()->SetRoughness(0.4);
     scene.Renderer->UseImageBasedLightingOn();
-    scene.Renderer->SetEnvironmentTexture(makeSky());
+    scene.Renderer->SetEnvironmentTexture(MakeSky());
     scene.Renderer->SetEnvironmentUp(0.0, 0.0, 1.0);
     scene.Renderer->SetEnvironmentRight(1.0, 0.0, 0.0);
   };

@@ -45,7 +45,7 @@ using vtkTerrainTesting::TerrainScene;
 
 namespace
 {
-void addSpheres(TerrainScene& scene)
+void AddSpheres(TerrainScene& scene)
 {
   scene.AddSphere(120.0, 250.0, 150.0, 30.0);
   scene.AddSphere(280.0, 180.0, 170.0, 25.0);
@@ -53,16 +53,16 @@ void addSpheres(TerrainScene& scene)
 
 /// Sets a pass whose delegate is all that VTK does by default.
 template <typename Pass>
-void setPassOverSteps(TerrainScene& scene, Pass* pass)
+void SetPassOverSteps(TerrainScene& scene, Pass* pass)
 {
   vtkNew<vtkRenderStepsPass> steps;
   pass->SetDelegatePass(steps);
   scene.Renderer->SetPass(pass);
 }
 
-void castShadows(TerrainScene& scene, bool positional)
+void CastShadows(TerrainScene& scene, bool positional)
 {
-  addSpheres(scene);
+  AddSpheres(scene);
   vtkNew<vtkLight> sun;
   sun->SetLightTypeToSceneLight();
   sun->SetPosition(900.0, 500.0, 420.0);
@@ -90,7 +90,7 @@ TEST(OpenGLTerrainMapperPasses, ShadowMaps)
   for (bool positional : { false, true })
   {
     auto cast = [positional](TerrainScene& scene, const TerrainProp&)
-    { castShadows(scene, positional); };
+    { CastShadows(scene, positional); };
     EXPECT_TRUE(DrawsAsTheMesh(cast)) << positional;
   }
 }
@@ -99,13 +99,13 @@ TEST(OpenGLTerrainMapperPasses, AmbientOcclusion)
 {
   auto occlude = [](TerrainScene& scene, const TerrainProp&)
   {
-    addSpheres(scene);
+    AddSpheres(scene);
     vtkNew<vtkSSAOPass> pass;
     pass->SetRadius(40.0);
     pass->SetBias(1.0);
     pass->SetKernelSize(32);
     pass->BlurOn();
-    setPassOverSteps(scene, pass.Get());
+    SetPassOverSteps(scene, pass.Get());
   };
   EXPECT_TRUE(DrawsAsTheMesh(occlude));
 }
@@ -114,7 +114,7 @@ TEST(OpenGLTerrainMapperPasses, FastAntialiasing)
 {
   auto smooth = [](TerrainScene& scene, const TerrainProp&)
   {
-    addSpheres(scene);
+    AddSpheres(scene);
     scene.Renderer->UseFXAAOn();
   };
   EXPECT_TRUE(DrawsAsTheMesh(smooth));
@@ -124,9 +124,9 @@ TEST(OpenGLTerrainMapperPasses, Supersampling)
 {
   auto smooth = [](TerrainScene& scene, const TerrainProp&)
   {
-    addSpheres(scene);
+    AddSpheres(scene);
     vtkNew<vtkSSAAPass> pass;
-    setPassOverSteps(scene, pass.Get());
+    SetPassOverSteps(scene, pass.Get());
   };
   EXPECT_TRUE(DrawsAsTheMesh(smooth));
 }
@@ -135,11 +135,11 @@ TEST(OpenGLTerrainMapperPasses, DepthOfField)
 {
   auto blur = [](TerrainScene& scene, const TerrainProp&)
   {
-    addSpheres(scene);
+    AddSpheres(scene);
     vtkNew<vtkDepthOfFieldPass> pass;
     pass->AutomaticFocalDistanceOff();
     scene.Renderer->GetActiveCamera()->SetFocalDisk(20.0);
-    setPassOverSteps(scene, pass.Get());
+    SetPassOverSteps(scene, pass.Get());
     scene.Window->Render(); // the first frame of this pass is black, whatever the scene
   };
   EXPECT_TRUE(DrawsAsTheMesh(blur));
@@ -149,9 +149,9 @@ TEST(OpenGLTerrainMapperPasses, EyeDomeLighting)
 {
   auto light = [](TerrainScene& scene, const TerrainProp&)
   {
-    addSpheres(scene);
+    AddSpheres(scene);
     vtkNew<vtkEDLShading> pass;
-    setPassOverSteps(scene, pass.Get());
+    SetPassOverSteps(scene, pass.Get());
   };
   EXPECT_TRUE(DrawsAsTheMesh(light));
 }
@@ -160,7 +160,7 @@ TEST(OpenGLTerrainMapperPasses, Steps)
 {
   auto draw = [](TerrainScene& scene, const TerrainProp& terrain)
   {
-    addSpheres(scene);
+    AddSpheres(scene);
     terrain.Actor->GetProperty()->SetOpacity(0.6);
     vtkNew<vtkRenderStepsPass> steps;
     scene.Renderer->SetPass(steps);
@@ -172,7 +172,7 @@ TEST(OpenGLTerrainMapperPasses, DepthPeeling)
 {
   auto peel = [](TerrainScene& scene, const TerrainProp& terrain)
   {
-    addSpheres(scene);
+    AddSpheres(scene);
     terrain.Actor->GetProperty()->SetOpacity(0.5);
     terrain.Mapper->SetMaximumLayers(8);
     scene.Window->AlphaBitPlanesOn();
@@ -218,7 +218,7 @@ namespace
 {
 /// What a value pass reads of "ramp" from a terrain with a hole in that array, drawn by rays or as
 /// triangles by VTK's own mapper.
-vtkSmartPointer<vtkFloatArray> readValues(bool rays)
+vtkSmartPointer<vtkFloatArray> ReadValues(bool rays)
 {
   TerrainScene scene(vtkOpenGLTerrainMapper::Techniques::Pyramid);
   const auto heights = MakeHills();
@@ -266,8 +266,8 @@ vtkSmartPointer<vtkFloatArray> readValues(bool rays)
 
 TEST(OpenGLTerrainMapperPasses, Values)
 {
-  const auto rays = readValues(true);
-  const auto mesh = readValues(false);
+  const auto rays = ReadValues(true);
+  const auto mesh = ReadValues(false);
   ASSERT_EQ(rays->GetNumberOfValues(), mesh->GetNumberOfValues());
   int shown = 0;
   int gaps = 0;

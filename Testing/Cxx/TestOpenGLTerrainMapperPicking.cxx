@@ -65,7 +65,7 @@ public:
   vtkNew<vtkTerrainPicker> Exact;
 };
 
-double distanceOf(vtkAbstractPicker* picker, const double place[3])
+double DistanceOf(vtkAbstractPicker* picker, const double place[3])
 {
   const double* at = picker->GetPickPosition();
   return std::hypot(at[0] - place[0], std::hypot(at[1] - place[1], at[2] - place[2]));
@@ -73,14 +73,14 @@ double distanceOf(vtkAbstractPicker* picker, const double place[3])
 
 /// True if an exact pick somewhere in a pixel, or a quarter of one beside it, is at a place: what
 /// the z-buffer has of the pixel. A silhouette may pass through it.
-bool isSeenInPixel(TerrainToPick& scene, int x, int y, const double place[3])
+bool IsSeenInPixel(TerrainToPick& scene, int x, int y, const double place[3])
 {
   for (int part = 0; part < 49; ++part)
   {
     const double right = x - 0.25 + 0.25 * (part % 7);
     const double up = y - 0.25 + 0.25 * (part / 7);
     if (scene.Exact->Pick(right, up, 0.0, scene.Scene.Renderer) &&
-      distanceOf(scene.Exact, place) < 4.0) // a pixel is 3 wide
+      DistanceOf(scene.Exact, place) < 4.0) // a pixel is 3 wide
     {
       return true;
     }
@@ -89,7 +89,7 @@ bool isSeenInPixel(TerrainToPick& scene, int x, int y, const double place[3])
 }
 
 /// How many picks are at a place that their pixel does not show.
-int countWrongPicks(TerrainToPick& scene, vtkAbstractPicker* picker, int& pixels)
+int CountWrongPicks(TerrainToPick& scene, vtkAbstractPicker* picker, int& pixels)
 {
   int wrong = 0;
   pixels = scene.ForTerrainPixels(
@@ -98,14 +98,14 @@ int countWrongPicks(TerrainToPick& scene, vtkAbstractPicker* picker, int& pixels
       picker->Pick(x, y, 0.0, scene.Scene.Renderer);
       double place[3];
       picker->GetPickPosition(place);
-      wrong += isSeenInPixel(scene, x, y, place) ? 0 : 1;
+      wrong += IsSeenInPixel(scene, x, y, place) ? 0 : 1;
     });
   return wrong;
 }
 
 /// True if a number is that of a cell or sample at a grid position, but for what float rounds at
 /// the border to the next.
-bool isAtGridPosition(vtkIdType id, const double position[2], bool cells)
+bool IsAtGridPosition(vtkIdType id, const double position[2], bool cells)
 {
   constexpr double rounding = 1e-3;
   for (int corner = 0; corner < 4; ++corner)
@@ -145,7 +145,7 @@ TEST(OpenGLTerrainMapperPicking, SelectionHasCellsAndSamplesOfTheGrid)
         const auto information = selector->GetPixelInformation(at);
         const double* position = scene.Exact->GetGridPosition();
         const bool same = information.Valid && information.Prop == scene.Terrain.Actor &&
-          isAtGridPosition(information.AttributeID, position, cells);
+          IsAtGridPosition(information.AttributeID, position, cells);
         wrong += same ? 0 : 1;
       });
     EXPECT_GT(pixels, 100);
@@ -194,7 +194,7 @@ TEST(OpenGLTerrainMapperPicking, WorldPointPicker)
   TerrainToPick scene;
   vtkNew<vtkWorldPointPicker> picker;
   int pixels = 0;
-  EXPECT_EQ(countWrongPicks(scene, picker, pixels), 0);
+  EXPECT_EQ(CountWrongPicks(scene, picker, pixels), 0);
   EXPECT_GT(pixels, 100);
 }
 
@@ -203,7 +203,7 @@ TEST(OpenGLTerrainMapperPicking, PropPicker)
   TerrainToPick scene;
   vtkNew<vtkPropPicker> picker;
   int pixels = 0;
-  EXPECT_EQ(countWrongPicks(scene, picker, pixels), 0);
+  EXPECT_EQ(CountWrongPicks(scene, picker, pixels), 0);
   EXPECT_TRUE(picker->Pick(100.0, 60.0, 0.0, scene.Scene.Renderer));
   EXPECT_EQ(picker->GetActor(), scene.Terrain.Actor);
 }

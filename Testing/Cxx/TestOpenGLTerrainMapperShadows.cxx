@@ -51,7 +51,7 @@ struct Count
 /// The share that the point in a place of the picture should get; NaN if that cannot be told. The
 /// point is on the surface below or above that of a distance that was drawn or, without one, where
 /// the ray meets the surface.
-double shareAt(Sunlit& drawing, const terrain::RayQuery& query, const glm::dvec2& pixel,
+double ShareAt(Sunlit& drawing, const terrain::RayQuery& query, const glm::dvec2& pixel,
   const ShareFunction& share, double distance = terrain::kInfinity)
 {
   const terrain::GridGeometry& frame = query.GetSurface().Frame;
@@ -81,7 +81,7 @@ double shareAt(Sunlit& drawing, const terrain::RayQuery& query, const glm::dvec2
 }
 
 /// What a light gives of itself in a pixel of two pictures, without and with shadows, is a share.
-bool isShare(double before, double after, double share)
+bool IsShare(double before, double after, double share)
 {
   return std::isnan(share) || std::abs(after - share * before) <= 2.0;
 }
@@ -89,7 +89,7 @@ bool isShare(double before, double after, double share)
 /// Compares the pixels that the light reaches without shadows with the share that they should get:
 /// that of their centre or, counted apart, of a point at most so many pixels beside it. Distances:
 /// as drawn, at which the points are instead.
-Count judge(Sunlit& drawing, const terrain::Surface& surface, const ShareFunction& share,
+Count Judge(Sunlit& drawing, const terrain::Surface& surface, const ShareFunction& share,
   double beside = 0.0, vtkImageData* distances = nullptr)
 {
   const terrain::RayQuery query(surface);
@@ -106,7 +106,7 @@ Count judge(Sunlit& drawing, const terrain::Surface& surface, const ShareFunctio
         continue;
       }
       const glm::dvec2 centre(x + 0.5, y + 0.5);
-      const double expected = shareAt(drawing, query, centre, share,
+      const double expected = ShareAt(drawing, query, centre, share,
         distances ? distances->GetScalarComponentAsDouble(x, y, 0, 0) : terrain::kInfinity);
       if (std::isnan(expected))
       {
@@ -117,11 +117,11 @@ Count judge(Sunlit& drawing, const terrain::Surface& surface, const ShareFunctio
       count.Lit += expected == 1.0 ? 1 : 0;
       count.Dark += expected == 0.0 ? 1 : 0;
       count.Between += expected > 0.0 && expected < 1.0 ? 1 : 0;
-      bool right = isShare(before, after, expected);
+      bool right = IsShare(before, after, expected);
       for (int k = 0; k < 25 && beside > 0.0 && !right; ++k)
       {
         const glm::dvec2 way(0.5 * beside * (k % 5 - 2), 0.5 * beside * (k / 5 - 2));
-        right = isShare(before, after, shareAt(drawing, query, centre + way, share));
+        right = IsShare(before, after, ShareAt(drawing, query, centre + way, share));
         count.Beside += right ? 1 : 0;
       }
       count.Wrong += right ? 0 : 1;
@@ -132,7 +132,7 @@ Count judge(Sunlit& drawing, const terrain::Surface& surface, const ShareFunctio
 
 /// Whether a point of the surface sees a light, asked of it and of points a little beside, all a
 /// hair above the surface; NaN where they disagree.
-ShareFunction seesLight(const glm::dvec3& toLight, double end = terrain::kInfinity)
+ShareFunction SeesLight(const glm::dvec3& toLight, double end = terrain::kInfinity)
 {
   return [toLight, end](const terrain::RayQuery& query, const glm::dvec3& point,
            const terrain::SurfaceHit& /*hit*/)
@@ -162,18 +162,18 @@ ShareFunction seesLight(const glm::dvec3& toLight, double end = terrain::kInfini
   };
 }
 
-glm::dvec3 wayOf(vtkLight* light)
+glm::dvec3 WayOf(vtkLight* light)
 {
   const double* position = light->GetPosition();
   return { position[0], position[1], position[2] };
 }
 
-Count judgeSun(Sunlit& drawing)
+Count JudgeSun(Sunlit& drawing)
 {
-  return judge(drawing, SurfaceOf(drawing), seesLight(wayOf(drawing.Sun)));
+  return Judge(drawing, SurfaceOf(drawing), SeesLight(WayOf(drawing.Sun)));
 }
 
-void expectRight(const Count& count, const std::string& what = "")
+void ExpectRight(const Count& count, const std::string& what = "")
 {
   EXPECT_EQ(count.Wrong, 0) << what;
   EXPECT_GT(count.Lit, 100) << what;
@@ -181,7 +181,7 @@ void expectRight(const Count& count, const std::string& what = "")
   EXPECT_LT(count.Undecided, (count.Lit + count.Dark) / 20 + 5) << what;
 }
 
-vtkSmartPointer<vtkImageData> landscape(int size)
+vtkSmartPointer<vtkImageData> Landscape(int size)
 {
   vtkNew<vtkTerrainSource> source;
   source->SetDimensions(size, size);
@@ -200,30 +200,30 @@ TEST(OpenGLTerrainMapperShadows, AgreeWithRaysInDouble)
   for (const double azimuth : { 0.0, 77.0, 135.0, 200.0, 270.0, 315.0 })
   {
     hills.Shine(azimuth, 8.0);
-    expectRight(judgeSun(hills), "azimuth " + std::to_string(azimuth));
+    ExpectRight(JudgeSun(hills), "azimuth " + std::to_string(azimuth));
   }
   hills.Shine(250.0, 1.0);
-  EXPECT_EQ(judgeSun(hills).Wrong, 0);
+  EXPECT_EQ(JudgeSun(hills).Wrong, 0);
   hills.Shine(250.0, 89.0);
-  EXPECT_EQ(judgeSun(hills).Wrong, 0);
+  EXPECT_EQ(JudgeSun(hills).Wrong, 0);
   hills.Shine(250.0, 90.0);
-  EXPECT_EQ(judgeSun(hills).Wrong, 0);
+  EXPECT_EQ(JudgeSun(hills).Wrong, 0);
 }
 
 TEST(OpenGLTerrainMapperShadows, AgreeWithRaysFromNearAndFar)
 {
   for (const auto mode : { vtkTerrainLook::ComputeModes::Off, vtkTerrainLook::ComputeModes::On })
   {
-    Sunlit land(landscape(513));
+    Sunlit land(Landscape(513));
     land.Mapper->SetComputeMode(mode);
     land.Shine(100.0, 12.0);
     LookOver(land);
-    expectRight(judgeSun(land), "above");
+    ExpectRight(JudgeSun(land), "above");
     land.Look(200.0, 210.0, 2500.0, 260.0, 300.0, 300.0);
-    expectRight(judgeSun(land), "near");
+    ExpectRight(JudgeSun(land), "near");
     land.Look(250.0, -9000.0, 90000.0, 256.0, 256.0, 300.0);
     land.Camera()->SetViewAngle(2.0);
-    expectRight(judgeSun(land), "far");
+    ExpectRight(JudgeSun(land), "far");
   }
 }
 
@@ -238,7 +238,7 @@ TEST(OpenGLTerrainMapperShadows, AreThoseOfEveryTechnique)
     LookOver(hills);
     hills.Shine(135.0, 8.0);
     const Count count =
-      judge(hills, SurfaceOf(hills), seesLight(wayOf(hills.Sun)), 0.0, hills.Distances());
+      Judge(hills, SurfaceOf(hills), SeesLight(WayOf(hills.Sun)), 0.0, hills.Distances());
     EXPECT_EQ(count.Wrong, 0);
     EXPECT_LT(count.Undecided, (count.Lit + count.Dark) / 10);
     EXPECT_GT(count.Dark, (count.Lit + count.Dark) / 10); // else no shadow would do
@@ -249,11 +249,11 @@ TEST(OpenGLTerrainMapperShadows, AreThoseOfEveryTechnique)
 // shadow.
 TEST(OpenGLTerrainMapperShadows, StartOnTheSurfaceUnderATolerance)
 {
-  Sunlit land(landscape(513));
+  Sunlit land(Landscape(513));
   land.Mapper->SetPixelTolerance(0.25);
   land.Shine(100.0, 12.0);
   LookOver(land);
-  const Count count = judge(land, SurfaceOf(land), seesLight(wayOf(land.Sun)), 0.25);
+  const Count count = Judge(land, SurfaceOf(land), SeesLight(WayOf(land.Sun)), 0.25);
   EXPECT_EQ(count.Wrong, 0);
   EXPECT_LE(count.Beside, (count.Lit + count.Dark) / 30);
   EXPECT_GT(count.Dark, (count.Lit + count.Dark) / 10);
@@ -266,7 +266,7 @@ TEST(OpenGLTerrainMapperShadows, AreThoseOfTheExaggeratedSurface)
   hills.Mapper->SetVerticalExaggeration(2.5);
   hills.Look(20.0, -20.0, 600.0, 20.0, 16.0, 250.0);
   hills.Shine(110.0, 20.0);
-  expectRight(judgeSun(hills));
+  ExpectRight(JudgeSun(hills));
 }
 
 // The rays are those of the world, however the actor stands in it.
@@ -275,7 +275,7 @@ TEST(OpenGLTerrainMapperShadows, FollowTurnedActors)
   Sunlit hills(vtkTerrainTesting::MakeHills());
   LookOver(hills);
   hills.Shine(110.0, 9.0);
-  const glm::dvec3 way = wayOf(hills.Sun);
+  const glm::dvec3 way = WayOf(hills.Sun);
   hills.Actor->SetOrigin(200.0, 190.0, 100.0);
   hills.Actor->RotateZ(40.0);
   hills.Actor->SetScale(1.0, 1.0, 1.5);
@@ -283,7 +283,7 @@ TEST(OpenGLTerrainMapperShadows, FollowTurnedActors)
   const double turn = vtkMath::RadiansFromDegrees(-40.0);
   const glm::dvec3 model(std::cos(turn) * way.x - std::sin(turn) * way.y,
     std::sin(turn) * way.x + std::cos(turn) * way.y, way.z / 1.5);
-  expectRight(judge(hills, SurfaceOf(hills), seesLight(model)));
+  ExpectRight(Judge(hills, SurfaceOf(hills), SeesLight(model)));
 }
 
 TEST(OpenGLTerrainMapperShadows, HolesLetLightThrough)
@@ -291,7 +291,7 @@ TEST(OpenGLTerrainMapperShadows, HolesLetLightThrough)
   Sunlit hills(vtkTerrainTesting::MakeHills(true));
   LookOver(hills);
   hills.Shine(135.0, 8.0);
-  expectRight(judgeSun(hills));
+  ExpectRight(JudgeSun(hills));
 }
 
 // What is cut away hides nothing.
@@ -313,7 +313,7 @@ TEST(OpenGLTerrainMapperShadows, EndAtPlanes)
   terrain::Surface surface = SurfaceOf(hills);
   surface.Planes.emplace_back(surface.Frame.PlaneToGrid({ -1.0, 0.0, 0.0, east }));
   surface.Planes.emplace_back(surface.Frame.PlaneToGrid({ 0.0, 0.0, -1.0, top }));
-  expectRight(judge(hills, surface, seesLight(wayOf(hills.Sun))));
+  ExpectRight(Judge(hills, surface, SeesLight(WayOf(hills.Sun))));
 }
 
 // Nothing stands before the faces at which a block is cut; its top has its shadows.
@@ -330,10 +330,10 @@ TEST(OpenGLTerrainMapperShadows, BlocksHaveLightOnTheirCutFaces)
   surface.Block = true;
   surface.Planes = { { 1.0, 0.0, 0.0, -8.0 }, { -1.0, 0.0, 0.0, 33.0 }, { 0.0, 1.0, 0.0, -5.0 },
     { 0.0, -1.0, 0.0, 28.0 }, { 0.0, 0.0, 1.0, 0.0 } };
-  const Count top = judge(hills, surface, seesLight(wayOf(hills.Sun)));
+  const Count top = Judge(hills, surface, SeesLight(WayOf(hills.Sun)));
   EXPECT_EQ(top.Wrong, 0);
   EXPECT_GT(top.Dark, 100);
-  const Count walls = judge(hills, surface,
+  const Count walls = Judge(hills, surface,
     [](const terrain::RayQuery& query, const glm::dvec3& point, const terrain::SurfaceHit& /*hit*/)
     { return point.z < query.HeightAt(point.x, point.y) - 1.0 ? 1.0 : terrain::kNaN; });
   EXPECT_EQ(walls.Wrong, 0);
@@ -348,8 +348,8 @@ TEST(OpenGLTerrainMapperShadows, OfColumns)
   hills.Shine(140.0, 10.0);
   terrain::Surface surface = SurfaceOf(hills);
   surface.Kind = terrain::SurfaceKind::Columns;
-  const glm::dvec3 way = wayOf(hills.Sun);
-  expectRight(judge(hills, surface,
+  const glm::dvec3 way = WayOf(hills.Sun);
+  ExpectRight(Judge(hills, surface,
     [way](const terrain::RayQuery& query, const glm::dvec3& point, const terrain::SurfaceHit& hit)
     {
       // a thousandth of a cell is what tells walls from tops
@@ -374,7 +374,7 @@ TEST(OpenGLTerrainMapperShadows, OfColumns)
 TEST(OpenGLTerrainMapperShadows, OfDetail)
 {
   Sunlit hills(vtkTerrainTesting::MakeHills());
-  const auto bumps = landscape(32);
+  const auto bumps = Landscape(32);
   LookOver(hills);
   hills.Mapper->SetDetailData(bumps);
   hills.Mapper->SetDetailCells(4);
@@ -383,7 +383,7 @@ TEST(OpenGLTerrainMapperShadows, OfDetail)
   terrain::ImageSurface image;
   image.SetImage(hills.Heights);
   image.SetDetail(bumps);
-  expectRight(judge(hills, image.GetDetailedSurface(1.0, 4, 0.02), seesLight(wayOf(hills.Sun))));
+  ExpectRight(Judge(hills, image.GetDetailedSurface(1.0, 4, 0.02), SeesLight(WayOf(hills.Sun))));
 }
 
 //------------------------------------------------------------------------------
@@ -396,9 +396,9 @@ TEST(OpenGLTerrainMapperShadows, OfLamps)
   hills.Sun->SetConeAngle(90.0);
   const glm::dvec3 lamp(150.0, 170.0, 150.0);
   hills.Sun->SetPosition(lamp.x, lamp.y, lamp.z);
-  const Count count = judge(hills, SurfaceOf(hills),
+  const Count count = Judge(hills, SurfaceOf(hills),
     [&](const terrain::RayQuery& query, const glm::dvec3& point, const terrain::SurfaceHit& hit)
-    { return seesLight(lamp - point, 1.0)(query, point, hit); });
+    { return SeesLight(lamp - point, 1.0)(query, point, hit); });
   EXPECT_EQ(count.Wrong, 0);
   EXPECT_GT(count.Lit, 100);
   EXPECT_GT(count.Dark, 20);
@@ -416,7 +416,7 @@ TEST(OpenGLTerrainMapperShadows, HaveTheEdgeOfADisc)
     LookOver(hills);
     hills.Mapper->SetSunAngle(2.0 * radius);
     hills.Shine(azimuth, altitude);
-    const Count count = judge(hills, SurfaceOf(hills),
+    const Count count = Judge(hills, SurfaceOf(hills),
       [&](
         const terrain::RayQuery& query, const glm::dvec3& point, const terrain::SurfaceHit& /*hit*/)
       {
@@ -460,9 +460,9 @@ TEST(OpenGLTerrainMapperShadows, AreOnlyOfLightsThatCastThem)
   hills.Sun->SetShadowAttenuation(0.0f);
   EXPECT_EQ(vtkTerrainTesting::CountDifferentPixels(plain, hills.Picture(true), 0), 0);
   hills.Sun->SetShadowAttenuation(0.5f);
-  const Count half = judge(hills, SurfaceOf(hills),
+  const Count half = Judge(hills, SurfaceOf(hills),
     [&](const terrain::RayQuery& query, const glm::dvec3& point, const terrain::SurfaceHit& hit)
-    { return 0.5 + 0.5 * seesLight(wayOf(hills.Sun))(query, point, hit); });
+    { return 0.5 + 0.5 * SeesLight(WayOf(hills.Sun))(query, point, hit); });
   EXPECT_EQ(half.Wrong, 0);
   hills.Sun->SetShadowAttenuation(1.0f);
   hills.Actor->GetProperty()->SetLighting(false);
@@ -485,7 +485,7 @@ TEST(OpenGLTerrainMapperShadows, CoverAllUnderASunBelowTheHorizon)
   Sunlit hills(vtkTerrainTesting::MakeHills());
   LookOver(hills);
   hills.Shine(135.0, -5.0);
-  EXPECT_EQ(judgeSun(hills).Wrong, 0);
+  EXPECT_EQ(JudgeSun(hills).Wrong, 0);
   hills.Mapper->SetSunAngle(4.0);
   hills.Shine(135.0, -88.0);
   hills.Picture(true);

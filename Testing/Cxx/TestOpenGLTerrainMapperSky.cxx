@@ -26,7 +26,7 @@ using vtkTerrainTesting::Sunlit;
 using vtkTerrainTesting::SurfaceOf;
 
 /// A point array of an image between its samples.
-double valueAt(vtkImageData* image, const char* name, double x, double y)
+double ValueAt(vtkImageData* image, const char* name, double x, double y)
 {
   vtkDataArray* array = image->GetPointData()->GetArray(name);
   const int* size = image->GetDimensions();
@@ -81,7 +81,7 @@ TEST(OpenGLTerrainMapperSky, IsTheShareOfTheSkyThatIsSeen)
       if (hit.Found && hit.FromAbove)
       {
         const glm::dvec2 at = glm::dvec2(hit.Cell) + hit.Fraction;
-        const double share = valueAt(horizon->GetOutput(), "SkyView", at.x, at.y);
+        const double share = ValueAt(horizon->GetOutput(), "SkyView", at.x, at.y);
         const double expected = 255.0 * 0.8 * 0.9 * share;
         ++pixels;
         wrong += std::abs(picture->GetScalarComponentAsDouble(x, y, 0, 0) - expected) > 1.6 ? 1 : 0;

@@ -25,7 +25,7 @@ namespace
 using Techniques = vtkOpenGLTerrainMapper::Techniques;
 
 /// Colours by the heights; plain mappers interpolate before mapping.
-void colorByHeights(vtkMapper* mapper, double alpha)
+void ColorByHeights(vtkMapper* mapper, double alpha)
 {
   vtkNew<vtkLookupTable> table;
   table->SetHueRange(0.0, 0.7);
@@ -42,7 +42,7 @@ void colorByHeights(vtkMapper* mapper, double alpha)
 /// Hills with the heights of whole numbers, in an array of a type; VTK's mappers take bytes for
 /// colours by default.
 template <typename Array>
-vtkSmartPointer<vtkImageData> makeHillsOf()
+vtkSmartPointer<vtkImageData> MakeHillsOf()
 {
   const auto hills = MakeHills();
   vtkNew<vtkUnsignedCharArray> bytes;
@@ -67,9 +67,9 @@ TEST(OpenGLTerrainMapperTable, HeightsInBytesAreNoColors)
     for (const double alpha : { 1.0, technique == Techniques::Mesh ? 1.0 : 0.3 })
     {
       auto paint = [alpha](TerrainScene&, const TerrainProp& terrain)
-      { colorByHeights(terrain.Mapper, alpha); };
-      const auto bytes = DrawScene(paint, technique, makeHillsOf<vtkUnsignedCharArray>());
-      const auto doubles = DrawScene(paint, technique, makeHillsOf<vtkDoubleArray>());
+      { ColorByHeights(terrain.Mapper, alpha); };
+      const auto bytes = DrawScene(paint, technique, MakeHillsOf<vtkUnsignedCharArray>());
+      const auto doubles = DrawScene(paint, technique, MakeHillsOf<vtkDoubleArray>());
       EXPECT_LE(CountDifferentPixels(bytes, doubles, 4), 20)
         << static_cast<int>(technique) << " " << alpha;
     }
@@ -83,7 +83,7 @@ TEST(OpenGLTerrainMapperTable, LinesAndPointsOfAMeshHaveTheColorsOfTheSurface)
   {
     auto paint = [representation](TerrainScene&, const TerrainProp& terrain)
     {
-      colorByHeights(terrain.Mapper, 1.0);
+      ColorByHeights(terrain.Mapper, 1.0);
       terrain.Mapper->SetColorSource(vtkOpenGLTerrainMapper::ColorSources::Slope);
       terrain.Mapper->SetScalarRange(0.0, 90.0); // all heights of the mesh itself are above it
       terrain.Actor->GetProperty()->LightingOff();

@@ -42,7 +42,7 @@ using Techniques = vtkTerrainActor::Techniques;
 using Bounds = std::array<double, 6>;
 
 /// Heights of n x n samples.
-vtkSmartPointer<vtkImageData> makeHeights(int n)
+vtkSmartPointer<vtkImageData> MakeHeights(int n)
 {
   vtkNew<vtkFloatArray> values;
   for (int id = 0; id < n * n; ++id)
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkImageData> makeHeights(int n)
   return heights;
 }
 
-void scaleHeights(vtkImageData* heights, double factor)
+void ScaleHeights(vtkImageData* heights, double factor)
 {
   vtkDataArray* scalars = heights->GetPointData()->GetScalars();
   for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
@@ -102,11 +102,11 @@ protected:
   }
 
   vtkTerrainTesting::Scene Scene = vtkTerrainTesting::MakeScene(160, 120);
-  vtkSmartPointer<vtkImageData> Heights = makeHeights(129);
+  vtkSmartPointer<vtkImageData> Heights = MakeHeights(129);
   vtkNew<vtkTerrainActor> Terrain;
 };
 
-int countDrawn(vtkImageData* picture)
+int CountDrawn(vtkImageData* picture)
 {
   vtkNew<vtkImageData> black;
   black->DeepCopy(picture);
@@ -125,7 +125,7 @@ TEST_F(TerrainActor, DrawsAsThePipelineByHand)
     this->Terrain->SetVerticalExaggeration(2.0);
     this->LookFromSouth();
     const auto picture = this->Draw();
-    EXPECT_GT(countDrawn(picture), 160 * 120 / 6);
+    EXPECT_GT(CountDrawn(picture), 160 * 120 / 6);
 
     vtkNew<vtkTerrainCoarseMesh> mesh;
     mesh->SetInputData(this->Heights);
@@ -176,7 +176,7 @@ TEST_F(TerrainActor, MakesMeshesOnlyWhereTheyAreNeeded)
   this->Draw();
   EXPECT_EQ(full->GetNumberOfPolys(), 0); // its memory is given back
   this->Terrain->SetTechnique(Techniques::Mesh);
-  EXPECT_GT(countDrawn(this->Draw()), 160 * 120 / 6);
+  EXPECT_GT(CountDrawn(this->Draw()), 160 * 120 / 6);
 }
 
 TEST_F(TerrainActor, StripsAreTheMeshWithinTheTolerance)
@@ -201,7 +201,7 @@ TEST_F(TerrainActor, StripsAreTheMeshWithinTheTolerance)
     const auto mesh = this->Draw();
     this->Terrain->SetTechnique(Techniques::Strips);
     const auto strips = this->Draw();
-    EXPECT_GT(countDrawn(mesh), 160 * 120 / 3);
+    EXPECT_GT(CountDrawn(mesh), 160 * 120 / 3);
     EXPECT_LT(
       vtkTerrainTesting::CountDifferentPixels(mesh, strips, 32), 160 * 120 / 50); // silhouettes
     EXPECT_LT(this->Terrain->GetStrips()->GetNumberOfTriangles(), 2 * 128 * 128);
@@ -253,7 +253,7 @@ TEST_F(TerrainActor, StripsComeBackFromNothing)
       id, 0, isIsland ? scalars->GetComponent(id, 0) : std::numeric_limits<double>::quiet_NaN());
   }
   this->Terrain->SetTechnique(Techniques::Strips);
-  const int drawn = countDrawn(this->Draw());
+  const int drawn = CountDrawn(this->Draw());
   EXPECT_GT(drawn, 30);
   const Bounds bounds = this->ActorBounds();
   this->Terrain->GetStrips()->SetTolerance(20.0);
@@ -261,7 +261,7 @@ TEST_F(TerrainActor, StripsComeBackFromNothing)
   EXPECT_EQ(this->Terrain->GetStrips()->GetNumberOfTriangles(), 0);
   EXPECT_EQ(this->ActorBounds(), bounds);
   this->Terrain->GetStrips()->SetTolerance(1.0);
-  EXPECT_EQ(countDrawn(this->Draw()), drawn);
+  EXPECT_EQ(CountDrawn(this->Draw()), drawn);
 }
 
 // A prepared file: Strips draws it alone, as the heights that it was made of; other techniques read
@@ -279,7 +279,7 @@ TEST_F(TerrainActor, DrawsPreparedFiles)
   this->Terrain->SetTechnique(Techniques::Pyramid);
   const auto rays = this->Draw();
   const Bounds bounds = this->ActorBounds();
-  EXPECT_GT(countDrawn(strips), 160 * 120 / 6);
+  EXPECT_GT(CountDrawn(strips), 160 * 120 / 6);
 
   const std::string path = vtkTerrainTesting::OutputPath("prepared.any");
   vtkNew<vtkTerrainHierarchy> hierarchy;
@@ -324,22 +324,22 @@ TEST_F(TerrainActor, SaysWhyPreparedHeightsCannotBeDrawn)
   EXPECT_NE(errors->GetErrorMessage().find("SetFileName"), std::string::npos);
   errors->Clear();
   this->Terrain->SetTechnique(Techniques::Strips);
-  EXPECT_GT(countDrawn(this->Draw()), 160 * 120 / 6);
+  EXPECT_GT(CountDrawn(this->Draw()), 160 * 120 / 6);
   EXPECT_FALSE(errors->GetError());
 }
 
 TEST_F(TerrainActor, ShowsTheCoarseMeshAsWireframe)
 {
   this->Terrain->GetCoarseMesh()->SetCellsPerQuad(32);
-  const int surface = countDrawn(this->Draw());
+  const int surface = CountDrawn(this->Draw());
   this->Terrain->GetProperty()->SetRepresentationToWireframe();
-  const int wires = countDrawn(this->Draw());
+  const int wires = CountDrawn(this->Draw());
   EXPECT_GT(wires, surface / 20);
   EXPECT_LT(wires, 3 * surface / 4);
   EXPECT_EQ(
     this->Terrain->GetTerrainMapper()->GetInput(), this->Terrain->GetCoarseMesh()->GetOutput());
   this->Terrain->GetProperty()->SetRepresentationToSurface();
-  EXPECT_EQ(countDrawn(this->Draw()), surface);
+  EXPECT_EQ(CountDrawn(this->Draw()), surface);
 }
 
 TEST_F(TerrainActor, ColoursFollowTheHeights)
@@ -348,7 +348,7 @@ TEST_F(TerrainActor, ColoursFollowTheHeights)
   double range[2];
   this->Heights->GetScalarRange(range);
   EXPECT_DOUBLE_EQ(this->Terrain->GetLookupTable()->GetRange()[1], range[1]);
-  scaleHeights(this->Heights, 3.0);
+  ScaleHeights(this->Heights, 3.0);
   this->Draw();
   EXPECT_NEAR(this->Terrain->GetLookupTable()->GetRange()[1], 3.0 * range[1], 1e-3 * range[1]);
 
@@ -376,7 +376,7 @@ TEST_F(TerrainActor, ScalarBarHasItsColours)
   this->Scene.Renderer->AddViewProp(bar);
   for (const double factor : { 1.0, 3.0 })
   {
-    scaleHeights(this->Heights, factor);
+    ScaleHeights(this->Heights, factor);
     this->Draw(); // VTK makes the bar of the table that the frame before left
     const auto picture = this->Draw();
     int rectangle[4];
@@ -435,14 +435,14 @@ TEST_F(TerrainActor, BoundsFollowEveryChange)
   this->Terrain->SetVerticalExaggeration(3.0);
   EXPECT_DOUBLE_EQ(this->ActorBounds()[5], 3.0 * before[5]);
   this->Scene.Renderer->ResetCameraClippingRange();
-  const int tall = countDrawn(this->Draw());
-  scaleHeights(this->Heights, 0.5);
+  const int tall = CountDrawn(this->Draw());
+  ScaleHeights(this->Heights, 0.5);
   EXPECT_NEAR(this->ActorBounds()[5], 1.5 * before[5], 1e-3 * before[5]);
   this->Terrain->SetTechnique(Techniques::Equidistant);
   EXPECT_NEAR(this->ActorBounds()[5], 1.5 * before[5], 1e-3 * before[5]);
   this->Scene.Renderer->ResetCameraClippingRange();
-  EXPECT_LT(countDrawn(this->Draw()), tall);
-  const auto larger = makeHeights(65);
+  EXPECT_LT(CountDrawn(this->Draw()), tall);
+  const auto larger = MakeHeights(65);
   larger->SetOrigin(-1e5, 2e5, 0.0);
   larger->SetSpacing(1000.0, 500.0, 1.0);
   this->Terrain->SetInputData(larger);
@@ -451,7 +451,7 @@ TEST_F(TerrainActor, BoundsFollowEveryChange)
   EXPECT_DOUBLE_EQ(after[1], -1e5 + 64.0 * 1000.0);
   EXPECT_DOUBLE_EQ(after[3], 2e5 + 64.0 * 500.0);
   this->LookFromSouth();
-  EXPECT_GT(countDrawn(this->Draw()), 160 * 120 / 8);
+  EXPECT_GT(CountDrawn(this->Draw()), 160 * 120 / 8);
 }
 
 // What a change costs: uploads of heights, builds of shaders and of vertex buffers.
@@ -559,7 +559,7 @@ TEST_F(TerrainActor, BuildsOnlyWhatChanged)
     EXPECT_EQ(costs([] {}), (Costs{ 0, 0, 0 }));
   }
   // the box around the heights changes with them
-  EXPECT_EQ(costs([&] { scaleHeights(this->Heights, 1.01); }), (Costs{ 1, 1, 1 }));
+  EXPECT_EQ(costs([&] { ScaleHeights(this->Heights, 1.01); }), (Costs{ 1, 1, 1 }));
 }
 
 // Frames in haste are drawn coarser, the next one with time exactly again.

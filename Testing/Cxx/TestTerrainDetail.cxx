@@ -38,7 +38,7 @@ constexpr double BaseSpacing = 40.0;
 constexpr int Cells = 8;
 constexpr double Scale = 1.5;
 
-vtkSmartPointer<vtkImageData> makeBase()
+vtkSmartPointer<vtkImageData> MakeBase()
 {
   vtkNew<vtkTerrainSource> source;
   source->SetDimensions(BaseSamples, BaseSamples);
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkImageData> makeBase()
   return source->GetOutput();
 }
 
-vtkSmartPointer<vtkImageData> makeDetail(int size)
+vtkSmartPointer<vtkImageData> MakeDetail(int size)
 {
   vtkNew<vtkTerrainDetailSource> source;
   source->SetSize(size);
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkImageData> makeDetail(int size)
 }
 
 /// Bilinear height at a position in samples; samples repeat.
-double bilinear(vtkImageData* image, double x, double y)
+double Bilinear(vtkImageData* image, double x, double y)
 {
   const int* size = image->GetDimensions();
   const auto at = [&](int i, int j)
@@ -71,7 +71,7 @@ double bilinear(vtkImageData* image, double x, double y)
     (at(i, j + 1) * (1 - u) + at(i + 1, j + 1) * u) * v;
 }
 
-vtkSmartPointer<vtkImageData> makeSum(vtkImageData* base, vtkImageData* detail)
+vtkSmartPointer<vtkImageData> MakeSum(vtkImageData* base, vtkImageData* detail)
 {
   const int samples = (BaseSamples - 1) * Cells + 1;
   vtkNew<vtkFloatArray> heights;
@@ -80,7 +80,7 @@ vtkSmartPointer<vtkImageData> makeSum(vtkImageData* base, vtkImageData* detail)
     for (int i = 0; i < samples; ++i)
     {
       heights->InsertNextValue(static_cast<float>(
-        bilinear(base, double(i) / Cells, double(j) / Cells) + Scale * bilinear(detail, i, j)));
+        Bilinear(base, double(i) / Cells, double(j) / Cells) + Scale * Bilinear(detail, i, j)));
     }
   }
   auto sum = vtkSmartPointer<vtkImageData>::New();
@@ -141,7 +141,7 @@ struct Drawing
 };
 
 /// Part of the pixels whose distances differ by more than a tolerance, relative.
-double differs(const std::vector<float>& a, const std::vector<float>& b, double tolerance)
+double Differs(const std::vector<float>& a, const std::vector<float>& b, double tolerance)
 {
   std::size_t different = 0;
   for (std::size_t k = 0; k < a.size(); ++k)
@@ -165,13 +165,13 @@ class TerrainDetail : public testing::TestWithParam<Techniques>
 
 TEST_P(TerrainDetail, IsTheSumOfTheHeights)
 {
-  const auto base = makeBase();
+  const auto base = MakeBase();
   for (const int size : { 64, 48, 5 })
   {
     SCOPED_TRACE(size);
-    const auto detail = makeDetail(size);
+    const auto detail = MakeDetail(size);
     Drawing parts(base, detail);
-    Drawing whole(makeSum(base, detail));
+    Drawing whole(MakeSum(base, detail));
     parts.Mapper->SetTechnique(this->GetParam());
     whole.Mapper->SetTechnique(Techniques::Pyramid); // whose tests are its own
     // the searches may miss what is thinner than a step
@@ -181,7 +181,7 @@ TEST_P(TerrainDetail, IsTheSumOfTheHeights)
       SCOPED_TRACE(&view - &Views[0]);
       parts.Look(view[0], view[1]);
       whole.Look(view[0], view[1]);
-      EXPECT_LE(differs(parts.Distances(), whole.Distances(), 1e-4), allowed);
+      EXPECT_LE(Differs(parts.Distances(), whole.Distances(), 1e-4), allowed);
     }
   }
 }
@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(Techniques, TerrainDetail,
   { return technique.param == Techniques::Pyramid ? "Pyramid" : "Equidistant"; });
 
 /// Heights with noise from sample to sample, which pixels far away cannot show.
-vtkSmartPointer<vtkImageData> makeRough(vtkImageData* heights)
+vtkSmartPointer<vtkImageData> MakeRough(vtkImageData* heights)
 {
   auto rough = vtkSmartPointer<vtkImageData>::New();
   rough->DeepCopy(heights);
@@ -206,7 +206,7 @@ vtkSmartPointer<vtkImageData> makeRough(vtkImageData* heights)
 }
 
 /// Mean difference of two pictures' channels, in levels of 255.
-double meanDifference(vtkImageData* a, vtkImageData* b)
+double MeanDifference(vtkImageData* a, vtkImageData* b)
 {
   const auto* first = static_cast<unsigned char*>(a->GetScalarPointer());
   const auto* second = static_cast<unsigned char*>(b->GetScalarPointer());
@@ -220,7 +220,7 @@ double meanDifference(vtkImageData* a, vtkImageData* b)
 }
 
 /// Pixels of the two pictures of a view that differ by more than a tolerance.
-vtkIdType differentPixels(Drawing& parts, Drawing& whole, const glm::dvec3& eye,
+vtkIdType DifferentPixels(Drawing& parts, Drawing& whole, const glm::dvec3& eye,
   const glm::dvec3& at, double viewAngle, int tolerance)
 {
   for (Drawing* drawing : { &parts, &whole })
@@ -236,23 +236,23 @@ vtkIdType differentPixels(Drawing& parts, Drawing& whole, const glm::dvec3& eye,
 // creases between patches, which the lights of heights with detail pass over.
 TEST(TerrainDetailLight, IsThatOfTheSum)
 {
-  const auto base = makeBase();
+  const auto base = MakeBase();
   for (vtkIdType k = 0; k < base->GetNumberOfPoints(); ++k)
   {
     const vtkIdType height = 3 * (k % 33) + 2 * (k / 33);
     base->GetPointData()->GetScalars()->SetComponent(k, 0, static_cast<double>(height));
   }
-  const auto detail = makeDetail(64);
+  const auto detail = MakeDetail(64);
   Drawing parts(base, detail);
-  Drawing whole(makeSum(base, detail));
+  Drawing whole(MakeSum(base, detail));
   const glm::dvec3 middle(640.0, 640.0, 100.0);
-  EXPECT_LE(differentPixels(parts, whole, { 500.0, 100.0, 600.0 }, middle, 12.0, 3), 10);
+  EXPECT_LE(DifferentPixels(parts, whole, { 500.0, 100.0, 600.0 }, middle, 12.0, 3), 10);
 
   // straight down from afar, the heights of the mesh hardly matter
   parts.Mesh->PushUpOff();
   parts.Mesh->SetCellsPerQuad(1);
   parts.Mapper->SetTechnique(Techniques::Mesh);
-  EXPECT_LE(differentPixels(parts, whole, { 640.0, 640.0, 90000.0 }, { 640.0, 641.0, 0.0 }, 0.2, 8),
+  EXPECT_LE(DifferentPixels(parts, whole, { 640.0, 640.0, 90000.0 }, { 640.0, 641.0, 0.0 }, 0.2, 8),
     120 * 90 / 100);
 }
 
@@ -262,7 +262,7 @@ const glm::dmat3 ToLights(glm::normalize(glm::dvec3(0.5, 0.0, 1.0)),
   glm::normalize(glm::dvec3(-0.3, 0.4, 1.0)), glm::normalize(glm::dvec3(-0.3, -0.4, 1.0)));
 
 /// Lights a drawing in red, green and blue from these directions only, without highlights.
-void lightNormals(Drawing& drawing)
+void LightNormals(Drawing& drawing)
 {
   drawing.Light->SwitchOff();
   for (int k = 0; k < 3; ++k)
@@ -278,20 +278,20 @@ void lightNormals(Drawing& drawing)
 }
 
 /// Slopes of an image of heights at a position in samples: central differences over a sample.
-glm::dvec2 differences(vtkImageData* image, double x, double y)
+glm::dvec2 Differences(vtkImageData* image, double x, double y)
 {
-  return { bilinear(image, x + 0.5, y) - bilinear(image, x - 0.5, y),
-    bilinear(image, x, y + 0.5) - bilinear(image, x, y - 0.5) };
+  return { Bilinear(image, x + 0.5, y) - Bilinear(image, x - 0.5, y),
+    Bilinear(image, x, y + 0.5) - Bilinear(image, x, y - 0.5) };
 }
 
 // Where pixels are smaller than cells, normals are those of differences of the reference heights,
 // over a cell of the base and over a cell of the detail. Straight down, pixels are positions.
 TEST(TerrainDetailLight, IsThatOfDifferences)
 {
-  const auto base = makeBase();
-  const auto detail = makeDetail(64);
+  const auto base = MakeBase();
+  const auto detail = MakeDetail(64);
   Drawing drawing(base, detail);
-  lightNormals(drawing);
+  LightNormals(drawing);
   drawing.Look({ 640.0, 640.0, 1500.0 }, { 640.0, 640.0, 0.0 });
   vtkCamera* camera = drawing.Scene.Renderer->GetActiveCamera();
   camera->SetViewUp(0.0, 1.0, 0.0);
@@ -311,8 +311,8 @@ TEST(TerrainDetailLight, IsThatOfDifferences)
         glm::inverse(glm::transpose(ToLights)) * glm::dvec3(color[0], color[1], color[2]));
       const glm::dvec2 at = (glm::dvec2(640.0) + pixel * glm::dvec2(x - 59.5, y - 44.5)) /
         BaseSpacing; // in samples of the base
-      const glm::dvec2 slope = (differences(base, at.x, at.y) +
-                                 Cells * Scale * differences(detail, Cells * at.x, Cells * at.y)) /
+      const glm::dvec2 slope = (Differences(base, at.x, at.y) +
+                                 Cells * Scale * Differences(detail, Cells * at.x, Cells * at.y)) /
         BaseSpacing;
       const glm::dvec3 expected = glm::normalize(glm::dvec3(-slope, 1.0));
       const double angle = glm::degrees(std::acos(std::min(glm::dot(seen, expected), 1.0)));
@@ -327,7 +327,7 @@ TEST(TerrainDetailLight, IsThatOfDifferences)
 
 TEST(TerrainDetailLight, LooksAsBefore)
 {
-  Drawing drawing(makeBase(), makeDetail(64));
+  Drawing drawing(MakeBase(), MakeDetail(64));
   drawing.Look(Views[0][0], Views[0][1]);
   const auto picture = vtkTerrainTesting::Render(drawing.Scene.Window);
   EXPECT_TRUE(vtkTerrainTesting::MatchesBaseline(picture, "TerrainDetail"));
@@ -342,7 +342,7 @@ TEST(TerrainDetailLight, DoesNotShimmer)
   source->SetDimensions(1025, 1025);
   source->SetRoughness(1.0);
   source->Update();
-  const auto heights = makeRough(source->GetOutput());
+  const auto heights = MakeRough(source->GetOutput());
   Drawing drawing(heights);
   vtkSmartPointer<vtkImageData> last;
   double change = 0.0;
@@ -352,7 +352,7 @@ TEST(TerrainDetailLight, DoesNotShimmer)
     drawing.Look(
       { 20480.0, 20480.0, 150000.0 * std::pow(0.998, frame) }, { 20480.0, 20481.0, 0.0 });
     const auto picture = vtkTerrainTesting::Render(drawing.Scene.Window);
-    change += last ? meanDifference(picture, last) / (frames - 1) : 0.0;
+    change += last ? MeanDifference(picture, last) / (frames - 1) : 0.0;
     last = picture;
   }
   EXPECT_LT(change, 0.7); // levels of 255; 6.5 with single samples
@@ -360,8 +360,8 @@ TEST(TerrainDetailLight, DoesNotShimmer)
 
 TEST(TerrainDetailChange, UploadsOnlyWhatChanged)
 {
-  const auto base = makeBase();
-  const auto detail = makeDetail(64);
+  const auto base = MakeBase();
+  const auto detail = MakeDetail(64);
   Drawing drawing(base, detail);
   drawing.Look(Views[0][0], Views[0][1]);
   drawing.Scene.Window->Render();
@@ -374,7 +374,7 @@ TEST(TerrainDetailChange, UploadsOnlyWhatChanged)
   drawing.Mapper->GetBounds(higher);
   EXPECT_NEAR(higher[5] - bounds[5], 9.0 * Scale * 6.0, 1e-3);
   EXPECT_NEAR(higher[4] - bounds[4], -9.0 * Scale * 6.0, 1e-3);
-  EXPECT_GT(differs(drawing.Distances(), before, 1e-4), 0.1);
+  EXPECT_GT(Differs(drawing.Distances(), before, 1e-4), 0.1);
   drawing.Mapper->SetDetailCells(4);
   drawing.Distances();
   EXPECT_EQ(drawing.Mapper->GetNumberOfHeightUploads(), uploads);
@@ -382,14 +382,14 @@ TEST(TerrainDetailChange, UploadsOnlyWhatChanged)
   Drawing bare(base);
   bare.Look(Views[0][0], Views[0][1]);
   drawing.Look(Views[0][0], Views[0][1]);
-  EXPECT_EQ(differs(drawing.Distances(), bare.Distances(), 1e-6), 0.0);
+  EXPECT_EQ(Differs(drawing.Distances(), bare.Distances(), 1e-6), 0.0);
 }
 
 // Base and detail are on the graphics card, not their product.
 TEST(TerrainDetailMemory, IsThatOfTheParts)
 {
-  const auto base = makeBase();
-  Drawing drawing(base, makeDetail(64));
+  const auto base = MakeBase();
+  Drawing drawing(base, MakeDetail(64));
   drawing.Mapper->SetDetailCells(vtkOpenGLTerrainMapper::MostDetailCells);
   drawing.Look(Views[0][0], Views[0][1]);
   drawing.Scene.Window->Render();
@@ -411,9 +411,9 @@ TEST(TerrainDetailErrors, AreToldInOneSentence)
   mapper->SetDetailScale(-1.0);
   EXPECT_EQ(mapper->GetDetailScale(), 0.0);
 
-  const auto holed = makeDetail(8);
+  const auto holed = MakeDetail(8);
   holed->SetScalarComponentFromDouble(3, 3, 0, 0, std::nan(""));
-  Drawing drawing(makeBase(), holed);
+  Drawing drawing(MakeBase(), holed);
   drawing.Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
   drawing.Scene.Window->Render();
   EXPECT_NE(errors->GetErrorMessage().find("every sample needs a height"), std::string::npos);
@@ -424,15 +424,15 @@ TEST(TerrainDetailSource, Tiles)
 {
   for (const int size : { 1, 2, 7, 64, 100 })
   {
-    const auto detail = makeDetail(size);
+    const auto detail = MakeDetail(size);
     double within = 0.0;
     double across = 0.0;
     for (int j = 0; j < size; ++j)
     {
       for (int i = 0; i < size; ++i)
       {
-        const double east = std::abs(bilinear(detail, i + 1, j) - bilinear(detail, i, j));
-        const double north = std::abs(bilinear(detail, i, j + 1) - bilinear(detail, i, j));
+        const double east = std::abs(Bilinear(detail, i + 1, j) - Bilinear(detail, i, j));
+        const double north = std::abs(Bilinear(detail, i, j + 1) - Bilinear(detail, i, j));
         (i + 1 < size ? within : across) = std::max(i + 1 < size ? within : across, east);
         (j + 1 < size ? within : across) = std::max(j + 1 < size ? within : across, north);
       }

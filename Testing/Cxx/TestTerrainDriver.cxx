@@ -5,6 +5,7 @@
 // is none is told once.
 #include "vtkTerrainTesting.h"
 
+#include "vtkCamera.h"
 #include "vtkTerrainActor.h"
 #include "vtkTerrainSource.h"
 

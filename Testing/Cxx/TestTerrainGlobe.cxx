@@ -31,7 +31,7 @@ namespace
 using FrameType = vtkTerrainGeoreference::FrameType;
 
 /// Heights i + 100 j in degrees, of a coordinate system.
-vtkSmartPointer<vtkImageData> makeHeights(
+vtkSmartPointer<vtkImageData> MakeHeights(
   double west, double south, double step, int columns, int rows, const std::string& system = {})
 {
   auto image = vtkTerrainTesting::MakeDegrees(
@@ -46,7 +46,7 @@ vtkSmartPointer<vtkImageData> makeHeights(
   return image;
 }
 
-vtkSmartPointer<vtkImageData> layOnGlobe(vtkImageData* heights, std::string* why = nullptr)
+vtkSmartPointer<vtkImageData> LayOnGlobe(vtkImageData* heights, std::string* why = nullptr)
 {
   const vtkNew<vtkTest::ErrorObserver> errors;
   const vtkNew<vtkTerrainGlobe> globe;
@@ -62,25 +62,25 @@ vtkSmartPointer<vtkImageData> layOnGlobe(vtkImageData* heights, std::string* why
   return globe->GetOutput();
 }
 
-double latitude(vtkImageData* globe, int row)
+double Latitude(vtkImageData* globe, int row)
 {
   return globe->GetFieldData()->GetArray("GlobeLatitudes")->GetComponent(row, 0);
 }
 
-double height(vtkImageData* globe, int i, int j)
+double Height(vtkImageData* globe, int i, int j)
 {
   return globe->GetScalarComponentAsDouble(i, j, 0, 0);
 }
 
 /// Heights of the whole world, in steps of one degree.
-vtkSmartPointer<vtkImageData> makeWorld()
+vtkSmartPointer<vtkImageData> MakeWorld()
 {
   return vtkTerrainTesting::MakeDegrees(
     -179.5, -89.5, 1.0, 360, 180, [](int i, int j) { return 500 + 3 * (i % 7) + 2 * (j % 5); });
 }
 
 /// Finer heights on both sides of 180 degrees.
-vtkSmartPointer<vtkImageData> makePart()
+vtkSmartPointer<vtkImageData> MakePart()
 {
   return vtkTerrainTesting::MakeDegrees(
     175.0, 10.0, 0.1, 101, 81, [](int i, int j) { return 400 + (i * j) % 90; });
@@ -90,48 +90,48 @@ vtkSmartPointer<vtkImageData> makePart()
 //------------------------------------------------------------------------------
 TEST(TerrainGlobe, JoinsCellsAndClosesPoles)
 {
-  const auto globe = layOnGlobe(makeHeights(-179.5, -89.5, 1.0, 360, 180));
+  const auto globe = LayOnGlobe(MakeHeights(-179.5, -89.5, 1.0, 360, 180));
   EXPECT_EQ(globe->GetDimensions()[0], 361);
   EXPECT_EQ(globe->GetDimensions()[1], 182);
-  EXPECT_EQ(latitude(globe, 0), -90.0);
-  EXPECT_EQ(latitude(globe, 1), -89.5);
-  EXPECT_EQ(latitude(globe, 181), 90.0);
-  EXPECT_EQ(height(globe, 360, 7), height(globe, 0, 7));
-  EXPECT_EQ(height(globe, 12, 7), 12 + 600);
-  EXPECT_EQ(height(globe, 3, 0), 180.0); // the mean of 0 to 359, rounded
-  EXPECT_EQ(height(globe, 300, 0), 180.0);
+  EXPECT_EQ(Latitude(globe, 0), -90.0);
+  EXPECT_EQ(Latitude(globe, 1), -89.5);
+  EXPECT_EQ(Latitude(globe, 181), 90.0);
+  EXPECT_EQ(Height(globe, 360, 7), Height(globe, 0, 7));
+  EXPECT_EQ(Height(globe, 12, 7), 12 + 600);
+  EXPECT_EQ(Height(globe, 3, 0), 180.0); // the mean of 0 to 359, rounded
+  EXPECT_EQ(Height(globe, 300, 0), 180.0);
 }
 
 TEST(TerrainGlobe, KeepsNodesAtPolesAndPartsAsTheyAre)
 {
-  const auto heights = makeHeights(-180.0, -90.0, 1.0, 361, 181);
-  const auto nodes = layOnGlobe(heights);
+  const auto heights = MakeHeights(-180.0, -90.0, 1.0, 361, 181);
+  const auto nodes = LayOnGlobe(heights);
   EXPECT_EQ(nodes->GetPointData()->GetScalars(), heights->GetPointData()->GetScalars());
-  EXPECT_EQ(latitude(nodes, 180), 90.0);
+  EXPECT_EQ(Latitude(nodes, 180), 90.0);
   for (const auto& [west, columns] : { std::pair(350.0, 20), std::pair(-200.0, 300) })
   {
-    const auto part = makeHeights(west, 80.0, 1.0, columns, 10);
-    EXPECT_EQ(layOnGlobe(part)->GetPointData()->GetScalars(), part->GetPointData()->GetScalars());
+    const auto part = MakeHeights(west, 80.0, 1.0, columns, 10);
+    EXPECT_EQ(LayOnGlobe(part)->GetPointData()->GetScalars(), part->GetPointData()->GetScalars());
   }
 }
 
 // Wide cells are divided; the surface is the same.
 TEST(TerrainGlobe, DividesWideCells)
 {
-  const auto globe = layOnGlobe(makeHeights(0.0, -67.5, 45.0, 8, 4));
+  const auto globe = LayOnGlobe(MakeHeights(0.0, -67.5, 45.0, 8, 4));
   EXPECT_EQ(globe->GetDimensions()[0], 361);
-  EXPECT_NEAR(latitude(globe, 0), -90.0, 1e-9);
+  EXPECT_NEAR(Latitude(globe, 0), -90.0, 1e-9);
   const int rows = globe->GetDimensions()[1];
   int found = 0;
-  EXPECT_NEAR(latitude(globe, rows - 1), 90.0, 1e-9);
+  EXPECT_NEAR(Latitude(globe, rows - 1), 90.0, 1e-9);
   for (int row = 0; row < rows; ++row)
   {
-    if (std::abs(latitude(globe, row) + 67.5) < 1e-9)
+    if (std::abs(Latitude(globe, row) + 67.5) < 1e-9)
     {
       ++found;
-      EXPECT_NEAR(height(globe, 90, row), 2.0, 1e-5);
-      EXPECT_NEAR(height(globe, 100, row), 2.0 + 10.0 / 45.0, 1e-5);
-      EXPECT_NEAR(height(globe, 360, row), 0.0, 1e-5);
+      EXPECT_NEAR(Height(globe, 90, row), 2.0, 1e-5);
+      EXPECT_NEAR(Height(globe, 100, row), 2.0 + 10.0 / 45.0, 1e-5);
+      EXPECT_NEAR(Height(globe, 360, row), 0.0, 1e-5);
     }
   }
   EXPECT_EQ(found, 1);
@@ -139,24 +139,24 @@ TEST(TerrainGlobe, DividesWideCells)
 
 TEST(TerrainGlobe, TakesHolesAndRadii)
 {
-  auto heights = makeHeights(-179.5, -89.5, 1.0, 360, 180);
+  auto heights = MakeHeights(-179.5, -89.5, 1.0, 360, 180);
   vtkUnsignedCharArray* ghosts = heights->AllocatePointGhostArray();
   ghosts->Fill(0);
   ghosts->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
-  const auto globe = layOnGlobe(heights);
+  const auto globe = LayOnGlobe(heights);
   EXPECT_NE(globe->GetPointGhostArray()->GetValue(361), 0);
   EXPECT_NE(globe->GetPointGhostArray()->GetValue(361 + 360), 0);
   EXPECT_EQ(globe->GetPointGhostArray()->GetValue(0), 0);
 
   const vtkNew<vtkImageData> radii;
-  radii->DeepCopy(makeHeights(0.0, 0.0, 1.0, 5, 5));
+  radii->DeepCopy(MakeHeights(0.0, 0.0, 1.0, 5, 5));
   radii->AllocateScalars(VTK_DOUBLE, 1);
   radii->GetPointData()->GetScalars()->Fill(1737500.0);
   const vtkNew<vtkTerrainGlobe> filter;
   filter->SetRadii(1737400.0, 1737400.0);
   filter->SetInputData(radii);
   filter->Update();
-  EXPECT_EQ(height(filter->GetOutput(), 2, 2), 100.0);
+  EXPECT_EQ(Height(filter->GetOutput(), 2, 2), 100.0);
 }
 
 // Hidden samples may hold any number: radii are told by what is to be seen.
@@ -164,7 +164,7 @@ TEST(TerrainGlobe, TakesRadiiBesideHoles)
 {
   for (const double hidden : { 0.0, -32768.0, 2e9 })
   {
-    const auto radii = makeHeights(0.0, 0.0, 1.0, 5, 5);
+    const auto radii = MakeHeights(0.0, 0.0, 1.0, 5, 5);
     radii->AllocateScalars(VTK_INT, 1);
     radii->GetPointData()->GetScalars()->Fill(1737500.0);
     radii->AllocatePointGhostArray()->Fill(0);
@@ -174,7 +174,7 @@ TEST(TerrainGlobe, TakesRadiiBesideHoles)
     filter->SetRadii(1737400.0, 1737400.0);
     filter->SetInputData(radii);
     filter->Update();
-    EXPECT_EQ(height(filter->GetOutput(), 2, 2), 100.0) << hidden;
+    EXPECT_EQ(Height(filter->GetOutput(), 2, 2), 100.0) << hidden;
     EXPECT_NE(filter->GetOutput()->GetPointGhostArray()->GetValue(7), 0) << hidden;
   }
 }
@@ -182,7 +182,7 @@ TEST(TerrainGlobe, TakesRadiiBesideHoles)
 // Rows of a globe run north, whichever way those of the heights do.
 TEST(TerrainGlobe, TurnsRowsFromNorth)
 {
-  const auto heights = makeHeights(10.0, 20.0, 1.0, 5, 4);
+  const auto heights = MakeHeights(10.0, 20.0, 1.0, 5, 4);
   const auto turned = vtkSmartPointer<vtkImageData>::New();
   turned->DeepCopy(heights);
   turned->SetOrigin(10.0, 23.0, 0.0);
@@ -191,7 +191,7 @@ TEST(TerrainGlobe, TurnsRowsFromNorth)
   {
     for (int i = 0; i < 5; ++i)
     {
-      turned->SetScalarComponentFromDouble(i, j, 0, 0, height(heights, i, 3 - j));
+      turned->SetScalarComponentFromDouble(i, j, 0, 0, Height(heights, i, 3 - j));
     }
   }
   const vtkNew<vtkTerrainGlobe> filter;
@@ -202,9 +202,9 @@ TEST(TerrainGlobe, TurnsRowsFromNorth)
   filter->Update();
   vtkImageData* globe = filter->GetOutput();
   EXPECT_TRUE(globe->GetDirectionMatrix()->IsIdentity());
-  EXPECT_EQ(height(globe, 2, 0), 2.0);
-  EXPECT_EQ(height(globe, 2, 3), 302.0);
-  EXPECT_EQ(latitude(globe, 0), 20.0);
+  EXPECT_EQ(Height(globe, 2, 0), 2.0);
+  EXPECT_EQ(Height(globe, 2, 3), 302.0);
+  EXPECT_EQ(Latitude(globe, 0), 20.0);
   EXPECT_EQ(globe->GetOrigin()[1], 20.0);
 }
 
@@ -213,31 +213,31 @@ TEST(TerrainGlobe, RefusesWhatIsNone)
   const auto refusal = [](vtkImageData* heights)
   {
     std::string why;
-    layOnGlobe(heights, &why);
+    LayOnGlobe(heights, &why);
     return why;
   };
   const auto has = [](const std::string& why, const char* word)
   { return why.find(word) != std::string::npos; };
-  EXPECT_TRUE(has(refusal(makeHeights(0.0, 0.0, 1.0, 1, 9)), "two meridians"));
-  EXPECT_TRUE(has(refusal(makeHeights(-360.0, -80.0, 1.0, 721, 160)), "more than once"));
-  EXPECT_TRUE(has(refusal(makeHeights(0.0, -120.0, 1.0, 90, 240)), "latitudes"));
-  EXPECT_TRUE(has(refusal(makeHeights(0.0, 0.0, 1.0, 9, 9, "EPSG:32633")), "is none"));
+  EXPECT_TRUE(has(refusal(MakeHeights(0.0, 0.0, 1.0, 1, 9)), "two meridians"));
+  EXPECT_TRUE(has(refusal(MakeHeights(-360.0, -80.0, 1.0, 721, 160)), "more than once"));
+  EXPECT_TRUE(has(refusal(MakeHeights(0.0, -120.0, 1.0, 90, 240)), "latitudes"));
+  EXPECT_TRUE(has(refusal(MakeHeights(0.0, 0.0, 1.0, 9, 9, "EPSG:32633")), "is none"));
   EXPECT_TRUE(
-    has(refusal(makeHeights(0.0, 0.0, 1.0, 9, 9, "+proj=longlat +a=6378137 +b=5000000 +no_defs")),
+    has(refusal(MakeHeights(0.0, 0.0, 1.0, 9, 9, "+proj=longlat +a=6378137 +b=5000000 +no_defs")),
       "flattening"));
 }
 
 // A coarse raster lies below a finer one where that covers its cells, and elsewhere is as it was.
 TEST(TerrainGlobe, GivesWayToFinerHeights)
 {
-  const auto world = makeWorld();
-  const auto part = makePart();
-  const auto finer = layOnGlobe(part);
+  const auto world = MakeWorld();
+  const auto part = MakePart();
+  const auto finer = LayOnGlobe(part);
   const vtkNew<vtkTerrainGlobe> filter;
   filter->SetInputData(world);
   filter->AddFinerData(finer);
   filter->Update();
-  const auto before = layOnGlobe(world);
+  const auto before = LayOnGlobe(world);
   vtkImageData* after = filter->GetOutput();
   ASSERT_EQ(after->GetDimensions()[0], before->GetDimensions()[0]);
   int lowered = 0;
@@ -247,17 +247,17 @@ TEST(TerrainGlobe, GivesWayToFinerHeights)
     {
       const double longitude = -179.5 + i;
       const double east = longitude < 0.0 ? longitude + 360.0 : longitude;
-      const bool covered = east >= 176.0 && east <= 184.0 && latitude(after, j) >= 11.0 - 1e-9 &&
-        latitude(after, j) <= 17.0 + 1e-9;
+      const bool covered = east >= 176.0 && east <= 184.0 && Latitude(after, j) >= 11.0 - 1e-9 &&
+        Latitude(after, j) <= 17.0 + 1e-9;
       lowered += covered ? 1 : 0;
       if (covered)
       {
-        EXPECT_LT(height(after, i, j), 400.0 - 1000.0) << i << " " << j; // 0.01 of a cell
-        EXPECT_GT(height(after, i, j), 400.0 - 1200.0) << i << " " << j;
+        EXPECT_LT(Height(after, i, j), 400.0 - 1000.0) << i << " " << j; // 0.01 of a cell
+        EXPECT_GT(Height(after, i, j), 400.0 - 1200.0) << i << " " << j;
       }
       else
       {
-        EXPECT_EQ(height(after, i, j), height(before, i, j)) << i << " " << j;
+        EXPECT_EQ(Height(after, i, j), Height(before, i, j)) << i << " " << j;
       }
     }
   }
@@ -265,7 +265,7 @@ TEST(TerrainGlobe, GivesWayToFinerHeights)
 
   // where the finer one has a hole, nothing gives way
   part->AllocatePointGhostArray()->SetValue(50 + 101 * 40, vtkDataSetAttributes::HIDDENPOINT);
-  const auto holed = layOnGlobe(part);
+  const auto holed = LayOnGlobe(part);
   filter->RemoveAllInputConnections(1);
   filter->AddFinerData(holed);
   filter->Update();
@@ -275,16 +275,16 @@ TEST(TerrainGlobe, GivesWayToFinerHeights)
     // about longitude 180, latitude 14
     const int i = k % 2 == 0 ? 359 : 0;
     const int j = 104 + k / 2;
-    same += height(filter->GetOutput(), i, j) == height(before, i, j) ? 1 : 0;
+    same += Height(filter->GetOutput(), i, j) == Height(before, i, j) ? 1 : 0;
   }
   EXPECT_EQ(same, 4);
 }
 
 TEST(TerrainGlobe, RefusesFinerHeightsOfAnotherBody)
 {
-  const auto part = makePart();
+  const auto part = MakePart();
   const vtkNew<vtkTerrainGlobe> filter;
-  filter->SetInputData(makeWorld());
+  filter->SetInputData(MakeWorld());
   const vtkNew<vtkTerrainGlobe> moon;
   moon->SetInputData(part);
   moon->SetRadii(1737400.0, 1737400.0);
@@ -303,12 +303,12 @@ TEST(TerrainGlobe, RefusesFinerHeightsOfAnotherBody)
 
 TEST(TerrainGlobe, SuitsWhatIsWide)
 {
-  EXPECT_TRUE(vtkTerrainGlobe::Suits(makeHeights(-180.0, -90.0, 1.0, 361, 181, "EPSG:4326")));
-  EXPECT_FALSE(vtkTerrainGlobe::Suits(makeHeights(0.0, 0.0, 1.0, 21, 21, "EPSG:4326")));
+  EXPECT_TRUE(vtkTerrainGlobe::Suits(MakeHeights(-180.0, -90.0, 1.0, 361, 181, "EPSG:4326")));
+  EXPECT_FALSE(vtkTerrainGlobe::Suits(MakeHeights(0.0, 0.0, 1.0, 21, 21, "EPSG:4326")));
   EXPECT_TRUE(vtkTerrainGlobe::Suits(
-    makeHeights(0.0, 0.0, 1.0, 21, 21, "+proj=longlat +R=1737400 +no_defs")));
-  EXPECT_FALSE(vtkTerrainGlobe::Suits(makeHeights(0.0, 0.0, 1.0, 361, 181)));
-  EXPECT_FALSE(vtkTerrainGlobe::Suits(makeHeights(0.0, 0.0, 1e6, 361, 181, "EPSG:3857")));
+    MakeHeights(0.0, 0.0, 1.0, 21, 21, "+proj=longlat +R=1737400 +no_defs")));
+  EXPECT_FALSE(vtkTerrainGlobe::Suits(MakeHeights(0.0, 0.0, 1.0, 361, 181)));
+  EXPECT_FALSE(vtkTerrainGlobe::Suits(MakeHeights(0.0, 0.0, 1e6, 361, 181, "EPSG:3857")));
 }
 
 // The frame Globe against numbers of the ellipsoids, there and back.
@@ -350,7 +350,7 @@ TEST(TerrainGlobe, PlacesPointsOnItsBody)
 // The georeference of heights on a globe is that of their body, whatever the CRS says.
 TEST(TerrainGlobe, TellsItsBodyToTheGeoreference)
 {
-  const auto heights = makeHeights(10.0, 20.0, 1.0, 5, 5, "EPSG:4326");
+  const auto heights = MakeHeights(10.0, 20.0, 1.0, 5, 5, "EPSG:4326");
   const vtkNew<vtkTerrainGlobe> globe;
   globe->SetInputData(heights);
   globe->SetRadii(1e6, 9.5e5);
@@ -370,7 +370,7 @@ TEST(TerrainGlobe, TellsItsBodyToTheGeoreference)
 // Files may count in grads.
 TEST(TerrainGlobe, TakesAnyUnitOfAngles)
 {
-  const auto globe = layOnGlobe(makeHeights(0.0, 50.0, 1.0, 9, 9, "EPSG:4807"));
+  const auto globe = LayOnGlobe(MakeHeights(0.0, 50.0, 1.0, 9, 9, "EPSG:4807"));
   const vtkNew<vtkTerrainGeoreference> place;
   place->SetFrame(FrameType::Globe);
   place->SetFromHeights(globe);
@@ -389,8 +389,8 @@ TEST(TerrainGlobe, TakesAnyUnitOfAngles)
 // Cameras by place, profiles and sight on the globe.
 TEST(TerrainGlobe, HasViewpoints)
 {
-  const auto heights = makeHeights(-180.0, -90.0, 1.0, 361, 181, "EPSG:4326");
-  const auto globe = layOnGlobe(heights);
+  const auto heights = MakeHeights(-180.0, -90.0, 1.0, 361, 181, "EPSG:4326");
+  const auto globe = LayOnGlobe(heights);
   const vtkNew<vtkTerrainGeoreference> place;
   place->SetFromHeights(globe);
   place->SetFrame(FrameType::Globe);
@@ -415,7 +415,7 @@ TEST(TerrainGlobe, HasViewpoints)
 
 TEST(TerrainGlobe, HasAGraticule)
 {
-  const auto globe = layOnGlobe(makeHeights(-179.5, -89.5, 1.0, 360, 180, "EPSG:4326"));
+  const auto globe = LayOnGlobe(MakeHeights(-179.5, -89.5, 1.0, 360, 180, "EPSG:4326"));
   const vtkNew<vtkTerrainGeoreference> place;
   place->SetFromHeights(globe);
   place->SetFrame(FrameType::Globe);

@@ -23,7 +23,7 @@ constexpr double kSteepest = 6.0;
 constexpr double kPart = 1e-5;
 constexpr double kMetres = 20.0;
 
-vtkSmartPointer<vtkImageData> makeImage(const DegreesRaster& raster)
+vtkSmartPointer<vtkImageData> MakeImage(const DegreesRaster& raster)
 {
   const auto image =
     MakeDegrees(raster.West, raster.South, raster.Step, raster.Columns, raster.Rows,
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkImageData> makeImage(const DegreesRaster& raster)
 }
 
 /// Height of the output of the filter at a place in degrees, by its field data; NaN without.
-double heightOnGlobe(vtkImageData* globe, double longitude, double latitude)
+double HeightOnGlobe(vtkImageData* globe, double longitude, double latitude)
 {
   vtkDataArray* columns = globe->GetFieldData()->GetArray("GlobeLongitudes");
   vtkDataArray* rows = globe->GetFieldData()->GetArray("GlobeLatitudes");
@@ -81,7 +81,7 @@ struct Judged
 
 /// Every fifth pixel of a picture each way. Pixels on a border, where the judge tells another story
 /// a fifth of a pixel beside, may be either.
-Judged judge(Globe& globe, const GlobeJudge& judge)
+Judged Judge(Globe& globe, const GlobeJudge& judge)
 {
   vtkImageData* distances = globe.Shown.Distances();
   const terrain::PixelRays rays = globe.Rays();
@@ -127,7 +127,7 @@ Judged judge(Globe& globe, const GlobeJudge& judge)
 }
 
 /// Places of a raster at which eyes look straight or aslant down.
-std::vector<Point> viewsOf(const DegreesRaster& raster)
+std::vector<Point> ViewsOf(const DegreesRaster& raster)
 {
   const double east = raster.West + raster.Step * (raster.Columns - 1);
   const double north = raster.South + raster.Step * (raster.Rows - 1);
@@ -148,7 +148,7 @@ TEST(TerrainGlobeInput, SamplesLieWhereTheFileSays)
   for (const DegreesRaster& raster : KindsOfDegrees())
   {
     SCOPED_TRACE(raster.Name);
-    const auto globe = LayOnGlobe(makeImage(raster), raster.Equatorial, raster.Polar);
+    const auto globe = LayOnGlobe(MakeImage(raster), raster.Equatorial, raster.Polar);
     ASSERT_GT(globe->GetNumberOfPoints(), 0);
     int heights = 0;
     for (int k = 0; k < 4000; ++k)
@@ -156,7 +156,7 @@ TEST(TerrainGlobeInput, SamplesLieWhereTheFileSays)
       const double longitude = -180.0 + std::fmod(k * 222.49223594996215, 360.0);
       const double latitude = -90.0 + (k + 0.5) * 180.0 / 4000.0;
       const double expected = raster.HeightAt(longitude, latitude);
-      const double found = heightOnGlobe(globe, longitude, latitude);
+      const double found = HeightOnGlobe(globe, longitude, latitude);
       ASSERT_EQ(std::isnan(found), std::isnan(expected)) << longitude << " " << latitude;
       heights += std::isnan(found) ? 0 : 1;
       if (!std::isnan(found))
@@ -176,16 +176,16 @@ TEST(TerrainGlobeInput, IsDrawnWhereTheFileSays)
     SCOPED_TRACE(raster.Name);
     const double scale = raster.Equatorial / 6378137.0;
     const double higher = kDrawnHigher * scale;
-    Globe globe(LayOnGlobe(makeImage(raster), raster.Equatorial, raster.Polar));
+    Globe globe(LayOnGlobe(MakeImage(raster), raster.Equatorial, raster.Polar));
     globe.Shown.Mapper->SetVerticalExaggeration(higher);
     const GlobeJudge judged(raster, higher, kSteepest);
-    for (const Point& view : viewsOf(raster))
+    for (const Point& view : ViewsOf(raster))
     {
       SCOPED_TRACE(view[0]);
       const double up = view[2] * raster.Equatorial;
       globe.Look({ view[0] - 20.0 * view[2], std::max(view[1] - 25.0 * view[2], -90.0), up },
         { view[0], view[1], 0.0 });
-      const Judged result = judge(globe, judged);
+      const Judged result = Judge(globe, judged);
       EXPECT_GE(result.Hits, 15);
       EXPECT_EQ(result.Wrong, 0);
       RecordProperty("largest", std::to_string(result.Largest));
@@ -202,7 +202,7 @@ TEST(TerrainGlobeInput, EyesMayBeInside)
     const DegreesRaster& raster = kinds[kind];
     SCOPED_TRACE(raster.Name);
     const double higher = kDrawnHigher * raster.Equatorial / 6378137.0;
-    Globe globe(LayOnGlobe(makeImage(raster), raster.Equatorial, raster.Polar));
+    Globe globe(LayOnGlobe(MakeImage(raster), raster.Equatorial, raster.Polar));
     globe.Shown.Mapper->SetVerticalExaggeration(higher);
     const GlobeJudge judged(raster, higher, kSteepest);
     const double low = -2.0 * judged.Highest;
@@ -217,7 +217,7 @@ TEST(TerrainGlobeInput, EyesMayBeInside)
       SCOPED_TRACE(eye[1]);
       globe.Look({ eye[0], eye[1], eye[2] }, { focus[0], focus[1], focus[2] });
       globe.Shown.Camera()->SetClippingRange(1.0, 5.0 * raster.Equatorial);
-      const Judged result = judge(globe, judged);
+      const Judged result = Judge(globe, judged);
       EXPECT_EQ(result.Wrong, 0);
       EXPECT_TRUE(far || result.Hits == 0) << result.Hits;
     }
@@ -231,7 +231,7 @@ TEST(TerrainGlobeInput, WorksOnce)
   {
     SCOPED_TRACE(raster.Name);
     const vtkNew<vtkTerrainGlobe> globe;
-    globe->SetInputData(makeImage(raster));
+    globe->SetInputData(MakeImage(raster));
     int runs = 0;
     const vtkNew<vtkCallbackCommand> count;
     count->SetClientData(&runs);
@@ -253,7 +253,7 @@ TEST(TerrainGlobeInput, RefusesWhatContradictsItself)
     const vtkNew<vtkTest::ErrorObserver> errors;
     const vtkNew<vtkTerrainGlobe> globe;
     globe->AddObserver(vtkCommand::ErrorEvent, errors);
-    globe->SetInputData(makeImage(raster));
+    globe->SetInputData(MakeImage(raster));
     globe->Update();
     EXPECT_EQ(globe->GetOutput()->GetNumberOfPoints(), 0);
     return globe->GetErrorMessage();

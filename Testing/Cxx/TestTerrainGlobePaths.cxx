@@ -38,7 +38,7 @@ namespace
 using FrameType = vtkTerrainGeoreference::FrameType;
 using Place = std::array<double, 3>;
 
-double hills(int i, int j)
+double Hills(int i, int j)
 {
   return std::floor(2000.0 + 1500.0 * std::sin(0.4 * i) * std::cos(0.3 * j));
 }
@@ -82,13 +82,13 @@ struct Earth
 };
 
 /// The whole earth in cells of a degree, rows of half a degree at the poles.
-Earth makeEarth()
+Earth MakeEarth()
 {
-  return Earth(vtkTerrainTesting::MakeDegrees(-179.5, -89.5, 1.0, 360, 180, hills));
+  return Earth(vtkTerrainTesting::MakeDegrees(-179.5, -89.5, 1.0, 360, 180, Hills));
 }
 
 /// A line through places, with a number of its own.
-vtkSmartPointer<vtkPolyData> makeLine(const Earth& earth, const std::vector<Place>& places)
+vtkSmartPointer<vtkPolyData> MakeLine(const Earth& earth, const std::vector<Place>& places)
 {
   auto line = vtkSmartPointer<vtkPolyData>::New();
   const vtkNew<vtkPoints> points;
@@ -110,7 +110,7 @@ vtkSmartPointer<vtkPolyData> makeLine(const Earth& earth, const std::vector<Plac
   return line;
 }
 
-vtkSmartPointer<vtkPolyData> lay(const Earth& earth, vtkPolyData* line,
+vtkSmartPointer<vtkPolyData> Lay(const Earth& earth, vtkPolyData* line,
   vtkTerrainDrape::ModeType mode = vtkTerrainDrape::ModeType::Clamped, double exaggeration = 1.0)
 {
   const vtkNew<vtkTerrainDrape> drape;
@@ -124,7 +124,7 @@ vtkSmartPointer<vtkPolyData> lay(const Earth& earth, vtkPolyData* line,
 }
 
 /// Every point of the lines, and the middle of every chord between two.
-void visitChords(vtkPolyData* lines, const std::function<void(const double*, bool)>& visit)
+void VisitChords(vtkPolyData* lines, const std::function<void(const double*, bool)>& visit)
 {
   for (vtkIdType cell = 0; cell < lines->GetNumberOfLines(); ++cell)
   {
@@ -149,7 +149,7 @@ void visitChords(vtkPolyData* lines, const std::function<void(const double*, boo
 }
 
 /// A picture of one band in a CRS.
-std::string writePicture(const std::string& name, const std::string& system, int size,
+std::string WritePicture(const std::string& name, const std::string& system, int size,
   const std::array<double, 6>& transform, const std::function<double(double, double)>& color)
 {
   GDALAllRegister();
@@ -188,7 +188,7 @@ std::string writePicture(const std::string& name, const std::string& system, int
 }
 
 /// Smooth over the date line and the poles.
-double shadeAt(double longitude, double latitude)
+double ShadeAt(double longitude, double latitude)
 {
   const double up = vtkMath::RadiansFromDegrees(latitude);
   const double around = vtkMath::RadiansFromDegrees(longitude);
@@ -200,15 +200,15 @@ double shadeAt(double longitude, double latitude)
 // metre between them.
 TEST(TerrainGlobePaths, TracksFollowTheGround)
 {
-  const Earth earth = makeEarth();
-  const auto track = lay(
-    earth, makeLine(earth, { { 176.3, 10.2, 5.0 }, { -175.1, 13.7, 9.0 }, { -171.0, 89.9, 0.0 } }));
+  const Earth earth = MakeEarth();
+  const auto track = Lay(
+    earth, MakeLine(earth, { { 176.3, 10.2, 5.0 }, { -175.1, 13.7, 9.0 }, { -171.0, 89.9, 0.0 } }));
   ASSERT_EQ(track->GetNumberOfLines(), 2) << "cut where the heights begin";
   EXPECT_EQ(track->GetCellData()->GetArray("Number")->GetComponent(1, 0), 7.0);
   double west = 0.0;
   double east = 0.0;
   double north = 0.0;
-  visitChords(track,
+  VisitChords(track,
     [&](const double* point, bool isMiddle)
     {
       const Place place = earth.PlaceOf(point);
@@ -225,9 +225,9 @@ TEST(TerrainGlobePaths, TracksFollowTheGround)
 // Heights above the ground, absolute ones, exaggerated ones; what lies beside the heights.
 TEST(TerrainGlobePaths, TracksHaveTheirModes)
 {
-  const Earth part(vtkTerrainTesting::MakeDegrees(170.0, -15.0, 0.5, 61, 61, hills));
-  const auto line = makeLine(part, { { 165.0, 0.0, 800.0 }, { -178.0, 2.0, 800.0 } });
-  const auto above = lay(part, line, vtkTerrainDrape::ModeType::AboveGround, 3.0);
+  const Earth part(vtkTerrainTesting::MakeDegrees(170.0, -15.0, 0.5, 61, 61, Hills));
+  const auto line = MakeLine(part, { { 165.0, 0.0, 800.0 }, { -178.0, 2.0, 800.0 } });
+  const auto above = Lay(part, line, vtkTerrainDrape::ModeType::AboveGround, 3.0);
   ASSERT_EQ(above->GetNumberOfLines(), 1);
   const auto at = [&part](vtkPolyData* lines, vtkIdType id)
   { return part.PlaceOf(lines->GetPoint(id)); };
@@ -235,19 +235,19 @@ TEST(TerrainGlobePaths, TracksHaveTheirModes)
   EXPECT_NEAR(first[0], 170.0, 1e-6);
   EXPECT_NEAR(first[2], 3.0 * (part.HeightAt(170.0, first[1]) + 800.0), 0.1);
 
-  const auto absolute = lay(part, line, vtkTerrainDrape::ModeType::Absolute, 3.0);
+  const auto absolute = Lay(part, line, vtkTerrainDrape::ModeType::Absolute, 3.0);
   ASSERT_EQ(absolute->GetNumberOfLines(), 1);
   EXPECT_NEAR(at(absolute, 0)[0], 165.0, 1e-6);
-  visitChords(absolute,
+  VisitChords(absolute,
     [&](const double* point, bool) { EXPECT_NEAR(part.PlaceOf(point)[2], 2400.0, 1.01); });
 
-  const auto beside = lay(part, makeLine(part, { { 0.0, 0.0, 0.0 }, { 9.0, 9.0, 0.0 } }));
+  const auto beside = Lay(part, MakeLine(part, { { 0.0, 0.0, 0.0 }, { 9.0, 9.0, 0.0 } }));
   EXPECT_EQ(beside->GetNumberOfLines(), 0);
 }
 
 TEST(TerrainGlobePaths, SummitsStandOnIt)
 {
-  const Earth earth = makeEarth();
+  const Earth earth = MakeEarth();
   const vtkNew<vtkTerrainPeaks> peaks;
   peaks->SetInputData(earth.Heights);
   peaks->SetExaggeration(2.0);
@@ -281,7 +281,7 @@ TEST(TerrainGlobePaths, PicturesLieWhereTheyBelong)
   };
   for (const double west : { -180.0, 0.0 })
   {
-    const Earth earth(vtkTerrainTesting::MakeDegrees(west, -90.0, 1.0, 361, 181, hills));
+    const Earth earth(vtkTerrainTesting::MakeDegrees(west, -90.0, 1.0, 361, 181, Hills));
     for (const Case& which : cases)
     {
       SCOPED_TRACE(std::string(which.System) + " " + std::to_string(which.Transform[0]) + " on " +
@@ -290,7 +290,7 @@ TEST(TerrainGlobePaths, PicturesLieWhereTheyBelong)
       warp->SetInputData(earth.Heights);
       warp->SetGeoreference(earth.Scene);
       warp->SetFileName(
-        writePicture("globe-picture.tif", which.System, which.Size, which.Transform, shadeAt));
+        WritePicture("globe-picture.tif", which.System, which.Size, which.Transform, ShadeAt));
       warp->Update();
       ASSERT_EQ(warp->GetErrorMessage(), "");
       vtkImageData* picture = warp->GetOutput();
@@ -308,7 +308,7 @@ TEST(TerrainGlobePaths, PicturesLieWhereTheyBelong)
           }
           ++seen;
           worst = std::max(
-            worst, std::abs(picture->GetScalarComponentAsDouble(i, j, 0, 0) - shadeAt(x, y)));
+            worst, std::abs(picture->GetScalarComponentAsDouble(i, j, 0, 0) - ShadeAt(x, y)));
         }
       }
       EXPECT_GE(seen, which.Least);

@@ -30,7 +30,7 @@ constexpr double kRise = 600.0; // metres a column, to the east: near 45 degrees
 const double kDegree = std::acos(-1.0) / 180.0;
 
 /// Metres east of one cell at a latitude, on the ellipsoid of WGS84.
-double cellWidth(double latitude)
+double CellWidth(double latitude)
 {
   const double sine = std::sin(latitude * kDegree);
   const double eccentricity2 = (2.0 - 1.0 / 298.257223563) / 298.257223563;
@@ -67,7 +67,7 @@ TEST(TerrainHorizon, CellsInDegreesHaveTheWidthOfTheirLatitude)
   double worst = 0.0;
   for (int row = 0; row < kRows; ++row)
   {
-    const double expected = kRise / cellWidth(kSouth + row * kCell);
+    const double expected = kRise / CellWidth(kSouth + row * kCell);
     const double found = std::tan(degrees->GetComponent(vtkIdType{ row } * kColumns, 1) * kDegree);
     worst = std::max(worst, std::abs(found / expected - 1.0));
   }

@@ -33,7 +33,7 @@ constexpr int Rows = 49;
 constexpr double Spacing = 100.0;
 
 /// Whole metres, which the graphics card stores without loss.
-double hill(int i, int j)
+double Hill(int i, int j)
 {
   return std::round(
     400.0 + 250.0 * std::sin(0.3 * i) * std::cos(0.25 * j) + 15.0 * ((i * 7 + j * 13) % 5));
@@ -63,7 +63,7 @@ public:
     vtkNew<vtkShortArray> heights;
     for (int id = 0; id < Columns * Rows; ++id)
     {
-      heights->InsertNextValue(static_cast<short>(hill(id % Columns, id / Columns)));
+      heights->InsertNextValue(static_cast<short>(Hill(id % Columns, id / Columns)));
     }
     vtkNew<vtkImageData> image;
     image->SetDimensions(Columns, Rows, 1);
@@ -132,14 +132,14 @@ private:
 };
 
 /// On the surface at a sample, and the point at a distance from it to the south-east and up.
-const Point Target{ 30.0 * Spacing, 20.0 * Spacing, hill(30, 20) };
+const Point Target{ 30.0 * Spacing, 20.0 * Spacing, Hill(30, 20) };
 
-Point eyeAt(double distance)
+Point EyeAt(double distance)
 {
   return { Target[0] + 0.48 * distance, Target[1] - 0.36 * distance, Target[2] + 0.8 * distance };
 }
 
-double approachDistance(int frame, int frames)
+double ApproachDistance(int frame, int frames)
 {
   return 1e5 * std::pow(2.0 / 1e5, static_cast<double>(frame) / (frames - 1));
 }
@@ -159,7 +159,7 @@ TEST(TerrainLargeCoordinates, ShowTheSamePicture)
     {
       for (PlacedTerrain* terrain : { &atOrigin, &far })
       {
-        terrain->Look(eyeAt(distance), Target, 0.4 * distance, distance + 12000.0);
+        terrain->Look(EyeAt(distance), Target, 0.4 * distance, distance + 12000.0);
       }
       const auto expected = atOrigin.Draw();
       EXPECT_LE(vtkTerrainTesting::CountDifferentPixels(far.Draw(), expected, 2), 19)
@@ -183,8 +183,8 @@ TEST(TerrainLargeCoordinates, NothingTremblesOnTheWayDown)
   double largest = 0.0;
   for (int frame = 0; frame < Frames; ++frame)
   {
-    const double distance = approachDistance(frame, Frames);
-    terrain.Look(eyeAt(distance), Target, 0.4 * distance, distance + 12000.0);
+    const double distance = ApproachDistance(frame, Frames);
+    terrain.Look(EyeAt(distance), Target, 0.4 * distance, distance + 12000.0);
     vtkImageData* distances = terrain.Distances();
     for (int y = 1; y < PixelsY; y += 4)
     {

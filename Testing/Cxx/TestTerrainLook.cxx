@@ -21,7 +21,7 @@
 
 namespace
 {
-vtkSmartPointer<vtkImageData> picture()
+vtkSmartPointer<vtkImageData> Picture()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(2, 2, 1);
@@ -32,7 +32,7 @@ vtkSmartPointer<vtkImageData> picture()
 /// Gives every setting of a look, or of a mapper that passes it on, a value that is not its
 /// default.
 template <typename Settings>
-void setAll(Settings* look, vtkImageData* drape)
+void SetAll(Settings* look, vtkImageData* drape)
 {
   const double bounds[4] = { 1.0, 2.0, 3.0, 5.0 };
   look->SetTechnique(vtkTerrainLook::Techniques::Strips);
@@ -69,7 +69,7 @@ void setAll(Settings* look, vtkImageData* drape)
 }
 
 /// The lines that a look prints of itself, without those of its superclass.
-std::vector<std::string> linesOf(vtkTerrainLook* look)
+std::vector<std::string> LinesOf(vtkTerrainLook* look)
 {
   std::ostringstream text;
   look->PrintSelf(text, vtkIndent());
@@ -87,12 +87,12 @@ std::vector<std::string> linesOf(vtkTerrainLook* look)
 
 TEST(TerrainLook, SetsAndCopiesEverySetting)
 {
-  const auto drape = picture();
+  const auto drape = Picture();
   vtkNew<vtkTerrainLook> plain;
   vtkNew<vtkTerrainLook> look;
-  setAll(look.Get(), drape);
-  const std::vector<std::string> defaults = linesOf(plain);
-  const std::vector<std::string> changed = linesOf(look);
+  SetAll(look.Get(), drape);
+  const std::vector<std::string> defaults = LinesOf(plain);
+  const std::vector<std::string> changed = LinesOf(look);
   ASSERT_EQ(defaults.size(), 32U); // a new setting is to be set above, too
   ASSERT_EQ(changed.size(), defaults.size());
   for (std::size_t k = 0; k < defaults.size(); ++k)
@@ -101,38 +101,38 @@ TEST(TerrainLook, SetsAndCopiesEverySetting)
   }
   const vtkMTimeType before = plain->GetMTime();
   plain->DeepCopy(look);
-  EXPECT_EQ(linesOf(plain), changed);
+  EXPECT_EQ(LinesOf(plain), changed);
   EXPECT_GT(plain->GetMTime(), before);
   EXPECT_EQ(plain->GetDrape(), drape); // shared
   plain->DeepCopy(nullptr);
   plain->DeepCopy(plain);
-  EXPECT_EQ(linesOf(plain), changed);
+  EXPECT_EQ(LinesOf(plain), changed);
 }
 
 TEST(TerrainLook, IsWhatAMapperPassesOn)
 {
-  const auto drape = picture();
+  const auto drape = Picture();
   vtkNew<vtkTerrainLook> look;
-  setAll(look.Get(), drape);
+  SetAll(look.Get(), drape);
   vtkNew<vtkOpenGLTerrainMapper> mapper;
-  setAll(mapper.Get(), drape);
-  EXPECT_EQ(linesOf(mapper->GetLook()), linesOf(look));
+  SetAll(mapper.Get(), drape);
+  EXPECT_EQ(LinesOf(mapper->GetLook()), LinesOf(look));
   EXPECT_EQ(mapper->GetContourWidth(), 3.0);
   EXPECT_EQ(mapper->GetTechnique(), vtkTerrainLook::Techniques::Strips);
 }
 
 TEST(TerrainLook, IsCopiedByActors)
 {
-  const auto drape = picture();
+  const auto drape = Picture();
   vtkNew<vtkTerrainActor> from;
   vtkNew<vtkTerrainActor> to;
-  setAll(from->GetTerrainMapper(), drape);
+  SetAll(from->GetTerrainMapper(), drape);
   from->GetStrips()->SetTolerance(3.0);
   from->GetStrips()->SetTriangleBudget(4000);
   from->SetLevelOfDetail(false);
   to->CopyLook(from);
   EXPECT_EQ(
-    linesOf(to->GetTerrainMapper()->GetLook()), linesOf(from->GetTerrainMapper()->GetLook()));
+    LinesOf(to->GetTerrainMapper()->GetLook()), LinesOf(from->GetTerrainMapper()->GetLook()));
   EXPECT_EQ(to->GetStrips()->GetTolerance(), 3.0);
   EXPECT_EQ(to->GetStrips()->GetTriangleBudget(), 4000);
   EXPECT_FALSE(to->GetLevelOfDetail());
@@ -174,13 +174,13 @@ TEST(TerrainLook, RefusesWhatIsNone)
   vtkNew<vtkTerrainLook> look;
   vtkNew<vtkTest::ErrorObserver> errors;
   look->AddObserver(vtkCommand::ErrorEvent, errors);
-  const std::vector<std::string> defaults = linesOf(look);
+  const std::vector<std::string> defaults = LinesOf(look);
   const auto refuses = [&](auto set)
   {
     set();
     EXPECT_TRUE(errors->GetError());
     errors->Clear();
-    EXPECT_EQ(linesOf(look), defaults);
+    EXPECT_EQ(LinesOf(look), defaults);
   };
   for (const double number : { 0.0, -1.0, std::nan(""), HUGE_VAL })
   {
@@ -196,11 +196,11 @@ TEST(TerrainLook, RefusesWhatIsNone)
   refuses([&] { look->SetHillshadeAltitude(std::nan("")); });
   refuses([&] { look->SetBlockBase(std::nan("")); });
   const double bounds[4] = { 1.0, 1.0, 0.0, 1.0 };
-  refuses([&] { look->SetDrape(picture(), bounds); });
+  refuses([&] { look->SetDrape(Picture(), bounds); });
   look->SetSteps(-1);
   look->SetPixelTolerance(-2.0);
   look->SetStepLength(-2.0);
   EXPECT_FALSE(errors->GetError()); // clamped
-  EXPECT_EQ(linesOf(look), defaults);
+  EXPECT_EQ(LinesOf(look), defaults);
 }
 }

@@ -49,7 +49,7 @@ constexpr double SpacingY = 12.0;
 
 /// Heights of a function of column and row, with an array "Along" = column + 100 row at the points
 /// and "Number" = index at the cells.
-vtkSmartPointer<vtkImageData> makeHeights(const std::function<double(int, int)>& height)
+vtkSmartPointer<vtkImageData> MakeHeights(const std::function<double(int, int)>& height)
 {
   vtkNew<vtkDoubleArray> heights;
   vtkNew<vtkFloatArray> along;
@@ -79,25 +79,25 @@ vtkSmartPointer<vtkImageData> makeHeights(const std::function<double(int, int)>&
   return image;
 }
 
-double hill(int i, int j)
+double Hill(int i, int j)
 {
   return 100.0 + 40.0 * std::sin(0.3 * i) * std::cos(0.25 * j) + 4.0 * ((i * 7 + j * 13) % 5);
 }
 
-double hillWithHole(int i, int j)
+double HillWithHole(int i, int j)
 {
   const bool hole = std::abs(i - 32) < 5 && std::abs(j - 24) < 5;
-  return hole ? vtkMath::Nan() : hill(i, j);
+  return hole ? vtkMath::Nan() : Hill(i, j);
 }
 
 /// A wall of 100 over the column 32 on a plain at height 10.
-double wall(int i, int)
+double Wall(int i, int)
 {
   return i == 32 ? 100.0 : 10.0;
 }
 
 /// The surface at a position in cells.
-double bilinear(double (*height)(int, int), double x, double y)
+double Bilinear(double (*height)(int, int), double x, double y)
 {
   const int i = static_cast<int>(x);
   const int j = static_cast<int>(y);
@@ -111,7 +111,7 @@ class TerrainPicker : public testing::Test
 protected:
   void Show(const std::function<double(int, int)>& height)
   {
-    this->Heights = makeHeights(height);
+    this->Heights = MakeHeights(height);
     this->Mesh->SetInputData(this->Heights);
     this->Mapper->SetInputConnection(this->Mesh->GetOutputPort());
     this->Mapper->SetHeightsData(this->Heights);
@@ -220,7 +220,7 @@ protected:
 // 1,000 picks in all; one or two may fall onto a silhouette.
 TEST_F(TerrainPicker, AgreesWithTheDrawnDepth)
 {
-  this->Show(hillWithHole);
+  this->Show(HillWithHole);
   int wrong = 0;
   this->Look({ 32.0, -40.0, 500.0 }, { 32.0, 20.0, 100.0 });
   wrong += this->CountWrong(200);
@@ -250,7 +250,7 @@ TEST_F(TerrainPicker, AgreesWithTheDrawnDepth)
 // onto a silhouette.
 TEST_F(TerrainPicker, AgreesWithTheDrawnDepthOfBlocksColumnsAndDetail)
 {
-  this->Show(hill);
+  this->Show(Hill);
   const int first[2] = { 12, 7 };
   const int last[2] = { 50, 40 };
   this->Mapper->SetExtract(first, last);
@@ -290,7 +290,7 @@ TEST_F(TerrainPicker, AgreesWithTheDrawnDepthOfBlocksColumnsAndDetail)
 // A pick on a wall: outward normal, the height of the point, the cell behind the wall.
 TEST_F(TerrainPicker, PicksTheWallsOfBlocks)
 {
-  this->Show(hill);
+  this->Show(Hill);
   this->Mapper->SetBlock(true);
   this->Mapper->SetVerticalExaggeration(2.0);
   this->Look({ 31.5, -200.0, 30.0 + 2.0 * 20.0 }, { 31.5, 24.0, 30.0 + 2.0 * 20.0 });
@@ -312,7 +312,7 @@ TEST_F(TerrainPicker, PicksTheWallsOfBlocks)
 // Profiles of columns are steps.
 TEST_F(TerrainPicker, CutsProfilesOfColumns)
 {
-  this->Show(wall);
+  this->Show(Wall);
   this->Mapper->SetSurface(vtkOpenGLTerrainMapper::Surfaces::Columns);
   vtkNew<vtkPolyData> profile;
   ASSERT_TRUE(this->Picker->GetProfile(this->Actor, this->World(31.0, 10.2, 0.0).data(),
@@ -337,10 +337,10 @@ TEST_F(TerrainPicker, CutsProfilesOfColumns)
 
 TEST_F(TerrainPicker, GivesCellSampleHeightAndValues)
 {
-  this->Show(hill);
+  this->Show(Hill);
   this->Mapper->SetVerticalExaggeration(2.0);
   this->LookDown();
-  ASSERT_TRUE(this->PickAt(20.75, 10.25, 30.0 + 2.0 * bilinear(hill, 20.75, 10.25)));
+  ASSERT_TRUE(this->PickAt(20.75, 10.25, 30.0 + 2.0 * Bilinear(Hill, 20.75, 10.25)));
   ASSERT_TRUE(this->Picker->IsTerrainPicked());
   const double* grid = this->Picker->GetGridPosition();
   EXPECT_NEAR(grid[0], 20.75, 1e-6);
@@ -348,7 +348,7 @@ TEST_F(TerrainPicker, GivesCellSampleHeightAndValues)
   const int i = static_cast<int>(grid[0]);
   const int j = static_cast<int>(grid[1]);
   const double v = grid[1] - j;
-  const double height = bilinear(hill, grid[0], grid[1]);
+  const double height = Bilinear(Hill, grid[0], grid[1]);
   EXPECT_NEAR(this->Picker->GetHeight(), height, 1e-9);
   const double* position = this->Picker->GetPickPosition();
   EXPECT_NEAR(position[0], 500000.0 + SpacingX * grid[0], 1e-6);
@@ -367,7 +367,7 @@ TEST_F(TerrainPicker, GivesCellSampleHeightAndValues)
   EXPECT_TRUE(std::isnan(this->Picker->GetValue("Along", 1)));
   EXPECT_TRUE(std::isnan(this->Picker->GetValue("Missing")));
   const double slopeX = 2.0 *
-    ((1.0 - v) * (hill(i + 1, j) - hill(i, j)) + v * (hill(i + 1, j + 1) - hill(i, j + 1))) /
+    ((1.0 - v) * (Hill(i + 1, j) - Hill(i, j)) + v * (Hill(i + 1, j + 1) - Hill(i, j + 1))) /
     SpacingX;
   const double* normal = this->Picker->GetPickNormal();
   EXPECT_NEAR(-normal[0] / normal[2], slopeX, 1e-9);
@@ -376,7 +376,7 @@ TEST_F(TerrainPicker, GivesCellSampleHeightAndValues)
 
 TEST_F(TerrainPicker, PicksTheNearestProp)
 {
-  this->Show(hill);
+  this->Show(Hill);
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(30.0);
   sphere->SetCenter(this->World(32.0, 24.0, 400.0).data());
@@ -398,7 +398,7 @@ TEST_F(TerrainPicker, PicksTheNearestProp)
 
 TEST_F(TerrainPicker, PicksNothingInHolesAndBeside)
 {
-  this->Show(hillWithHole);
+  this->Show(HillWithHole);
   this->LookDown();
   EXPECT_FALSE(this->PickAt(32.0, 24.0, 130.0));
   EXPECT_FALSE(this->PickAt(-3.0, 24.0, 130.0));
@@ -409,7 +409,7 @@ TEST_F(TerrainPicker, PicksNothingInHolesAndBeside)
 
 TEST_F(TerrainPicker, PicksNothingOfOneSample)
 {
-  this->Show(hill);
+  this->Show(Hill);
   vtkNew<vtkImageData> one;
   one->SetDimensions(1, 1, 1);
   one->AllocateScalars(VTK_SHORT, 1);
@@ -420,7 +420,7 @@ TEST_F(TerrainPicker, PicksNothingOfOneSample)
 
 TEST_F(TerrainPicker, LeavesOutWhatIsClipped)
 {
-  this->Show(hill);
+  this->Show(Hill);
   vtkNew<vtkPlane> plane; // keeps the east
   plane->SetOrigin(this->World(32.0, 0.0, 0.0).data());
   plane->SetNormal(1.0, 0.0, 0.0);
@@ -432,7 +432,7 @@ TEST_F(TerrainPicker, LeavesOutWhatIsClipped)
 
 TEST_F(TerrainPicker, LeavesOutWhatIsNotExtracted)
 {
-  this->Show(hill);
+  this->Show(Hill);
   this->LookDown();
   const int first[2] = { 25, 10 };
   const int last[2] = { 40, 30 };
@@ -450,7 +450,7 @@ TEST_F(TerrainPicker, LeavesOutWhatIsNotExtracted)
 
 TEST_F(TerrainPicker, ScansHeightsOncePerChange)
 {
-  this->Show(hill);
+  this->Show(Hill);
   this->LookDown();
   EXPECT_TRUE(this->PickAt(20.0, 24.0, 130.0));
   this->Mapper->SetVerticalExaggeration(1.5);
@@ -470,7 +470,7 @@ TEST_F(TerrainPicker, ScansHeightsOncePerChange)
 
 TEST_F(TerrainPicker, TellsLinesOfSight)
 {
-  this->Show(wall);
+  this->Show(Wall);
   this->Mapper->SetVerticalExaggeration(3.0); // the plain at z = 60, the wall up to 330
   this->Actor->RotateZ(30.0);
   const Point west = this->World(20.0, 24.0, 61.0);
@@ -496,7 +496,7 @@ TEST_F(TerrainPicker, TellsLinesOfSight)
 
 TEST_F(TerrainPicker, CutsProfiles)
 {
-  this->Show(wall);
+  this->Show(Wall);
   this->Mapper->SetVerticalExaggeration(3.0);
   this->Actor->SetPosition(7.0, 0.0, 0.0);
   vtkNew<vtkPolyData> profile;
@@ -522,7 +522,7 @@ TEST_F(TerrainPicker, CutsProfiles)
 
 TEST_F(TerrainPicker, CutsProfilesAtHolesAndBorders)
 {
-  this->Show(hillWithHole);
+  this->Show(HillWithHole);
   vtkNew<vtkPolyData> profile;
   ASSERT_TRUE(this->Picker->GetProfile(this->Actor, this->World(-5.0, 24.5, 0.0).data(),
     this->World(80.0, 23.5, 0.0).data(), profile));
@@ -549,7 +549,7 @@ TEST_F(TerrainPicker, FindsTheExtremesOfProfiles)
 // Both read the depth buffer: a point of the surface, to the buffer's precision.
 TEST_F(TerrainPicker, PickersOfTheDepthBufferFindTheSurface)
 {
-  this->Show(hill);
+  this->Show(Hill);
   this->Look({ 32.0, -40.0, 500.0 }, { 32.0, 20.0, 100.0 });
   this->Scene.Window->Render();
   const int x = PixelsX / 2;

@@ -27,6 +27,100 @@ using Texel = vtkTerrainTesting::GlobeTexel;
 /// Metres along rays that are compared with the reference, and the part of it they may be off by.
 constexpr double kFarthest = 1e5;
 constexpr double kPart = 1e-6;
+
+/// Geocentric position of a place in columns and rows of a grid.
+glm::dvec3 PositionOn(const terrain::GlobeGrid& grid, const glm::dvec2& at, double height)
+{
+  return grid.Body.ToPosition({ grid.West + at.x * grid.Step, grid.LatitudeOf(at.y), height });
+}
+
+/// Rays of 200 x 100 pixels, of an eye so far from a planet's middle that looks down at an anchor,
+/// turned a little; in the anchor's axes.
+terrain::PixelRays MakeRaysFromSpace(const glm::dvec3& anchor, double distance)
+{
+  const double length = glm::length(anchor);
+  const glm::dvec3 up(glm::length(glm::dvec2(anchor)) / length, 0.0, anchor.z / length);
+  const glm::dvec3 north = glm::dvec3(-up.z, 0.0, up.x) + glm::dvec3(0.0, 0.1, 0.0);
+  return terrain::MakePixelRays(glm::lookAt(distance * up, glm::dvec3(0.0), north),
+    glm::perspective(4000.0 / distance, 2.0, 1e6, 1e8), glm::dvec4(0.0, 0.0, 200.0, 100.0));
+}
+
+/// Rays about an anchor, and where the reference says that they meet the surface, in metres.
+struct Hits
+{
+  std::vector<terrain::GlobeRay<float>> Rays;
+  std::vector<double> Distances;
+};
+
+/// Rays that go down from an anchor and meet the surface within kFarthest.
+template <typename Anchor>
+Hits MakeHits(const terrain::GlobeReference& reference, const Anchor& anchor)
+{
+  Hits hits;
+  vtkTerrainTesting::Numbers number;
+  const glm::dvec3 up = glm::normalize(anchor.Position);
+  while (hits.Rays.size() < 300)
+  {
+    terrain::GlobeReferenceRay ray;
+    ray.Origin = anchor.Position;
+    const glm::dvec3 any(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0));
+    ray.Direction = glm::normalize(glm::normalize(any) - 0.9 * up);
+    ray.End = 2.0 * kFarthest;
+    const auto hit = reference.Cast(ray);
+    if (hit.Found && hit.T < kFarthest && glm::dot(ray.Direction, up) < -0.2)
+    {
+      terrain::GlobeRay<float> about;
+      about.Direction = glm::vec3(anchor.ToAxes(ray.Direction));
+      about.End = static_cast<float>(ray.End);
+      hits.Rays.push_back(about);
+      hits.Distances.push_back(hit.T);
+    }
+  }
+  return hits;
+}
+
+/// A part of a planet in steps of 30 seconds, with plateaus or with waves of whole metres.
+terrain::TestGlobe MakePart(bool flat)
+{
+  const double step = 1.0 / 120.0;
+  return { "part", terrain::MakeGrid({}, 24.0, step, 1025, terrain::Parallels(24.0, step, 1025)),
+    [flat](int i, int j)
+    {
+      return flat ? ((i / 97 + j / 61) % 5 == 0 ? 8000.0 : 0.0)
+                  : std::floor(3000.0 + 2000.0 * std::sin(0.21 * i) * std::cos(0.17 * j));
+    } };
+}
+
+/// Rays from space at ground about columns and rows of a grid, from 180 km before it: along a
+/// parallel of flat ground, or at points on the lines between cells.
+template <typename Tracer>
+std::vector<terrain::GlobeRay<float>> MakeRaysAtGround(const terrain::World<Texel>& world,
+  const terrain::GlobeGrid& grid, const Tracer& tracer, const glm::dvec2& below, bool flat,
+  vtkTerrainTesting::Numbers& number)
+{
+  const glm::dvec3 eye = 3.2 * tracer.Anchor.Position;
+  std::vector<terrain::GlobeRay<float>> rays;
+  for (int k = 0; k < 4000; ++k)
+  {
+    glm::dvec2 at = below + glm::dvec2(number(-200.0, 200.0), number(-2.0, 2.0));
+    double height = 0.0;
+    if (!flat)
+    {
+      at.y = std::floor(below.y + number(-200.0, 200.0)); // on a line
+      const int i = static_cast<int>(at.x);
+      const int j = static_cast<int>(at.y);
+      height = glm::mix(world.Height(i, j), world.Height(i + 1, j), at.x - i);
+    }
+    const glm::dvec3 target = PositionOn(grid, at, height);
+    const glm::dvec3 way = glm::normalize(target - eye);
+    terrain::GlobeRay<float> ray;
+    ray.Origin = glm::vec3(tracer.Anchor.ToAxes(target - 1.8e5 * way - tracer.Anchor.Position));
+    ray.Direction = glm::vec3(tracer.Anchor.ToAxes(way));
+    ray.End = 1e8f;
+    rays.push_back(ray);
+  }
+  return rays;
+}
 }
 
 // In cells of a degree, from just above the summits: what is left is what float rounds.
@@ -40,37 +134,15 @@ TEST(TerrainShaderGlobe, HasTheDistancesOfTheReference)
     SCOPED_TRACE(globes[which].Name);
     const terrain::World<Texel> world(globes[which].Grid, globes[which].Field());
     FieldTextures<Texel> field(scene.Window, world.Field, true);
-    const terrain::GlobeReference reference = world.Reference();
-    const glm::dvec3 anchor = MiddleOf(globes[which].Grid, 9500.0);
-    const terrain::WorldTracer<float, Texel> tracer(world, anchor);
+    const terrain::WorldTracer<float, Texel> tracer(world, MiddleOf(globes[which].Grid, 9500.0));
     const GlobeTexture lines(scene.Window, tracer);
-    vtkTerrainTesting::Numbers number;
-    std::vector<terrain::GlobeRay<float>> rays;
-    std::vector<double> expected;
-    while (rays.size() < 300)
+    const Hits hits = MakeHits(world.Reference(), tracer.Anchor);
+    const std::vector<float> drawn = CastOnCard(scene.Window, field, lines, hits.Rays);
+    for (std::size_t k = 0; k < hits.Rays.size(); ++k)
     {
-      terrain::GlobeReferenceRay ray;
-      ray.Origin = anchor;
-      ray.Direction =
-        glm::normalize(glm::dvec3(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0))) -
-        0.9 * glm::normalize(anchor);
-      ray.Direction = glm::normalize(ray.Direction);
-      ray.End = 2.0 * kFarthest;
-      const auto hit = reference.Cast(ray);
-      if (hit.Found && hit.T < kFarthest && glm::dot(ray.Direction, glm::normalize(anchor)) < -0.2)
-      {
-        terrain::GlobeRay<float> about;
-        about.Direction = glm::vec3(tracer.Anchor.ToAxes(ray.Direction));
-        about.End = static_cast<float>(ray.End);
-        rays.push_back(about);
-        expected.push_back(hit.T);
-      }
-    }
-    const std::vector<float> drawn = CastOnCard(scene.Window, field, lines, rays);
-    for (std::size_t k = 0; k < rays.size(); ++k)
-    {
+      const double expected = hits.Distances[k];
       ASSERT_NE(drawn[4 * k], 0.0f);
-      ASSERT_NEAR(drawn[4 * k + 1], expected[k], kPart * expected[k] + terrain::kGlobeFloatError);
+      ASSERT_NEAR(drawn[4 * k + 1], expected, kPart * expected + terrain::kGlobeFloatError);
     }
   }
 }
@@ -81,54 +153,20 @@ TEST(TerrainShaderGlobe, IsWatertight)
 {
   const vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(8, 8);
   scene.Window->Render();
-  const double step = 1.0 / 120.0;
   for (const bool flat : { false, true })
   {
     SCOPED_TRACE(flat);
-    const terrain::TestGlobe globe{ "part",
-      terrain::MakeGrid({}, 24.0, step, 1025, terrain::Parallels(24.0, step, 1025)),
-      [flat](int i, int j)
-      {
-        return flat ? ((i / 97 + j / 61) % 5 == 0 ? 8000.0 : 0.0)
-                    : std::floor(3000.0 + 2000.0 * std::sin(0.21 * i) * std::cos(0.17 * j));
-      } };
+    const terrain::TestGlobe globe = MakePart(flat);
     const terrain::World<Texel> world(globe.Grid, globe.Field());
     FieldTextures<Texel> field(scene.Window, world.Field, true);
     vtkTerrainTesting::Numbers number;
-    const terrain::Ellipsoid& body = globe.Grid.Body;
     int leaks = 0;
     for (int view = 0; view < 10; ++view)
     {
       const glm::dvec2 below(number(400.0, 600.0), number(400.0, 600.0)); // columns and rows
-      const auto position = [&](const glm::dvec2& at, double height)
-      {
-        return body.ToPosition(
-          { globe.Grid.West + at.x * globe.Grid.Step, globe.Grid.LatitudeOf(at.y), height });
-      };
-      const glm::dvec3 anchor = position(below, 0.0);
-      const glm::dvec3 eye = 3.2 * anchor;
-      const terrain::WorldTracer<float, Texel> tracer(world, anchor);
+      const terrain::WorldTracer<float, Texel> tracer(world, PositionOn(globe.Grid, below, 0.0));
       const GlobeTexture lines(scene.Window, tracer);
-      std::vector<terrain::GlobeRay<float>> rays;
-      for (int k = 0; k < 4000; ++k)
-      {
-        glm::dvec2 at = below + glm::dvec2(number(-200.0, 200.0), number(-2.0, 2.0));
-        double height = 0.0;
-        if (!flat)
-        {
-          at.y = std::floor(below.y + number(-200.0, 200.0)); // on a line
-          const int i = static_cast<int>(at.x);
-          const int j = static_cast<int>(at.y);
-          height = glm::mix(world.Height(i, j), world.Height(i + 1, j), at.x - i);
-        }
-        const glm::dvec3 target = position(at, height);
-        const glm::dvec3 way = glm::normalize(target - eye);
-        terrain::GlobeRay<float> ray;
-        ray.Origin = glm::vec3(tracer.Anchor.ToAxes(target - 1.8e5 * way - tracer.Anchor.Position));
-        ray.Direction = glm::vec3(tracer.Anchor.ToAxes(way));
-        ray.End = 1e8f;
-        rays.push_back(ray);
-      }
+      const auto rays = MakeRaysAtGround(world, globe.Grid, tracer, below, flat, number);
       const std::vector<float> drawn = CastOnCard(scene.Window, field, lines, rays);
       for (std::size_t k = 0; k < rays.size(); ++k)
       {
@@ -153,13 +191,7 @@ TEST(TerrainShaderGlobe, ShowsThePlaceOfAPixelFromSpace)
   const glm::dvec3 anchor = MiddleOf(globe.Grid, 0.0);
   const terrain::WorldTracer<float, Texel> tracer(world, anchor);
   const GlobeTexture lines(scene.Window, tracer);
-  constexpr double altitude = 1.9e7;
-  const glm::dvec3 up(
-    glm::length(glm::dvec2(anchor)) / glm::length(anchor), 0.0, anchor.z / glm::length(anchor));
-  const glm::dmat4 view = glm::lookAt(
-    altitude * up, glm::dvec3(0.0), glm::dvec3(-up.z, 0.0, up.x) + glm::dvec3(0.0, 0.1, 0.0));
-  const terrain::PixelRays rays = terrain::MakePixelRays(
-    view, glm::perspective(4000.0 / altitude, 2.0, 1e6, 1e8), glm::dvec4(0.0, 0.0, 200.0, 100.0));
+  const terrain::PixelRays rays = MakeRaysFromSpace(anchor, 1.9e7);
   const terrain::GlobeReference reference = world.Reference();
   vtkTerrainTesting::Numbers number;
   std::vector<std::vector<float>> inputs(1);

@@ -28,14 +28,14 @@ namespace
 using terrain::Driver;
 using terrain::Features;
 
-bool has(const std::string& text, const std::string& part)
+bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
 
 /// Features that have one member at other values than those of no way.
 template <std::size_t Member>
-void addOthers(std::vector<Features>& all)
+void AddOthers(std::vector<Features>& all)
 {
   Features features;
   auto& member = std::get<Member>(terrain::MembersOf(features));
@@ -56,22 +56,22 @@ void addOthers(std::vector<Features>& all)
 }
 
 template <std::size_t... Members>
-std::vector<Features> othersOf(std::index_sequence<Members...> /*all*/)
+std::vector<Features> OthersOf(std::index_sequence<Members...> /*all*/)
 {
   std::vector<Features> all;
-  (addOthers<Members>(all), ...);
+  (AddOthers<Members>(all), ...);
   return all;
 }
 
 /// Features that differ from those of no way in one member each, whichever there are.
-std::vector<Features> singleFeatures()
+std::vector<Features> SingleFeatures()
 {
   using Key = decltype(terrain::MembersOf(std::declval<Features&>()));
-  return othersOf(std::make_index_sequence<std::tuple_size_v<Key>>());
+  return OthersOf(std::make_index_sequence<std::tuple_size_v<Key>>());
 }
 
 /// The texts of all files of shaders/.
-std::vector<std::string> readShaders()
+std::vector<std::string> ReadShaders()
 {
   std::vector<std::string> texts;
   for (const auto& file : std::filesystem::directory_iterator(VTKTERRAIN_SHADER_DIR))
@@ -85,7 +85,7 @@ std::vector<std::string> readShaders()
 // text; the uniforms that are passed change the text elsewhere (SurfaceProgram).
 TEST(TerrainFeatures, AreDefinesAndKey)
 {
-  const std::vector<Features> all = singleFeatures();
+  const std::vector<Features> all = SingleFeatures();
   std::set<std::string> texts{ Features().Defines() };
   for (const Features& features : all)
   {
@@ -100,12 +100,12 @@ TEST(TerrainFeatures, AreDefinesAndKey)
 TEST(TerrainFeatures, DefineEveryNameThatShadersAskFor)
 {
   std::string defined = Features::Constants();
-  for (const Features& features : singleFeatures())
+  for (const Features& features : SingleFeatures())
   {
     defined += features.Defines();
   }
   const std::string name = "TERRAIN_";
-  const std::vector<std::string> shaders = readShaders();
+  const std::vector<std::string> shaders = ReadShaders();
   ASSERT_GT(shaders.size(), 20U);
   for (const std::string& text : shaders)
   {
@@ -114,7 +114,7 @@ TEST(TerrainFeatures, DefineEveryNameThatShadersAskFor)
     {
       const std::string found =
         text.substr(at, text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", at) - at);
-      EXPECT_TRUE(found == "TERRAIN_VISIT" || has(defined, "#define " + found)) << found;
+      EXPECT_TRUE(found == "TERRAIN_VISIT" || Has(defined, "#define " + found)) << found;
     }
   }
 }
@@ -125,9 +125,9 @@ TEST(TerrainFeatures, ShiftedDepthIsNotDeclaredGreater)
   Features features;
   features.Way = Features::Ways::Linear;
   features.BelowBox = true;
-  EXPECT_FALSE(has(features.Defines(), "TERRAIN_DEPTH_OFFSET"));
+  EXPECT_FALSE(Has(features.Defines(), "TERRAIN_DEPTH_OFFSET"));
   features.ShiftsDepth = true;
-  EXPECT_TRUE(has(features.Defines(), "#define TERRAIN_DEPTH_OFFSET\n"));
+  EXPECT_TRUE(Has(features.Defines(), "#define TERRAIN_DEPTH_OFFSET\n"));
 }
 
 TEST(TerrainShaderText, EditsOutsideItsMarks)
@@ -140,20 +140,20 @@ TEST(TerrainShaderText, EditsOutsideItsMarks)
   text.Behind("//VTK::Depth::Impl", "z = gl_FragCoord.z;\n");
   EXPECT_TRUE(text.Follow("gl_FragCoord.z", "gl_FragDepth"));
   const std::string source = shader->GetSource();
-  EXPECT_TRUE(has(source, "x = gl_FragDepth + gl_FragDepth;")) << source;
-  EXPECT_TRUE(has(source, "\ny = gl_FragCoord.z;\n")) << source;
-  EXPECT_TRUE(has(source, "\nz = gl_FragCoord.z;\n")) << source;
+  EXPECT_TRUE(Has(source, "x = gl_FragDepth + gl_FragDepth;")) << source;
+  EXPECT_TRUE(Has(source, "\ny = gl_FragCoord.z;\n")) << source;
+  EXPECT_TRUE(Has(source, "\nz = gl_FragCoord.z;\n")) << source;
   EXPECT_LT(source.find("y ="), source.find("//VTK::Depth::Impl"));
   EXPECT_LT(source.find("//VTK::Depth::Impl"), source.find("z ="));
   EXPECT_EQ(problem, "");
   text.Replace("//VTK::Depth::Impl", "w = 0.0;");
-  EXPECT_FALSE(has(shader->GetSource(), "//VTK::Depth::Impl"));
+  EXPECT_FALSE(Has(shader->GetSource(), "//VTK::Depth::Impl"));
   EXPECT_FALSE(text.Follow("gl_FragCoord.z", "gl_FragDepth"));
   EXPECT_EQ(problem, "");
 }
 
 /// The problem of a text whose pixels must be asked for x and y alone.
-std::string problemOfPixels(const std::string& source)
+std::string ProblemOfPixels(const std::string& source)
 {
   vtkNew<vtkShader> shader;
   shader->SetSource(source);
@@ -168,7 +168,7 @@ TEST(TerrainShaderText, RequiresNamedComponents)
     { "", "void main() {}", "a = gl_FragCoord.xy / b;", "f(gl_FragCoord.x, gl_FragCoord.y)\n",
       "\n// terrain begins\ngl_FragCoord.z; gl_FragCoord\n// terrain ends\ngl_FragCoord.yx;" })
   {
-    EXPECT_EQ(problemOfPixels(good), "") << good;
+    EXPECT_EQ(ProblemOfPixels(good), "") << good;
   }
   for (const std::string bad :
     { "gl_FragCoord;", "gl_FragCoord", "gl_FragCoord.", "gl_FragCoord.z;", "gl_FragCoord.xyz;",
@@ -176,8 +176,8 @@ TEST(TerrainShaderText, RequiresNamedComponents)
   {
     const std::string expected =
       std::string("there is \"").append(bad).append("\": it would be wrong");
-    EXPECT_EQ(problemOfPixels("a = gl_FragCoord.xy;\n" + bad + "\nb;\n"), expected);
-    EXPECT_NE(problemOfPixels("// terrain begins\n// terrain ends\n" + bad), "") << bad;
+    EXPECT_EQ(ProblemOfPixels("a = gl_FragCoord.xy;\n" + bad + "\nb;\n"), expected);
+    EXPECT_NE(ProblemOfPixels("// terrain begins\n// terrain ends\n" + bad), "") << bad;
   }
 }
 
@@ -209,16 +209,16 @@ TEST(TerrainUniformPasser, PassesWhatIsRead)
   terrain::PassUniforms(vertex, fragment);
   for (const std::string passed : { "vec3 first", "int second", "mat3 fourth", "vec2 fifth" })
   {
-    EXPECT_TRUE(has(fragment, "flat in " + passed + "VSOutput;")) << passed;
+    EXPECT_TRUE(Has(fragment, "flat in " + passed + "VSOutput;")) << passed;
     const std::string declared = std::string("uniform ").append(passed).append(";\nflat out ");
-    EXPECT_TRUE(has(vertex, declared + passed + "VSOutput;")) << passed;
+    EXPECT_TRUE(Has(vertex, declared + passed + "VSOutput;")) << passed;
   }
   for (const std::string kept :
     { "float shared", "int third", "vec4 array[2]", "sampler2D texture" })
   {
-    EXPECT_TRUE(has(fragment, "uniform " + kept + ";")) << kept;
+    EXPECT_TRUE(Has(fragment, "uniform " + kept + ";")) << kept;
   }
-  EXPECT_TRUE(has(vertex, "{\n  firstVSOutput = first;\n"));
+  EXPECT_TRUE(Has(vertex, "{\n  firstVSOutput = first;\n"));
 }
 
 TEST(TerrainUniformPasser, LeavesStrangeShadersAlone)
@@ -229,7 +229,7 @@ TEST(TerrainUniformPasser, LeavesStrangeShadersAlone)
     std::string fragment = "#endif\n#else\n#elif\nuniform float a;\n#ifdef\n";
     terrain::PassUniforms(vertex, fragment);
     EXPECT_EQ(vertex, source);
-    EXPECT_TRUE(has(fragment, "uniform float a;"));
+    EXPECT_TRUE(Has(fragment, "uniform float a;"));
   }
   // more than there is room for
   std::string vertex = "void main() {}";
@@ -239,8 +239,8 @@ TEST(TerrainUniformPasser, LeavesStrangeShadersAlone)
     fragment += "uniform vec4 u" + std::to_string(i) + "x;\n";
   }
   terrain::PassUniforms(vertex, fragment);
-  EXPECT_TRUE(has(fragment, "flat in vec4 u29x"));
-  EXPECT_TRUE(has(fragment, "uniform vec4 u30x;"));
+  EXPECT_TRUE(Has(fragment, "flat in vec4 u29x"));
+  EXPECT_TRUE(Has(fragment, "uniform vec4 u30x;"));
 }
 
 TEST(TerrainDriver, TakesWordsFromLeftToRight)

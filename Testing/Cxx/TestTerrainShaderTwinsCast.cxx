@@ -36,7 +36,7 @@ using vtkTerrainTesting::ReadShader;
 constexpr int Count = vtkTerrainTesting::NumberOfItems;
 
 /// Hills with a hole, below the eye of ViewOf().
-terrain::TestField hills()
+terrain::TestField Hills()
 {
   return { "hills", 200, 150,
     [](int i, int j)
@@ -47,7 +47,7 @@ terrain::TestField hills()
 }
 
 /// Planes that keep a part of the hills as a block, in view coordinates.
-std::vector<glm::vec4> blockPlanes(const glm::dmat4& view)
+std::vector<glm::vec4> BlockPlanes(const glm::dmat4& view)
 {
   std::vector<glm::vec4> planes;
   for (const glm::dvec4& plane : { glm::dvec4(1.0, 0.0, 0.0, -4.0),
@@ -59,7 +59,7 @@ std::vector<glm::vec4> blockPlanes(const glm::dmat4& view)
   return planes;
 }
 
-std::string declarations(const terrain::Features& features)
+std::string Declarations(const terrain::Features& features)
 {
   std::string text = features.Defines() + terrain::Features::Constants();
   for (const char* name :
@@ -70,7 +70,7 @@ std::string declarations(const terrain::Features& features)
   return text;
 }
 
-void setUniforms(vtkShaderProgram* program, const PixelCast<float>& cast)
+void SetUniforms(vtkShaderProgram* program, const PixelCast<float>& cast)
 {
   vtkTerrainTesting::SetRays(program, cast.Rays);
   program->SetUniform3f("terrainBoxMinimum", &cast.BoxMinimum[0]);
@@ -88,7 +88,7 @@ void setUniforms(vtkShaderProgram* program, const PixelCast<float>& cast)
 }
 
 /// What a sighting is of: none, a side of the surface, or a wall.
-float kindOf(const Sighting& sighting)
+float KindOf(const Sighting& sighting)
 {
   return sighting.found
     ? 1.0f + (sighting.front ? 1.0f : 0.0f) + 3.0f * static_cast<float>(sighting.wall + 1)
@@ -114,7 +114,7 @@ struct Comparison
     {
       const glm::dvec2 beside = 1e-3 * glm::dvec2(k % 3 - 1, k / 3 - 1);
       const Sighting seen = cast.Cast(glm::dvec2(pixel) + beside, 0.0f);
-      agrees = agrees || kindOf(seen) == drawn.x;
+      agrees = agrees || KindOf(seen) == drawn.x;
       nearest = seen.found ? std::min(nearest, seen.distanceVC) : nearest;
       farthest = seen.found ? std::max(farthest, seen.distanceVC) : farthest;
       if (k == 4)
@@ -198,7 +198,7 @@ protected:
       inputs[0].insert(inputs[0].end(), { pixels.back().x, pixels.back().y, 0.0f, 0.0f });
     }
     const std::vector<float> drawn =
-      vtkTerrainTesting::RunShader(this->Canvas.Window, declarations(features),
+      vtkTerrainTesting::RunShader(this->Canvas.Window, Declarations(features),
         "TerrainSighting seen = terrainCast(input0.xy, 0.0);"
         "float kind = seen.found ? 1.0 + (seen.front ? 1.0 : 0.0) + 3.0 * float(seen.wall + 1)"
         ": 0.0; result = vec4(kind, seen.distanceVC, vec2(seen.cell) + seen.fraction);",
@@ -206,7 +206,7 @@ protected:
         [&](vtkShaderProgram* program)
         {
           textures.SetUniforms(program);
-          setUniforms(program, cast);
+          SetUniforms(program, cast);
         });
     EXPECT_EQ(drawn.size(), 4u * Count);
     Comparison comparison;
@@ -225,7 +225,7 @@ protected:
 // Surfaces that are passed by, from above and below, of patches and of columns.
 TEST_F(TerrainShaderTwinsCast, SeeTheSameSurfaces)
 {
-  terrain::CodedField<float> field(hills());
+  terrain::CodedField<float> field(Hills());
   const PixelRays rays = vtkTerrainTesting::RaysOf(false);
   int found = 0;
   int backs = 0;
@@ -257,7 +257,7 @@ TEST_F(TerrainShaderTwinsCast, SeeTheSameSurfaces)
 // A block's walls, and what is seen where they are passed by.
 TEST_F(TerrainShaderTwinsCast, SeeTheSameBlocks)
 {
-  terrain::CodedField<float> field(hills());
+  terrain::CodedField<float> field(Hills());
   const PixelRays rays = vtkTerrainTesting::RaysOf(false);
   for (const bool columns : { false, true })
   {
@@ -270,7 +270,7 @@ TEST_F(TerrainShaderTwinsCast, SeeTheSameBlocks)
       cast.BoxMaximum = glm::vec3(199.0f, 149.0f, field.Coded.heights.maximumCode);
       cast.Far = 300.0;
       cast.Layer = layer;
-      cast.PlanesVC = blockPlanes(vtkTerrainTesting::ViewOf());
+      cast.PlanesVC = BlockPlanes(vtkTerrainTesting::ViewOf());
       cast.Block = true;
       const Comparison comparison = this->Compare(field, cast);
       EXPECT_EQ(comparison.Wrong, 0);
@@ -284,7 +284,7 @@ TEST_F(TerrainShaderTwinsCast, SeeTheSameBlocks)
 // cell. One trace alone is off by more where rays graze the surface.
 TEST_F(TerrainShaderTwinsCast, TraceFarRaysAgain)
 {
-  const terrain::CodedField<float> field(hills());
+  const terrain::CodedField<float> field(Hills());
   vtkTerrainTesting::FieldTextures<float> textures(this->Canvas.Window, field, true);
   const glm::dmat4 view = glm::lookAt(
     glm::dvec3(80.0, -90000.0, 9000.0), glm::dvec3(100.0, 75.0, 7.0), glm::dvec3(0.0, 0.0, 1.0));
@@ -309,7 +309,7 @@ TEST_F(TerrainShaderTwinsCast, TraceFarRaysAgain)
       hit.found ? glm::vec4(1.0f, hit.s, glm::vec2(place)) : glm::vec4(0.0f));
   }
   EXPECT_GT(farther, 20);
-  EXPECT_LE(items.CountDifferent(this->Canvas.Window, declarations(textures.GetFeatures()),
+  EXPECT_LE(items.CountDifferent(this->Canvas.Window, Declarations(textures.GetFeatures()),
               "bool front; vec4 codes;"
               "TerrainHit hit = terrainTraceRange(input0.xy, input0.zw, front, codes);"
               "result = hit.found ? vec4(1.0, hit.s, vec2(hit.cell) + hit.fraction) : vec4(0.0);",
@@ -317,7 +317,7 @@ TEST_F(TerrainShaderTwinsCast, TraceFarRaysAgain)
               [&](vtkShaderProgram* program)
               {
                 textures.SetUniforms(program);
-                setUniforms(program, cast);
+                SetUniforms(program, cast);
               }),
     0);
 }
@@ -342,7 +342,7 @@ TEST_F(TerrainShaderTwinsCast, BeginAndEndAlike)
   }
   EXPECT_EQ(
     items.CountDifferent(this->Canvas.Window,
-      declarations(features) + ReadShader("vtkTerrainGradient") + ReadShader("vtkTerrainSurface"),
+      Declarations(features) + ReadShader("vtkTerrainGradient") + ReadShader("vtkTerrainSurface"),
       "result.xy = vec2(terrainEntry(input0), terrainFragmentDepth(input0, input1.x));", 2e-6f,
       [&](vtkShaderProgram* program) { vtkTerrainTesting::SetRays(program, rays); }),
     0);
@@ -351,7 +351,7 @@ TEST_F(TerrainShaderTwinsCast, BeginAndEndAlike)
 // What is cut off of a mesh, and normals that turn to the viewer.
 TEST_F(TerrainShaderTwinsCast, AreBelowTheSameMeshes)
 {
-  const terrain::CodedField<float> field(hills());
+  const terrain::CodedField<float> field(Hills());
   vtkTerrainTesting::FieldTextures<float> textures(this->Canvas.Window, field, true);
   terrain::Features features = textures.GetFeatures();
   features.Way = terrain::Features::Ways::Mesh;
@@ -363,7 +363,7 @@ TEST_F(TerrainShaderTwinsCast, AreBelowTheSameMeshes)
   }
   const PixelRays rays = vtkTerrainTesting::RaysOf(false);
   const glm::dmat4 view = vtkTerrainTesting::ViewOf();
-  const std::vector<glm::vec4> planes = blockPlanes(view);
+  const std::vector<glm::vec4> planes = BlockPlanes(view);
   const glm::vec3 face = glm::normalize(glm::vec3(0.2f, 0.3f, 0.9f));
   const MeshPoints points(field, rays, glm::inverse(view), planes, face);
   EXPECT_GT(points.Clipped, Count / 10);

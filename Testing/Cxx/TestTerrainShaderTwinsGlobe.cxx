@@ -38,7 +38,7 @@ constexpr float kRoundedPlace = 1e-6f;
 /// of rays that graze the ground or pass a silhouette the distances may lie anywhere between those
 /// of rays nearby.
 template <typename Traversal>
-bool isOfARayNearby(
+bool IsOfARayNearby(
   bool found, float t, const terrain::GlobeRay<float>& ray, const Traversal& traversal)
 {
   constexpr int directions = 27; // each coordinate less, the same, more
@@ -61,7 +61,7 @@ bool isOfARayNearby(
 
 /// Rays of a kind about one anchor, on the GPU and by the twin: they end at the same place, or
 /// where one nearby ends.
-void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int kind)
+void CompareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int kind)
 {
   const terrain::World<Texel> world(globe.Grid, globe.Field());
   FieldTextures<Texel> field(window, world.Field, kind % 2 == 0);
@@ -97,7 +97,7 @@ void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int k
     const bool front = drawn[4 * k + 3] != 0.0f;
     const bool same =
       found == hit.Found && (!found || std::abs(drawn[4 * k + 1] - hit.T) <= 1e-5f * hit.T + 0.1f);
-    wrong += same || isOfARayNearby(found, drawn[4 * k + 1], cast[k], tracer.Traversal) ? 0 : 1;
+    wrong += same || IsOfARayNearby(found, drawn[4 * k + 1], cast[k], tracer.Traversal) ? 0 : 1;
     turned += same && found && front != hit.Front ? 1 : 0;
   }
   EXPECT_EQ(wrong, 0);
@@ -106,7 +106,7 @@ void compareRays(vtkRenderWindow* window, const terrain::TestGlobe& globe, int k
 }
 
 /// The rays of a camera above the anchor, in its axes.
-terrain::PixelRays raysAbove(const glm::dvec3& anchor, double altitude)
+terrain::PixelRays RaysAbove(const glm::dvec3& anchor, double altitude)
 {
   const double length = glm::length(anchor);
   const glm::dvec3 up(glm::length(glm::dvec2(anchor)) / length, 0.0, anchor.z / length);
@@ -119,14 +119,14 @@ terrain::PixelRays raysAbove(const glm::dvec3& anchor, double altitude)
 
 /// Rays of pixels by both: they end at the same place, or where the ray of a pixel a tenth beside
 /// does.
-void comparePixels(vtkRenderWindow* window, const terrain::TestGlobe& globe, double altitude)
+void ComparePixels(vtkRenderWindow* window, const terrain::TestGlobe& globe, double altitude)
 {
   const terrain::World<Texel> world(globe.Grid, globe.Field());
   FieldTextures<Texel> field(window, world.Field, true);
   const glm::dvec3 anchor = MiddleOf(globe.Grid, 0.0);
   const terrain::WorldTracer<float, Texel> tracer(world, anchor);
   const GlobeTexture lines(window, tracer);
-  const terrain::PixelRays rays = raysAbove(anchor, altitude);
+  const terrain::PixelRays rays = RaysAbove(anchor, altitude);
   const glm::vec2 range(0.3 * altitude, 1e8f);
   vtkTerrainTesting::Numbers number;
   std::vector<std::vector<float>> inputs(1);
@@ -177,7 +177,7 @@ void comparePixels(vtkRenderWindow* window, const terrain::TestGlobe& globe, dou
 }
 
 /// The axes of the grid at random places, about an anchor in the middle of it, to a part of each.
-void compareAxes(vtkRenderWindow* window, const terrain::TestGlobe& globe)
+void CompareAxes(vtkRenderWindow* window, const terrain::TestGlobe& globe)
 {
   const terrain::World<Texel> world(globe.Grid, globe.Field());
   FieldTextures<Texel> field(window, world.Field, true);
@@ -247,7 +247,7 @@ TEST(TerrainShaderTwinsGlobe, SeesTheSameInPixels)
       for (const double altitude : { 2e4, 3e6 })
       {
         SCOPED_TRACE(::testing::Message() << globe.Name << " from " << altitude);
-        comparePixels(scene.Window, globe, altitude);
+        ComparePixels(scene.Window, globe, altitude);
       }
     }
   }
@@ -262,7 +262,7 @@ TEST(TerrainShaderTwinsGlobe, HasTheSameAxes)
     if (globe.Name == "oblate" || globe.Name == "holes" || globe.Name == "fine")
     {
       SCOPED_TRACE(globe.Name);
-      compareAxes(scene.Window, globe);
+      CompareAxes(scene.Window, globe);
     }
   }
 }
@@ -301,7 +301,7 @@ TEST(TerrainShaderTwinsGlobe, TracesAsInCxx)
   for (std::size_t k = 0; k < globes.size(); ++k)
   {
     SCOPED_TRACE(globes[k].Name);
-    compareRays(scene.Window, globes[k], static_cast<int>(k) % GlobeRays::Count);
+    CompareRays(scene.Window, globes[k], static_cast<int>(k) % GlobeRays::Count);
   }
 }
 

@@ -34,7 +34,7 @@ using terrain::OutlookSearch;
 using vtkTerrainTesting::ReadShader;
 
 /// What lights that cast shadows are drawn with; counts visits.
-std::string declarations(terrain::Features features, bool bounded)
+std::string Declarations(terrain::Features features, bool bounded)
 {
   features.BoundsShadows = bounded;
   std::string text =
@@ -94,7 +94,7 @@ private:
 };
 
 /// Outlooks as the inputs of a shader.
-std::vector<std::vector<float>> inputsOf(const std::vector<Outlook>& outlooks, bool bounded)
+std::vector<std::vector<float>> InputsOf(const std::vector<Outlook>& outlooks, bool bounded)
 {
   std::vector<std::vector<float>> inputs(3);
   for (const Outlook& outlook : outlooks)
@@ -118,7 +118,7 @@ using Kinds = std::array<int, 3>;
 /// the driver calculates as the twin, else a tangent of the point or of one nearby. Any tangent
 /// above the highest that matters stands for all such.
 template <typename Rays>
-void compareOutlooks(vtkRenderWindow* window, const OutlookSearch<Rays>& search,
+void CompareOutlooks(vtkRenderWindow* window, const OutlookSearch<Rays>& search,
   const std::string& text, const std::function<void(vtkShaderProgram*)>& setUniforms,
   const std::vector<Outlook>& outlooks, Kinds& kinds)
 {
@@ -126,7 +126,7 @@ void compareOutlooks(vtkRenderWindow* window, const OutlookSearch<Rays>& search,
   const std::vector<float> drawn = vtkTerrainTesting::RunShader(window, text,
     "float tangent = terrainHorizonTangent(inputOutlook(input0, input1, input2));"
     "result = vec4(tangent, terrainVisits & 0xffffffu, 0.0, 0.0);",
-    inputsOf(outlooks, bounded), setUniforms);
+    InputsOf(outlooks, bounded), setUniforms);
   ASSERT_EQ(drawn.size(), 4 * outlooks.size());
   const float room = kRoundedCodes * search.rays.heights.maximumCode;
   int otherPaths = 0;
@@ -169,19 +169,19 @@ void compareOutlooks(vtkRenderWindow* window, const OutlookSearch<Rays>& search,
 }
 
 template <typename Textures>
-void compareField(vtkRenderWindow* window, Textures& textures, unsigned seed, Kinds& kinds)
+void CompareField(vtkRenderWindow* window, Textures& textures, unsigned seed, Kinds& kinds)
 {
   using Rays = std::decay_t<decltype(textures.Coded)>;
   const OutlookSearch<Rays> search{ textures.Coded };
-  compareOutlooks(
-    window, search, declarations(textures.GetFeatures(), false),
+  CompareOutlooks(
+    window, search, Declarations(textures.GetFeatures(), false),
     [&](vtkShaderProgram* program) { textures.SetUniforms(program); },
     terrain::RandomOutlooks(search, seed), kinds);
 }
 
 /// With bounds of the rays of one light.
 template <typename Texel>
-void compareBounded(vtkRenderWindow* window, const terrain::CodedField<Texel>& field,
+void CompareBounded(vtkRenderWindow* window, const terrain::CodedField<Texel>& field,
   vtkTerrainTesting::FieldTextures<Texel>& textures, unsigned seed, Kinds& kinds)
 {
   const double azimuth = 0.7 * seed;
@@ -201,8 +201,8 @@ void compareBounded(vtkRenderWindow* window, const terrain::CodedField<Texel>& f
     outlook.high = static_cast<float>(rays.High);
     outlook.end = 1e30f;
   }
-  compareOutlooks(
-    window, search, declarations(textures.GetFeatures(), true),
+  CompareOutlooks(
+    window, search, Declarations(textures.GetFeatures(), true),
     [&](vtkShaderProgram* program)
     {
       textures.SetUniforms(program);
@@ -212,25 +212,25 @@ void compareBounded(vtkRenderWindow* window, const terrain::CodedField<Texel>& f
 }
 
 template <typename Texel>
-void compareAll(
+void CompareAll(
   vtkRenderWindow* window, const terrain::TestField& test, unsigned seed, Kinds& kinds)
 {
   terrain::CodedField<Texel> field(test);
   vtkTerrainTesting::FieldTextures<Texel> textures(window, field, seed % 4 < 2);
-  compareField(window, textures, seed, kinds);
+  CompareField(window, textures, seed, kinds);
   if (seed % 3 == 0)
   {
     field.Coded.columns = true;
-    compareField(window, textures, seed, kinds);
+    CompareField(window, textures, seed, kinds);
   }
   else if (field.Pyramid.LevelCount() > 0)
   {
-    compareBounded(window, field, textures, seed, kinds);
+    CompareBounded(window, field, textures, seed, kinds);
   }
 }
 
 /// Expects that points see all, some, and none of their lights.
-void expectAll(const Kinds& kinds)
+void ExpectAll(const Kinds& kinds)
 {
   for (const int count : kinds)
   {
@@ -250,14 +250,14 @@ TEST(TerrainShaderTwinsOutlook, FindTheSameHorizons)
     SCOPED_TRACE(field.Name);
     if (++seed % 2 == 0)
     {
-      compareAll<std::uint16_t>(scene.Window, field, seed, kinds);
+      CompareAll<std::uint16_t>(scene.Window, field, seed, kinds);
     }
     else
     {
-      compareAll<float>(scene.Window, field, seed, kinds);
+      CompareAll<float>(scene.Window, field, seed, kinds);
     }
   }
-  expectAll(kinds);
+  ExpectAll(kinds);
 }
 
 TEST(TerrainShaderTwinsOutlook, FindTheSameHorizonsOverDetail)
@@ -272,10 +272,10 @@ TEST(TerrainShaderTwinsOutlook, FindTheSameHorizonsOverDetail)
       SCOPED_TRACE(base.Name);
       const terrain::CodedSum<float> sum(base, terrain::RandomDetail({ 16, 16 }, 40.0, 1), 2, 0.7);
       vtkTerrainTesting::SumTextures<float> textures(scene.Window, sum);
-      compareField(scene.Window, textures, 7, kinds);
+      CompareField(scene.Window, textures, 7, kinds);
     }
   }
-  expectAll(kinds);
+  ExpectAll(kinds);
 }
 
 TEST(TerrainShaderTwinsOutlook, FindTheSameHorizonsInTiles)
@@ -296,10 +296,10 @@ TEST(TerrainShaderTwinsOutlook, FindTheSameHorizonsInTiles)
     vtkTerrainTesting::ShowSome(field, seed);
     const vtkTerrainTesting::TileArrays arrays(scene.Window, field);
     const OutlookSearch<terrain::TiledPyramid> search{ field.Rays };
-    compareOutlooks(
-      scene.Window, search, declarations(arrays.GetFeatures(), false),
+    CompareOutlooks(
+      scene.Window, search, Declarations(arrays.GetFeatures(), false),
       [&](vtkShaderProgram* program) { arrays.SetUniforms(program); },
       terrain::RandomOutlooks(search, seed), kinds);
   }
-  expectAll(kinds);
+  ExpectAll(kinds);
 }

@@ -30,7 +30,7 @@ using vtkTerrainTesting::ReadShader;
 using vtkTerrainTesting::SumTextures;
 
 /// What is drawn with, with tolerances, and counts visits.
-std::string declarations(terrain::Features features)
+std::string Declarations(terrain::Features features)
 {
   features.Within = true;
   return features.Defines() + terrain::Features::Constants() + vtkTerrainTesting::CountVisits() +
@@ -42,11 +42,11 @@ std::string declarations(terrain::Features features)
 /// Traces the rays of beams on the GPU and compares them with the twin. Tolerance: see
 /// terrainTracePyramidWithin().
 template <typename Textures>
-void comparePaths(
+void ComparePaths(
   vtkRenderWindow* window, Textures& textures, const Beams& beams, const glm::vec4& tolerance)
 {
   vtkTerrainTesting::Paths paths;
-  paths.Declarations = declarations(textures.GetFeatures()) + "uniform vec4 tolerance;\n";
+  paths.Declarations = Declarations(textures.GetFeatures()) + "uniform vec4 tolerance;\n";
   paths.Trace = "terrainTracePyramidWithin(inputRay(input0, input1, input2), tolerance)";
   paths.MaximumCode = textures.Coded.heights.maximumCode;
   paths.SetUniforms = [&](vtkShaderProgram* program)
@@ -64,31 +64,31 @@ void comparePaths(
 
 /// Finds the starts of beams on the GPU and compares them with the twin.
 template <typename Texel, typename Textures>
-void compareBeams(vtkRenderWindow* window, Textures& textures, const Beams& beams)
+void CompareBeams(vtkRenderWindow* window, Textures& textures, const Beams& beams)
 {
   const terrain::PyramidBeam<Texel> finder(textures.Coded);
   vtkTerrainTesting::ExpectSameStarts(
-    window, declarations(textures.GetFeatures()), beams, finder,
+    window, Declarations(textures.GetFeatures()), beams, finder,
     [&](const TerrainRay& ray)
     { return terrain::FirstMeeting(terrain::RayPieces(textures.Coded.heights, ray)); },
     [&](vtkShaderProgram* program) { textures.SetUniforms(program); });
 }
 
 template <typename Texel>
-void compareField(vtkRenderWindow* window, const terrain::TestField& test, unsigned seed)
+void CompareField(vtkRenderWindow* window, const terrain::TestField& test, unsigned seed)
 {
   terrain::CodedField<Texel> field(test);
   field.Coded.start = 1 + static_cast<int>(seed % 6);
   const Beams beams({ test.Width, test.Height }, field.Codes.MaximumCode, seed);
   FieldTextures<Texel> textures(window, field, seed % 4 < 2);
   const float size = static_cast<float>(field.Codes.MaximumCode);
-  comparePaths(window, textures, beams, glm::vec4(0.0f));
-  compareBeams<Texel>(window, textures, beams);
+  ComparePaths(window, textures, beams, glm::vec4(0.0f));
+  CompareBeams<Texel>(window, textures, beams);
   if (seed % 3 == 0)
   {
-    comparePaths(window, textures, beams, glm::vec4(2.0f, 0.3f * size, 3.0f, 0.3f * size));
+    ComparePaths(window, textures, beams, glm::vec4(2.0f, 0.3f * size, 3.0f, 0.3f * size));
     field.Coded.columns = true;
-    comparePaths(window, textures, beams, glm::vec4(0.0f));
+    ComparePaths(window, textures, beams, glm::vec4(0.0f));
   }
 }
 
@@ -103,26 +103,26 @@ TEST(TerrainShaderTwinsPyramid, TakeTheSamePath)
     // Every other one as integers: each takes its shaders a while to compile.
     if (++seed % 2 == 0)
     {
-      compareField<std::uint16_t>(scene.Window, field, seed);
+      CompareField<std::uint16_t>(scene.Window, field, seed);
     }
     else
     {
-      compareField<float>(scene.Window, field, seed);
+      CompareField<float>(scene.Window, field, seed);
     }
   }
 }
 template <typename Texel>
-void compareSum(vtkRenderWindow* window, const terrain::TestField& base,
+void CompareSum(vtkRenderWindow* window, const terrain::TestField& base,
   const terrain::TestField& detail, int level, unsigned seed)
 {
   terrain::CodedSum<Texel> sum(base, detail, level, 0.7);
   sum.Coded.start = 1 + static_cast<int>(seed % 6);
   const Beams beams(sum.Coded.heights.size, sum.Codes.MaximumCode, seed);
   SumTextures<Texel> textures(window, sum);
-  comparePaths(window, textures, beams, glm::vec4(0.0f));
+  ComparePaths(window, textures, beams, glm::vec4(0.0f));
   if (textures.Integer)
   {
-    compareBeams<terrain::WithDetail<Texel>>(window, textures, beams);
+    CompareBeams<terrain::WithDetail<Texel>>(window, textures, beams);
   }
 }
 
@@ -137,11 +137,11 @@ TEST(TerrainShaderTwinsPyramid, TakeTheSamePathOverDetail)
     SCOPED_TRACE(base.Name);
     if (base.Name == "hills")
     {
-      compareSum<float>(scene.Window, base, terrain::RandomDetail({ 16, 16 }, 40.0, 1), 3, 5);
+      CompareSum<float>(scene.Window, base, terrain::RandomDetail({ 16, 16 }, 40.0, 1), 3, 5);
     }
     if (base.Name == "holes")
     {
-      compareSum<std::uint16_t>(
+      CompareSum<std::uint16_t>(
         scene.Window, base, terrain::RandomDetail({ 6, 10 }, 40.0, 2), 1, 2);
     }
   }

@@ -30,7 +30,7 @@ using vtkTerrainTesting::ReadShader;
 // Differing rays of a comparison that are told one by one.
 constexpr int kTold = 5;
 
-terrain::Features::Ways wayOf(SearchKind kind)
+terrain::Features::Ways WayOf(SearchKind kind)
 {
   return kind == SearchKind::Linear   ? terrain::Features::Ways::Linear
     : kind == SearchKind::Exponential ? terrain::Features::Ways::Exponential
@@ -38,16 +38,16 @@ terrain::Features::Ways wayOf(SearchKind kind)
 }
 
 /// What is drawn with.
-std::string declarations(terrain::Features features, SearchKind kind)
+std::string Declarations(terrain::Features features, SearchKind kind)
 {
-  features.Way = wayOf(kind);
+  features.Way = WayOf(kind);
   return features.Defines() + terrain::Features::Constants() + ReadShader("vtkTerrainHeights") +
     ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainPyramid") + ReadShader("vtkTerrainSearch") +
     "TerrainRay inputRay(vec4 a, vec4 b, vec4 c)\n"
     "{ return TerrainRay(ivec2(a.xy), b.xyz, c.xyz, a.z, a.w, b.w); }\n";
 }
 
-void setParameters(vtkShaderProgram* program, const SearchParameters& parameters)
+void SetParameters(vtkShaderProgram* program, const SearchParameters& parameters)
 {
   program->SetUniformi("terrainSteps", parameters.Steps);
   program->SetUniformi("terrainLongSteps", parameters.LongSteps);
@@ -85,7 +85,7 @@ private:
 
 /// True if a shader's result (distance or -1, number of samples, position) is that of its twin:
 /// found or not, after as many samples, in the same place but for the rounding of a few sums.
-bool isSame(const TerrainHit& twin, const float* result)
+bool IsSame(const TerrainHit& twin, const float* result)
 {
   if ((result[0] >= 0.0f) != twin.found || static_cast<int>(result[1]) != twin.crossings)
   {
@@ -98,7 +98,7 @@ bool isSame(const TerrainHit& twin, const float* result)
 }
 
 template <typename Texel>
-void compareField(vtkRenderWindow* window, const terrain::TestField& test, SearchKind kind,
+void CompareField(vtkRenderWindow* window, const terrain::TestField& test, SearchKind kind,
   const SearchParameters& parameters, unsigned seed)
 {
   const terrain::CodedField<Texel> field(test);
@@ -109,11 +109,11 @@ void compareField(vtkRenderWindow* window, const terrain::TestField& test, Searc
     "TerrainHit hit = terrainSearch(inputRay(input0, input1, input2));"
     "result = vec4(hit.found ? hit.s : -1.0, hit.crossings, vec2(hit.cell) + hit.fraction);";
   const std::vector<float> results = vtkTerrainTesting::RunShader(window,
-    declarations(textures.GetFeatures(), kind), body, rays.Inputs,
+    Declarations(textures.GetFeatures(), kind), body, rays.Inputs,
     [&](vtkShaderProgram* program)
     {
       textures.SetUniforms(program);
-      setParameters(program, parameters);
+      SetParameters(program, parameters);
     });
   ASSERT_EQ(results.size(), 4 * rays.Items.size());
   // Where a sample falls on the surface or on the rim of a hole, rounding decides.
@@ -128,7 +128,7 @@ void compareField(vtkRenderWindow* window, const terrain::TestField& test, Searc
     TerrainHit drawn;
     drawn.found = results[4 * k] >= 0.0f;
     drawn.s = results[4 * k];
-    const bool agrees = isSame(twin, &results[4 * k]) ||
+    const bool agrees = IsSame(twin, &results[4 * k]) ||
       (!exact &&
         vtkTerrainTesting::IsOfARayNearby(drawn, rays.Items[k], field.Coded.heights.maximumCode,
           [&](const TerrainRay& moved) { return search.Search(moved); }));
@@ -147,7 +147,7 @@ void compareField(vtkRenderWindow* window, const terrain::TestField& test, Searc
 }
 
 /// Default parameters, and such with steps of several cells, which end before the terrain does.
-std::vector<SearchParameters> someParameters(const terrain::TestField& field, SearchKind kind)
+std::vector<SearchParameters> SomeParameters(const terrain::TestField& field, SearchKind kind)
 {
   const terrain::SearchScene scene{ field.Width, field.Height, 100.0, 1.0 };
   SearchParameters coarse = terrain::ChooseSearchParameters(scene, kind);
@@ -169,17 +169,17 @@ TEST(TerrainShaderTwinsSearch, FindTheSameHits)
     for (const SearchKind kind :
       { SearchKind::Linear, SearchKind::Exponential, SearchKind::Equidistant })
     {
-      for (const SearchParameters& parameters : someParameters(field, kind))
+      for (const SearchParameters& parameters : SomeParameters(field, kind))
       {
         SCOPED_TRACE(field.Name + ", " + std::to_string(static_cast<int>(kind)) + ", step length " +
           std::to_string(parameters.StepLength));
         if (++seed % 2 == 0)
         {
-          compareField<std::uint16_t>(scene.Window, field, kind, parameters, seed);
+          CompareField<std::uint16_t>(scene.Window, field, kind, parameters, seed);
         }
         else
         {
-          compareField<float>(scene.Window, field, kind, parameters, seed);
+          CompareField<float>(scene.Window, field, kind, parameters, seed);
         }
       }
     }

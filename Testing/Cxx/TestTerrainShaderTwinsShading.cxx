@@ -130,7 +130,7 @@ TEST_P(TerrainShaderTwinsShading, DepthsAndNormals)
 }
 
 /// A program that casts rays to lights.
-std::string lightDeclarations()
+std::string LightDeclarations()
 {
   terrain::Features features;
   features.Way = terrain::Features::Ways::Pyramid;
@@ -169,7 +169,7 @@ TEST_P(TerrainShaderTwinsShading, SharesAndEndsOfLight)
   EXPECT_GT(cut, 50);
   EXPECT_GT(ended, 50);
   const std::vector<float> results = vtkTerrainTesting::RunShader(this->Canvas.Window,
-    lightDeclarations(),
+    LightDeclarations(),
     "vec4 disc = vec4(0.2 * input1.z, 0.05 * input1.w, 1.7, 1.0);"
     "result.x = terrainDiscShare(disc, 0.1 * input2.x + 0.05);"
     "result.y = terrainPlaneEnd(terrainPositionVC(input0.xy, input0.z).xyz,"

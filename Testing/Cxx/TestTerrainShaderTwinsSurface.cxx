@@ -39,7 +39,7 @@ constexpr int kPoints = 2000;
 constexpr int kTold = 5;
 
 /// Hills with a hole, as steep as real ones, and wide enough for three levels of mean slopes.
-terrain::TestField wideField()
+terrain::TestField WideField()
 {
   return { "wide", 200, 150,
     [](int i, int j)
@@ -120,7 +120,7 @@ const std::string kSurfaceAt =
   "terrainPositionVC(input1.xy, input1.z), front); surface.cut = input1.w > 1.5;";
 
 /// What a program of meshes and, with lights that cast shadows, their rays is built from.
-std::string declarations(terrain::Features features)
+std::string Declarations(terrain::Features features)
 {
   features.Way = terrain::Features::Ways::Mesh;
   std::string text = features.Defines() + terrain::Features::Constants();
@@ -179,7 +179,7 @@ private:
 };
 
 /// Runs a shader over the points, and counts results that are off by more than is allowed.
-int countDifferent(vtkRenderWindow* window, const std::string& text, const std::string& body,
+int CountDifferent(vtkRenderWindow* window, const std::string& text, const std::string& body,
   const Shown& shown, const std::function<void(vtkShaderProgram*)>& setUniforms,
   const std::function<glm::vec4(std::size_t)>& twin, float allowed)
 {
@@ -203,7 +203,7 @@ int countDifferent(vtkRenderWindow* window, const std::string& text, const std::
 /// texture's filter has 8 bits between texels both ways and between levels, each of which rounds
 /// slopes of -1 to 1 by up to 1/256. Gradients are differences of codes, each rounded.
 template <typename Heights>
-void compareSurfaces(vtkRenderWindow* window, const std::string& text, const Heights& heights,
+void CompareSurfaces(vtkRenderWindow* window, const std::string& text, const Heights& heights,
   float maximumCode, const terrain::HeightSlopes& slopes,
   const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
@@ -229,13 +229,13 @@ void compareSurfaces(vtkRenderWindow* window, const std::string& text, const Hei
       program->SetUniformi("terrainFlat", flat ? 1 : 0);
       setUniforms(program);
     };
-    EXPECT_EQ(countDifferent(
+    EXPECT_EQ(CountDifferent(
                 window, text, "result = vec4(surface.normalVC, surface.code);", shown, set,
                 [&](std::size_t k) { return glm::vec4(surface(k).NormalVC, surface(k).Code); },
                 flat ? gradientError : normalError),
       0);
     EXPECT_EQ(
-      countDifferent(
+      CountDifferent(
         window, text, "result = vec4(surface.gradient, vec2(surface.cell) + surface.fraction);",
         shown, set,
         [&](std::size_t k)
@@ -354,13 +354,13 @@ protected:
 
 TEST_F(TerrainShaderTwinsSurface, AtEveryDistance)
 {
-  const terrain::CodedField<float> field(wideField());
+  const terrain::CodedField<float> field(WideField());
   terrain::HeightSlopes slopes;
   slopes.Build(field.TexelView, field.Codes, terrain::SerialFor);
   ASSERT_GE(slopes.GetLevels().size(), 3U);
   const Slopes texture(this->Scene.Window, slopes);
   vtkTerrainTesting::FieldTextures<float> textures(this->Scene.Window, field, false);
-  compareSurfaces(this->Scene.Window, declarations(textures.GetFeatures()), field.Coded.heights,
+  CompareSurfaces(this->Scene.Window, Declarations(textures.GetFeatures()), field.Coded.heights,
     field.Coded.heights.maximumCode, slopes,
     [&](vtkShaderProgram* program)
     {
@@ -372,13 +372,13 @@ TEST_F(TerrainShaderTwinsSurface, AtEveryDistance)
 TEST_F(TerrainShaderTwinsSurface, WithDetail)
 {
   const terrain::CodedSum<float> sum(
-    wideField(), terrain::RandomDetail({ 16, 16 }, 4.0, 1), 2, 0.7);
+    WideField(), terrain::RandomDetail({ 16, 16 }, 4.0, 1), 2, 0.7);
   terrain::HeightSlopes slopes;
   slopes.Build(sum.Base.TexelView, sum.Base.Codes, terrain::SerialFor);
   const Slopes texture(this->Scene.Window, slopes);
   vtkTerrainTesting::SumTextures<float> textures(this->Scene.Window, sum);
   textures.FilterDetail();
-  compareSurfaces(this->Scene.Window, declarations(textures.GetFeatures()), sum.Coded.heights,
+  CompareSurfaces(this->Scene.Window, Declarations(textures.GetFeatures()), sum.Coded.heights,
     sum.Coded.heights.maximumCode, slopes,
     [&](vtkShaderProgram* program)
     {
@@ -402,7 +402,7 @@ TEST_F(TerrainShaderTwinsSurface, InTiles)
     vtkTerrainTesting::ShowSome(field, seed);
     const vtkTerrainTesting::TileArrays arrays(this->Scene.Window, field);
     const terrain::FinestHeights heights{ &field.Slots, field.Rays.heights.size };
-    compareSurfaces(this->Scene.Window, declarations(arrays.GetFeatures()), heights,
+    CompareSurfaces(this->Scene.Window, Declarations(arrays.GetFeatures()), heights,
       field.Rays.heights.maximumCode, {},
       [&](vtkShaderProgram* program) { arrays.SetUniforms(program); });
   }
@@ -410,7 +410,7 @@ TEST_F(TerrainShaderTwinsSurface, InTiles)
 
 TEST_F(TerrainShaderTwinsSurface, HaveTheSameLightOfTheSky)
 {
-  const terrain::CodedField<float> field(wideField());
+  const terrain::CodedField<float> field(WideField());
   vtkTerrainTesting::FieldTextures<float> textures(this->Scene.Window, field, false);
   terrain::SkyShares sky;
   sky.Size = { 50, 38 };
@@ -436,8 +436,8 @@ TEST_F(TerrainShaderTwinsSurface, HaveTheSameLightOfTheSky)
   terrain::Features features = textures.GetFeatures();
   features.Sky = true;
   EXPECT_EQ(
-    countDifferent(
-      this->Scene.Window, declarations(features), "result.x = terrainSkyShare(surface);", shown,
+    CountDifferent(
+      this->Scene.Window, Declarations(features), "result.x = terrainSkyShare(surface);", shown,
       [&](vtkShaderProgram* program)
       {
         vtkTerrainTesting::SetRays(program, rays);
@@ -458,7 +458,7 @@ TEST_F(TerrainShaderTwinsSurface, SeeTheSameSharesOfLights)
   for (const bool columns : { false, true })
   {
     SCOPED_TRACE(columns);
-    terrain::CodedField<float> field(wideField());
+    terrain::CodedField<float> field(WideField());
     field.Coded.columns = columns;
     const auto& heights = field.Coded.heights;
     vtkTerrainTesting::FieldTextures<float> textures(this->Scene.Window, field, true);
@@ -483,7 +483,7 @@ TEST_F(TerrainShaderTwinsSurface, SeeTheSameSharesOfLights)
     features.ShadowMask = 7;
     features.ClipPlanes = 2;
     const std::vector<float> drawn =
-      vtkTerrainTesting::RunShader(this->Scene.Window, declarations(features),
+      vtkTerrainTesting::RunShader(this->Scene.Window, Declarations(features),
         kSurfaceAt +
           "float found[TERRAIN_SHADOWS]; terrainFindShares(input1.xy, surface, found);"
           "result = vec4(found[0], found[1], found[2], terrainPackShares(found).x);",
@@ -530,7 +530,7 @@ TEST_F(TerrainShaderTwinsSurface, UnpackTheSameShares)
   features.Gathers = terrain::Driver().Gathers;
   features.ShadowMask = 255;
   features.ReadsLights = true;
-  const std::string text = declarations(features);
+  const std::string text = Declarations(features);
   const std::string read =
     "float given[TERRAIN_SHADOWS]; float found[TERRAIN_SHADOWS]; for (int i = 0; i < 4; ++i)"
     "{ given[i] = input0[i]; given[4 + i] = input1[i]; }"

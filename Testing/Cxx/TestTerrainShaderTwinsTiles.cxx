@@ -34,7 +34,7 @@ using vtkTerrainTesting::TileArrays;
 constexpr int kCells = 2000;
 
 /// Traces rays by both, exactly or within a tolerance; returns the number of hits.
-int compareTraces(vtkRenderWindow* window, const TiledField& field, const TileArrays& arrays,
+int CompareTraces(vtkRenderWindow* window, const TiledField& field, const TileArrays& arrays,
   unsigned seed, bool within)
 {
   const float maximum = field.Rays.heights.maximumCode;
@@ -59,7 +59,7 @@ int compareTraces(vtkRenderWindow* window, const TiledField& field, const TileAr
 }
 
 /// Finds the starts of beams by both; returns how many get on.
-int compareBeams(
+int CompareBeams(
   vtkRenderWindow* window, const TiledField& field, const TileArrays& arrays, unsigned seed)
 {
   const float maximum = field.Rays.heights.maximumCode;
@@ -78,7 +78,7 @@ int compareBeams(
 }
 
 /// Reads slots, codes, bounds and heights of random cells by both.
-void compareReads(
+void CompareReads(
   vtkRenderWindow* window, const TiledField& field, const TileArrays& arrays, unsigned seed)
 {
   const terrain::TileSlots& slots = field.Slots;
@@ -153,10 +153,10 @@ TEST(TerrainShaderTwinsTiles, TakeTheSamePath)
     }
     vtkTerrainTesting::ShowSome(field, seed);
     const TileArrays arrays(scene.Window, field);
-    hits += compareTraces(scene.Window, field, arrays, seed, false);
-    hits += compareTraces(scene.Window, field, arrays, seed, true);
-    advanced += compareBeams(scene.Window, field, arrays, seed);
-    compareReads(scene.Window, field, arrays, seed);
+    hits += CompareTraces(scene.Window, field, arrays, seed, false);
+    hits += CompareTraces(scene.Window, field, arrays, seed, true);
+    advanced += CompareBeams(scene.Window, field, arrays, seed);
+    CompareReads(scene.Window, field, arrays, seed);
   }
   EXPECT_GT(hits, 1000);
   EXPECT_GT(advanced, 1000);

@@ -43,7 +43,7 @@ using vtkTerrainTesting::ReadShader;
 using vtkTerrainTesting::SetRays;
 
 /// Rays of pixels, with what else all programs begin with.
-std::string readView()
+std::string ReadView()
 {
   terrain::Features features;
   features.Way = terrain::Features::Ways::Pyramid;
@@ -53,7 +53,7 @@ std::string readView()
 }
 
 /// What casts rays begins with.
-std::string readCast(const terrain::Features& features)
+std::string ReadCast(const terrain::Features& features)
 {
   return features.Defines() + terrain::Features::Constants() + ReadShader("vtkTerrainHeights") +
     ReadShader("vtkTerrainRay") + ReadShader("vtkTerrainView") + ReadShader("vtkTerrainPyramid") +
@@ -100,7 +100,7 @@ TEST_F(TerrainShaderTwinsView, EnterTheSameBoxes)
     }
     EXPECT_GT(entered, Count / 10);
     EXPECT_LT(entered, Count * 9 / 10);
-    const int different = items.CountDifferent(Scene->Window, readView(),
+    const int different = items.CountDifferent(Scene->Window, ReadView(),
       "result.xy = terrainEnterBox(input0.xy, input0.zw);", 2e-5f,
       [&](vtkShaderProgram* program)
       {
@@ -139,7 +139,7 @@ TEST_F(TerrainShaderTwinsView, AreClippedAlike)
   features.Way = terrain::Features::Ways::Pyramid;
   features.Gathers = terrain::Driver().Gathers;
   features.ClipPlanes = 3;
-  const std::string needed = readCast(features);
+  const std::string needed = ReadCast(features);
   const int different = items.CountDifferent(Scene->Window, needed,
     "int begin; result.xy = terrainClipRange(input0.xy, input0.zw, begin); result.z = begin;",
     1e-4f,
@@ -174,7 +174,7 @@ TEST_F(TerrainShaderTwinsView, HaveTheSameBeamsOfTiles)
     const auto set = [&](vtkShaderProgram* program) { SetRays(program, rays); };
     terrain::Features features;
     features.Way = terrain::Features::Ways::Pyramid;
-    const std::string needed = readCast(features) + ReadShader("vtkTerrainBeam");
+    const std::string needed = ReadCast(features) + ReadShader("vtkTerrainBeam");
     const std::string beam =
       "TerrainBeam beam = terrainTileBeam(input0.xy, input0.w, input0.z, 300.0);";
     EXPECT_EQ(radii.CountDifferent(Scene->Window, needed,
@@ -224,7 +224,7 @@ TEST_F(TerrainShaderTwinsView, SeeTheSameSide)
     features.Way = terrain::Features::Ways::Pyramid;
     features.Within = tolerance;
     EXPECT_EQ(
-      items.CountDifferent(Scene->Window, readCast(features),
+      items.CountDifferent(Scene->Window, ReadCast(features),
         "TerrainHit hit = terrainNoHit(); hit.fraction = vec2(0.25, 0.75); hit.s = 0.5;"
         "result.x = terrainSeesFront(TerrainRay(ivec2(0), vec3(0.0, 0.0, input1.w),"
         "input1.xyz, 0.0, 1.0, 0.0), hit, input0) ? 1.0 : 0.0;",
@@ -271,7 +271,7 @@ TEST_F(TerrainShaderTwinsView, AreWithinTheSameBlocks)
   terrain::Features features;
   features.Way = terrain::Features::Ways::Pyramid;
   features.Block = true;
-  EXPECT_EQ(items.CountDifferent(Scene->Window, readCast(features),
+  EXPECT_EQ(items.CountDifferent(Scene->Window, ReadCast(features),
               "ivec2 cell; vec2 fraction; vec4 codes;"
               "bool within = terrainIsWithinBlock(input0.xy, input0.z, cell, fraction, codes);"
               "result.xyz = vec3(vec2(cell) + fraction, within ? 1.0 : 0.0);",
@@ -322,7 +322,7 @@ TEST_F(TerrainShaderTwinsView, PackTheSameSightings)
       { back.cell, back.crossings + (back.front ? 0.5f : 0.0f), back.found ? back.wall : -2 });
   }
   EXPECT_GT(walls, Count / 4);
-  const std::string needed = readView() + ReadShader("vtkTerrainSighting");
+  const std::string needed = ReadView() + ReadShader("vtkTerrainSighting");
   const auto setSize = [&size](vtkShaderProgram* program)
   { program->SetUniform2i("terrainSize", &size[0]); };
   EXPECT_EQ(packed.CountDifferent(Scene->Window, needed,
@@ -378,7 +378,7 @@ TEST_F(TerrainShaderTwinsView, SeeTheSameSlopes)
     texture->Create2DFromRaw(size.x, size.y, 1, VTK_FLOAT, texels.data());
     texture->Activate();
     const int different =
-      items.CountDifferent(Scene->Window, readView() + ReadShader("vtkTerrainGradient"),
+      items.CountDifferent(Scene->Window, ReadView() + ReadShader("vtkTerrainGradient"),
         "ivec2 cell = ivec2(input0.xy); result.xy = terrainWideGradient(cell, input0.zw,"
         "terrainTexelCodes(cell), input1.x);",
         1e-3f,

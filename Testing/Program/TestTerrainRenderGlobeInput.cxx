@@ -27,19 +27,19 @@ constexpr double kMetres = 20.0;
 /// Of ExpectJudged: every so many pixels each way.
 constexpr int kPixels = 8;
 
-double dot(const Point& a, const Point& b)
+double Dot(const Point& a, const Point& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Point cross(const Point& a, const Point& b)
+Point Cross(const Point& a, const Point& b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
-Point unit(const Point& a)
+Point Unit(const Point& a)
 {
-  const double length = std::sqrt(dot(a, a));
+  const double length = std::sqrt(Dot(a, a));
   return { a[0] / length, a[1] / length, a[2] / length };
 }
 
@@ -52,8 +52,8 @@ struct Eye
 
   Eye(const Point& from, const Point& to)
     : From(from)
-    , Way(unit({ to[0] - from[0], to[1] - from[1], to[2] - from[2] }))
-    , Up(unit(cross(cross(this->Way, { 0.3, 0.2, 0.9 }), this->Way)))
+    , Way(Unit({ to[0] - from[0], to[1] - from[1], to[2] - from[2] }))
+    , Up(Unit(Cross(Cross(this->Way, { 0.3, 0.2, 0.9 }), this->Way)))
   {
   }
   /// Of 160 x 120 pixels, row 0 on top; as long as it takes to come one metre forward.
@@ -62,7 +62,7 @@ struct Eye
     const double half = std::tan(15.0 * vtkTerrainTesting::kJudgeDegree);
     const double x = (column / 80.0 - 1.0) * half * 160.0 / 120.0;
     const double y = (1.0 - row / 60.0) * half;
-    const Point right = cross(this->Way, this->Up);
+    const Point right = Cross(this->Way, this->Up);
     return { this->Way[0] + x * right[0] + y * this->Up[0],
       this->Way[1] + x * right[1] + y * this->Up[1],
       this->Way[2] + x * right[2] + y * this->Up[2] };

@@ -22,7 +22,7 @@ struct Trial
   double Scale;
 };
 
-std::vector<Trial> trials()
+std::vector<Trial> Trials()
 {
   std::vector<Trial> result;
   int count = 0;
@@ -40,7 +40,7 @@ std::vector<Trial> trials()
 
 /// Bilinear height of a field in double precision, from a sample and a position beyond it, 0..1;
 /// samples beyond the last are the first ones again.
-double bilinear(const TestField& field, glm::ivec2 sample, glm::dvec2 fraction)
+double Bilinear(const TestField& field, glm::ivec2 sample, glm::dvec2 fraction)
 {
   const auto at = [&](int i, int j)
   {
@@ -53,17 +53,17 @@ double bilinear(const TestField& field, glm::ivec2 sample, glm::dvec2 fraction)
 }
 
 /// Height of the sum from its definition, at a position in a cell of the sum.
-double definition(const Trial& trial, glm::ivec2 cell, glm::dvec2 fraction)
+double Definition(const Trial& trial, glm::ivec2 cell, glm::dvec2 fraction)
 {
   const glm::ivec2 baseCell = cell >> trial.Level;
   const double cells = 1 << trial.Level;
   const glm::dvec2 inBase = (glm::dvec2(cell) + fraction) / cells - glm::dvec2(baseCell);
-  return bilinear(trial.Base, baseCell, inBase) +
-    trial.Scale * bilinear(trial.Detail, cell, fraction);
+  return Bilinear(trial.Base, baseCell, inBase) +
+    trial.Scale * Bilinear(trial.Detail, cell, fraction);
 }
 
 template <typename Texel>
-void compareSamples(const Trial& trial)
+void CompareSamples(const Trial& trial)
 {
   const CodedSum<Texel> sum(trial.Base, trial.Detail, trial.Level, trial.Scale);
   const glm::ivec2 cells = sum.Coded.heights.size - 1;
@@ -74,7 +74,7 @@ void compareSamples(const Trial& trial)
       static_cast<int>(random() % static_cast<unsigned>(cells.y)));
     const glm::vec2 fraction(random() % 17u / 16.0f, random() % 17u / 16.0f);
     const glm::vec4 codes = sum.Coded.heights.CellCodes(cell);
-    const double height = definition(trial, cell, fraction);
+    const double height = Definition(trial, cell, fraction);
     if (!std::isfinite(height))
     {
       ASSERT_LT(codes.x, 0.0f);
@@ -87,13 +87,13 @@ void compareSamples(const Trial& trial)
 
 TEST(DetailHeights, AreTheSumOfBaseAndRepeatedDetail)
 {
-  for (const Trial& trial : trials())
+  for (const Trial& trial : Trials())
   {
     SCOPED_TRACE(trial.Base.Name);
-    compareSamples<float>(trial);
+    CompareSamples<float>(trial);
     if (trial.Base.Name != "far from zero") // which integers cannot hold
     {
-      compareSamples<std::uint16_t>(trial);
+      CompareSamples<std::uint16_t>(trial);
     }
   }
 }
@@ -101,7 +101,7 @@ TEST(DetailHeights, AreTheSumOfBaseAndRepeatedDetail)
 // Every sample of every cell of a node lies between the node's bounds, but for rounding.
 TEST(DetailHeights, LieWithinTheBoundsOfTheirNodes)
 {
-  for (const Trial& trial : trials())
+  for (const Trial& trial : Trials())
   {
     SCOPED_TRACE(trial.Base.Name);
     const CodedSum<std::uint16_t> sum(trial.Base, trial.Detail, trial.Level, trial.Scale);
@@ -128,7 +128,7 @@ TEST(DetailHeights, LieWithinTheBoundsOfTheirNodes)
 // Neighbouring cells have the same codes where they touch, to the bit: else rays slip through.
 TEST(DetailHeights, AreContinuousAcrossCells)
 {
-  for (const Trial& trial : trials())
+  for (const Trial& trial : Trials())
   {
     SCOPED_TRACE(trial.Base.Name);
     const CodedSum<float> sum(trial.Base, trial.Detail, trial.Level, trial.Scale);
@@ -151,7 +151,7 @@ TEST(DetailHeights, AreContinuousAcrossCells)
 TEST(DetailHeights, AreTracedExactly)
 {
   unsigned seed = 3;
-  for (const Trial& trial : trials())
+  for (const Trial& trial : Trials())
   {
     SCOPED_TRACE(trial.Base.Name);
     CodedSum<std::uint16_t> sum(trial.Base, trial.Detail, trial.Level, trial.Scale);

@@ -13,7 +13,7 @@ using terrain::HeightCodes;
 
 /// A view of 4 columns.
 template <typename T>
-terrain::HeightfieldView<T> toView(const std::vector<T>& samples)
+terrain::HeightfieldView<T> ToView(const std::vector<T>& samples)
 {
   terrain::HeightfieldView<T> view;
   view.Samples = samples.data();
@@ -23,7 +23,7 @@ terrain::HeightfieldView<T> toView(const std::vector<T>& samples)
 }
 
 template <typename T>
-HeightCodes codesOf(const terrain::HeightfieldView<T>& view)
+HeightCodes CodesOf(const terrain::HeightfieldView<T>& view)
 {
   return terrain::ChooseHeightCodes(terrain::FindHeightRange(view, terrain::SerialFor));
 }
@@ -31,30 +31,30 @@ HeightCodes codesOf(const terrain::HeightfieldView<T>& view)
 TEST(HeightCodes, HoldHeightsWithinTheirRange)
 {
   std::vector<short> samples{ -5, 0, 3, 9, 1, 2, 3, 4, 5, 6, 7, 8 };
-  const HeightCodes codes = codesOf(toView(samples));
+  const HeightCodes codes = CodesOf(ToView(samples));
   samples[5] = 9;
   samples[6] = -5;
-  EXPECT_TRUE(terrain::HoldHeights(codes, toView(samples), 0, 4, 0, 3));
+  EXPECT_TRUE(terrain::HoldHeights(codes, ToView(samples), 0, 4, 0, 3));
   samples[6] = 10;
-  EXPECT_FALSE(terrain::HoldHeights(codes, toView(samples), 0, 4, 0, 3));
-  EXPECT_FALSE(terrain::HoldHeights(codes, toView(samples), 2, 3, 1, 2));
-  EXPECT_TRUE(terrain::HoldHeights(codes, toView(samples), 0, 2, 0, 3)); // it is not looked at
-  EXPECT_TRUE(terrain::HoldHeights(codes, toView(samples), 3, 4, 1, 3));
+  EXPECT_FALSE(terrain::HoldHeights(codes, ToView(samples), 0, 4, 0, 3));
+  EXPECT_FALSE(terrain::HoldHeights(codes, ToView(samples), 2, 3, 1, 2));
+  EXPECT_TRUE(terrain::HoldHeights(codes, ToView(samples), 0, 2, 0, 3)); // it is not looked at
+  EXPECT_TRUE(terrain::HoldHeights(codes, ToView(samples), 3, 4, 1, 3));
   samples[6] = -6;
-  EXPECT_FALSE(terrain::HoldHeights(codes, toView(samples), 2, 3, 1, 2));
-  EXPECT_TRUE(terrain::HoldHeights(codes, toView(samples), 2, 2, 1, 2)); // nothing
+  EXPECT_FALSE(terrain::HoldHeights(codes, ToView(samples), 2, 3, 1, 2));
+  EXPECT_TRUE(terrain::HoldHeights(codes, ToView(samples), 2, 2, 1, 2)); // nothing
 }
 
 TEST(HeightCodes, HoldNoDataWhereTheyKnowOfSome)
 {
   const double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> samples{ 1.5, 2.5, 3.5, 4.5, 1.0, 2.0, 3.0, 4.0 };
-  const HeightCodes whole = codesOf(toView(samples));
+  const HeightCodes whole = CodesOf(ToView(samples));
   samples[2] = none;
-  const HeightCodes holed = codesOf(toView(samples));
-  EXPECT_FALSE(terrain::HoldHeights(whole, toView(samples), 0, 4, 0, 2));
-  EXPECT_TRUE(terrain::HoldHeights(whole, toView(samples), 0, 4, 1, 2));
+  const HeightCodes holed = CodesOf(ToView(samples));
+  EXPECT_FALSE(terrain::HoldHeights(whole, ToView(samples), 0, 4, 0, 2));
+  EXPECT_TRUE(terrain::HoldHeights(whole, ToView(samples), 0, 4, 1, 2));
   samples[3] = none;
-  EXPECT_TRUE(terrain::HoldHeights(holed, toView(samples), 0, 4, 0, 2));
+  EXPECT_TRUE(terrain::HoldHeights(holed, ToView(samples), 0, 4, 0, 2));
 }
 }

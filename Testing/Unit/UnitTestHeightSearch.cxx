@@ -219,7 +219,7 @@ TEST(HeightSearch, StartOnAFlatSurfaceIsAHit)
 }
 
 //------------------------------------------------------------------------------
-// Steps over a floor of one height begin on it, where rounding decides the side. A floor without any
+// Steps over a floor of one height begin on it, where rounding decides the side. A floor without
 // relief has code 0.
 TEST(HeightSearch, FindsEveryHitOnAFlatFloor)
 {

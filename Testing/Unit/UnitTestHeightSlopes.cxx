@@ -18,7 +18,7 @@ using terrain::SlopeLevel;
 using terrain::TestField;
 
 template <typename Texel>
-HeightSlopes slopes(const CodedField<Texel>& field)
+HeightSlopes Slopes(const CodedField<Texel>& field)
 {
   HeightSlopes result;
   result.Build(field.TexelView, field.Codes, terrain::SerialFor);
@@ -26,7 +26,7 @@ HeightSlopes slopes(const CodedField<Texel>& field)
 }
 
 /// Codes per cell.
-glm::dvec2 slope(const HeightSlopes& slopes, const SlopeLevel& level, int x, int y)
+glm::dvec2 Slope(const HeightSlopes& slopes, const SlopeLevel& level, int x, int y)
 {
   return slopes.GetScale() / 32767.0 *
     glm::dvec2(level.Texels[static_cast<std::size_t>(x + level.Size.x * y)]);
@@ -39,7 +39,7 @@ TEST(HeightSlopes, AreTheLevelsOfATexture)
   {
     SCOPED_TRACE(test.Name);
     const CodedField<float> field(test);
-    const HeightSlopes built = slopes(field);
+    const HeightSlopes built = Slopes(field);
     ASSERT_FALSE(built.GetLevels().empty());
     glm::ivec2 size = glm::max(glm::ivec2(test.Width - 1, test.Height - 1) / 16, glm::ivec2(1));
     for (const SlopeLevel& level : built.GetLevels())
@@ -58,7 +58,7 @@ TEST(HeightSlopes, AreMeans)
   const TestField test("mean", 129, 65,
     [](int i, int j) { return std::floor(500.0 + 200.0 * std::sin(0.3 * i) + 9.0 * (j % 7)); });
   const CodedField<std::uint16_t> field(test);
-  const HeightSlopes built = slopes(field);
+  const HeightSlopes built = Slopes(field);
   int side = 16;
   for (const SlopeLevel& level : built.GetLevels())
   {
@@ -75,7 +75,7 @@ TEST(HeightSlopes, AreMeans)
           sum += part * glm::dvec2(height(side, k) - height(0, k), height(k, side) - height(k, 0));
         }
         const glm::dvec2 expected = sum / (side * side * field.Codes.Scale);
-        const glm::dvec2 found = slope(built, level, x, y);
+        const glm::dvec2 found = Slope(built, level, x, y);
         ASSERT_NEAR(found.x, expected.x, built.GetScale() / 65534.0 + 1e-6);
         ASSERT_NEAR(found.y, expected.y, built.GetScale() / 65534.0 + 1e-6);
       }
@@ -91,14 +91,14 @@ TEST(HeightSlopes, KeepPlanesOfAnySize)
   {
     const TestField test("plane", size.x, size.y, [](int i, int j) { return 2.0 * i - 3.0 * j; });
     const CodedField<float> field(test);
-    const HeightSlopes built = slopes(field);
+    const HeightSlopes built = Slopes(field);
     for (const SlopeLevel& level : built.GetLevels())
     {
       for (int y = 0; y < level.Size.y; ++y)
       {
         for (int x = 0; x < level.Size.x; ++x)
         {
-          const glm::dvec2 found = slope(built, level, x, y) * field.Codes.Scale;
+          const glm::dvec2 found = Slope(built, level, x, y) * field.Codes.Scale;
           ASSERT_NEAR(found.x, 2.0, 1e-4);
           ASSERT_NEAR(found.y, -3.0, 1e-4);
         }
@@ -114,23 +114,23 @@ TEST(HeightSlopes, PassByNoData)
   const TestField test("half", 129, 129,
     [&](int i, int j) { return i < 40 ? 5.0 * i : (j < 80 ? none : 200.0 + 8.0 * (i - 40)); });
   const CodedField<std::uint16_t> field(test);
-  const HeightSlopes built = slopes(field);
+  const HeightSlopes built = Slopes(field);
   const SlopeLevel& first = built.GetLevels()[0];
   const double unit = field.Codes.Scale;
-  EXPECT_NEAR(slope(built, first, 0, 0).x * unit, 5.0, 0.02);
-  EXPECT_NEAR(slope(built, first, 2, 0).x * unit, 5.0, 0.02); // half of it is data
-  EXPECT_NEAR(slope(built, first, 7, 7).x * unit, 8.0, 0.02);
-  const double filled = slope(built, first, 6, 1).x * unit;
+  EXPECT_NEAR(Slope(built, first, 0, 0).x * unit, 5.0, 0.02);
+  EXPECT_NEAR(Slope(built, first, 2, 0).x * unit, 5.0, 0.02); // half of it is data
+  EXPECT_NEAR(Slope(built, first, 7, 7).x * unit, 8.0, 0.02);
+  const double filled = Slope(built, first, 6, 1).x * unit;
   EXPECT_GT(filled, 4.9);
   EXPECT_LT(filled, 8.1);
   const CodedField<float> empty(TestField("", 9, 9, [&](int, int) { return none; }));
-  EXPECT_TRUE(slopes(empty).GetLevels().empty());
+  EXPECT_TRUE(Slopes(empty).GetLevels().empty());
   const CodedField<float> line(TestField("", 1, 9, [](int, int) { return 1.0; }));
-  EXPECT_TRUE(slopes(line).GetLevels().empty());
+  EXPECT_TRUE(Slopes(line).GetLevels().empty());
 }
 
 /// Makes rubbish of all texels that an update of a part may not read.
-void spoilBeside(CodedField<float>& field, const terrain::GridRectangle& part)
+void SpoilBeside(CodedField<float>& field, const terrain::GridRectangle& part)
 {
   for (int j = 0; j < field.TexelView.Height; ++j)
   {
@@ -153,7 +153,7 @@ TEST(HeightSlopes, FollowChangesOfAPart)
   {
     const auto heights = [](int i, int j) { return 100.0 * std::sin(0.2 * i) * std::cos(0.1 * j); };
     CodedField<float> field(TestField("", size.x, size.y, heights));
-    HeightSlopes updated = slopes(field);
+    HeightSlopes updated = Slopes(field);
     for (const terrain::GridRectangle& part : { terrain::GridRectangle{ { 0, 0 }, { 1, 1 } },
            { { 3, 7 }, { 9, 20 } }, { { size.x - 2, size.y - 9 }, size }, { { 5, 5 }, { 5, 9 } },
            { { size.x / 16 * 8, 16 }, { size.x / 16 * 8 + 1, 17 } } })
@@ -166,10 +166,10 @@ TEST(HeightSlopes, FollowChangesOfAPart)
         }
       }
       const std::vector<float> kept = field.Texels;
-      spoilBeside(field, part);
+      SpoilBeside(field, part);
       updated.Update(field.TexelView, part, terrain::SerialFor);
       std::copy(kept.begin(), kept.end(), field.Texels.begin());
-      const HeightSlopes fresh = slopes(field);
+      const HeightSlopes fresh = Slopes(field);
       ASSERT_EQ(fresh.GetLevels().size(), updated.GetLevels().size());
       EXPECT_EQ(fresh.GetScale(), updated.GetScale());
       for (std::size_t k = 0; k < fresh.GetLevels().size(); ++k)

@@ -25,7 +25,7 @@ using terrain::OutlookSearch;
 using terrain::TestField;
 
 /// The codes of a field as a surface: what the search works on, in double.
-terrain::Surface surfaceOf(const std::vector<float>& codes, const glm::ivec2& size, bool columns)
+terrain::Surface SurfaceOf(const std::vector<float>& codes, const glm::ivec2& size, bool columns)
 {
   terrain::HeightfieldView<float> view;
   view.Samples = codes.data();
@@ -40,7 +40,7 @@ terrain::Surface surfaceOf(const std::vector<float>& codes, const glm::ivec2& si
 }
 
 /// How high the surface stands over the ray of a tangent, from a distance on.
-terrain::SurfaceSummit over(
+terrain::SurfaceSummit Over(
   const terrain::RayQuery& query, const Outlook& outlook, double tangent, double begin)
 {
   terrain::QueryRay ray;
@@ -53,14 +53,14 @@ terrain::SurfaceSummit over(
 }
 
 /// True if all surface is below a ray, and there is some.
-bool isBelow(const terrain::SurfaceSummit& summit)
+bool IsBelow(const terrain::SurfaceSummit& summit)
 {
   return summit.Height < 0.0 && summit.Height > -terrain::kInfinity;
 }
 
 /// True if a way runs along lines between cells or columns, or through their corners: the judge
 /// sees the surface on all sides of them.
-bool isAlongLines(const Outlook& outlook)
+bool IsAlongLines(const Outlook& outlook)
 {
   const glm::vec2 size = glm::abs(outlook.direction);
   const glm::vec2 inside = glm::min(outlook.fraction, 1.0f - outlook.fraction);
@@ -77,7 +77,7 @@ struct Judged
 /// No surface stands above the ray of the horizon, and some would above one a little lower. Both
 /// hold where a hair's breadth from the point does not hide what the tangent is.
 template <typename Rays>
-Judged judge(const OutlookSearch<Rays>& search, const terrain::Surface& surface, unsigned seed)
+Judged Judge(const OutlookSearch<Rays>& search, const terrain::Surface& surface, unsigned seed)
 {
   const terrain::RayQuery query(surface);
   const double room =
@@ -87,7 +87,7 @@ Judged judge(const OutlookSearch<Rays>& search, const terrain::Surface& surface,
   for (const Outlook& outlook : terrain::RandomOutlooks(search, seed))
   {
     const double tangent = search.HorizonTangent(outlook, [](glm::ivec2, int) {});
-    if (outlook.end < 0.1 || isAlongLines(outlook))
+    if (outlook.end < 0.1 || IsAlongLines(outlook))
     {
       continue;
     }
@@ -96,16 +96,16 @@ Judged judge(const OutlookSearch<Rays>& search, const terrain::Surface& surface,
     judged.Between += isHigh || isLow ? 0 : 1;
     const double upper = isHigh ? terrain::kInfinity : tangent;
     const double lower = isHigh ? outlook.high : tangent;
-    judged.Wrong += !isHigh && over(query, outlook, upper, begin).Height > room ? 1 : 0;
+    judged.Wrong += !isHigh && Over(query, outlook, upper, begin).Height > room ? 1 : 0;
     // Lower by what lets the surface stand out by the room at the least distance.
     const double least = lower - room / begin;
-    judged.Wrong += !isLow && isBelow(over(query, outlook, least, 1e-3 * begin)) ? 1 : 0;
+    judged.Wrong += !isLow && IsBelow(Over(query, outlook, least, 1e-3 * begin)) ? 1 : 0;
   }
   return judged;
 }
 
 template <typename Texel>
-Judged judgeField(const TestField& test, bool columns, unsigned seed)
+Judged JudgeField(const TestField& test, bool columns, unsigned seed)
 {
   terrain::CodedField<Texel> field(test);
   field.Coded.columns = columns;
@@ -114,8 +114,8 @@ Judged judgeField(const TestField& test, bool columns, unsigned seed)
   {
     codes.push_back(field.Coded.heights.Code({ k % test.Width, k / test.Width }));
   }
-  return judge(OutlookSearch<terrain::CodedPyramid<Texel>>{ field.Coded },
-    surfaceOf(codes, { test.Width, test.Height }, columns), seed);
+  return Judge(OutlookSearch<terrain::CodedPyramid<Texel>>{ field.Coded },
+    SurfaceOf(codes, { test.Width, test.Height }, columns), seed);
 }
 }
 
@@ -130,8 +130,8 @@ TEST(Outlook, TouchesTheSurfaceAndPassesOverIt)
     {
       SCOPED_TRACE(field.Name + (columns ? ", columns" : ""));
       ++seed;
-      const Judged judged = seed % 4 < 2 ? judgeField<float>(field, columns, seed)
-                                         : judgeField<std::uint16_t>(field, columns, seed);
+      const Judged judged = seed % 4 < 2 ? JudgeField<float>(field, columns, seed)
+                                         : JudgeField<std::uint16_t>(field, columns, seed);
       EXPECT_EQ(judged.Wrong, 0);
       between += judged.Between;
     }

@@ -18,7 +18,7 @@ using terrain::TerrainHit;
 using terrain::TerrainRay;
 
 // True if the columns' surface, tops and walls, passes within error (codes) of the ray at s.
-bool isOnColumns(const std::vector<CellPiece>& pieces, double s, double error)
+bool IsOnColumns(const std::vector<CellPiece>& pieces, double s, double error)
 {
   bool above = false;
   bool below = false;
@@ -60,7 +60,7 @@ TEST(PyramidColumns, AreExact)
       const double steep = 1e-5 * std::abs(ray.directionGC.z);
       if (hit.found)
       {
-        ASSERT_TRUE(isOnColumns(pieces, hit.s, error + steep));
+        ASSERT_TRUE(IsOnColumns(pieces, hit.s, error + steep));
       }
       pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
                      [&](const CellPiece& piece)

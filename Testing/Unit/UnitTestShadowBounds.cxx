@@ -18,7 +18,7 @@ namespace
 using terrain::ShadowBounds;
 
 /// Hills, with a few samples of noise.
-std::vector<float> hills(int width, int height)
+std::vector<float> Hills(int width, int height)
 {
   std::mt19937 random(11);
   std::vector<float> samples;
@@ -41,9 +41,9 @@ struct Told
   int Wrong = 0;
 };
 
-Told judge(int width, int height, double azimuth, double low, double high, int level)
+Told Judge(int width, int height, double azimuth, double low, double high, int level)
 {
-  const std::vector<float> samples = hills(width, height);
+  const std::vector<float> samples = Hills(width, height);
   terrain::HeightfieldView<float> view;
   view.Samples = samples.data();
   view.Width = width;
@@ -96,7 +96,7 @@ TEST(ShadowBounds, NeverTellWhatIsNotSo)
       for (const double rise : { 0.02, 0.2, 1.0 })
       {
         const double azimuth = 2.0 * terrain::kDegree * 180.0 * k / 24.0;
-        EXPECT_EQ(judge(width, height, azimuth, rise, 1.1 * rise, 1).Wrong, 0)
+        EXPECT_EQ(Judge(width, height, azimuth, rise, 1.1 * rise, 1).Wrong, 0)
           << width << " " << height << " " << k << " " << rise;
       }
     }
@@ -132,7 +132,7 @@ TEST(ShadowBounds, AreKeptForRaysThatRoundingMoved)
 
 TEST(ShadowBounds, TellMostOfAllRays)
 {
-  const Told told = judge(257, 257, 0.7, 0.3, 0.3, 1);
+  const Told told = Judge(257, 257, 0.7, 0.3, 0.3, 1);
   EXPECT_EQ(told.Wrong, 0);
   EXPECT_GT(told.Hidden, told.Rays / 50);
   EXPECT_GT(told.Free, told.Rays / 4);
@@ -140,7 +140,7 @@ TEST(ShadowBounds, TellMostOfAllRays)
 
 TEST(ShadowBounds, HideNothingWhereSomethingIsMissing)
 {
-  const std::vector<float> samples = hills(40, 40);
+  const std::vector<float> samples = Hills(40, 40);
   terrain::HeightfieldView<float> view;
   view.Samples = samples.data();
   view.Width = 40;

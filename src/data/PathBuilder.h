@@ -34,8 +34,8 @@ public:
     return point;
   }
 
-  /// Calls onVertex(id, cell) for each vertex of the input, then onLine(ids, cell) for each line and
-  /// polygon. The ids of a polygon end with the first one again.
+  /// Calls onVertex(id, cell) for each vertex of the input, then onLine(ids, cell) for each line
+  /// and polygon. The ids of a polygon end with the first one again.
   template <typename OnVertex, typename OnLine>
   void ForEachCell(const OnVertex& onVertex, const OnLine& onLine) const
   {

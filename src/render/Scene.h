@@ -95,8 +95,8 @@ public:
   {
     return Technique(this->Look->GetTechnique());
   }
-  /// True if textures lie on the surface: the actor's or its property's. The mapper's own texture of
-  /// colours is none of them. VTK reads it at coordinates of the mesh, and the surface is painted.
+  /// True if textures lie on the surface: the actor's or its property's. The mapper's own texture
+  /// of colours is none of them: the surface is painted.
   static bool IsTextured(vtkActor* actor);
   /// Adds what programs have to know of the technique, the surface, the view and the prepass.
   void AddFeatures(Features& features) const;
