@@ -9,6 +9,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkTerrainActor.h"
 #include "vtkTestErrorObserver.h"
 
 using namespace vtkTerrainTesting;

@@ -23,9 +23,9 @@ using Frame = vtkTerrainGeoreference::FrameType;
 /// takes no border in the east and south.
 double InsideBorder(double pixel, double size)
 {
-  constexpr double kRounding = 1e-6; // pixels
-  return pixel > -kRounding && pixel < size + kRounding ? std::clamp(pixel, 0.0, size - kRounding)
-                                                        : pixel;
+  constexpr double kBorder = 1e-6; // pixels
+  return pixel > -kBorder && pixel < size + kBorder ? std::clamp(pixel, 0.0, size - kBorder)
+                                                    : pixel;
 }
 
 /// The part of a raster that an output needs is not found by its border where that runs round a
