@@ -276,7 +276,7 @@ TEST_F(TerrainRasterReaderErrors, DegreesThatAreNone)
   file.EPSG = 4326;
   file.GeoTransform = { 500000.0, 30.0, 0.0, 5200000.0, 0.0, -30.0 };
   this->ExpectError(file.Write("nodegrees.tif"), "degrees");
-  file.GeoTransform = { -180.0, 200.0, 0.0, 80.0, 0.0, -1.0 };
+  file.GeoTransform = { -180.0, 400.0, 0.0, 80.0, 0.0, -1.0 };
   this->ExpectError(file.Write("widedegrees.tif"), "degrees");
 }
 
