@@ -49,7 +49,7 @@ protected:
     return red;
   }
 
-  double MiddleDepth(const std::string& path, std::vector<std::string> arguments)
+  double MiddleDepth(const std::string& path, const std::vector<std::string>& arguments)
   {
     const RunResult result = this->Draw(path, arguments);
     this->ExpectDrawn(result, 100);

@@ -208,6 +208,7 @@ std::optional<int> ParseDropped(
     words.insert(words.end() - 1, "--scene");
   }
   std::vector<const char*> pointers;
+  pointers.reserve(words.size());
   for (const std::string& word : words)
   {
     pointers.push_back(word.c_str());
