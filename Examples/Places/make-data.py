@@ -157,7 +157,8 @@ def circle(distance, wave=0.0, east=0.0, north=0.0):
 
 def write_zones():
     zones = [("Reserve", "Polygon", [circle(1500.0, 0.12), circle(420.0)]),
-             ("Meadows", "MultiPolygon", [[circle(520.0, 0.1, -1900.0, -1500.0)], [circle(600.0, 0.1, 2100.0, -900.0)]])]
+             ("Meadows", "MultiPolygon",
+              [[circle(520.0, 0.1, -1900.0, -1500.0)], [circle(600.0, 0.1, 2100.0, -900.0)]])]
     features = [{"type": "Feature", "properties": {"zone": name}, "geometry": {"type": kind, "coordinates": rings}}
                 for name, kind, rings in zones]
     (HERE / "zones.geojson").write_text(json.dumps({"type": "FeatureCollection", "features": features}) + "\n")
