@@ -79,6 +79,7 @@ set(private_sources
   raster/RasterRecord
   raster/RasterReference
   raster/RasterRepairs
+  raster/RasterSanity
   raster/RasterSamples
   raster/RasterTile
   raster/RasterTileAlone

@@ -344,9 +344,9 @@ bool vtkTerrainRasterReader::GetSamplesAreHeights()
     const std::shared_ptr<vtkTerrainRasterPlan> plan = this->Plan(this->Band);
     const terrain::RasterHoles& holes = plan->File->GetHoles();
     return !plan->File->IsReplaced() && !plan->File->IsTurned() && !plan->File->HasMask() &&
-      !this->Flip && plan->Request.Scale == 1.0 && plan->Request.Offset == 0.0 &&
-      !holes.UndeclaredOccurs && holes.Declared.empty() && !plan->Layout.IsGeographic &&
-      plan->Layout.Scale[0] == 1.0;
+      !plan->File->HasCoordinatesOfAnotherUnit() && !this->Flip && plan->Request.Scale == 1.0 &&
+      plan->Request.Offset == 0.0 && !holes.UndeclaredOccurs && holes.Declared.empty() &&
+      !plan->Layout.IsGeographic && plan->Layout.Scale[0] == 1.0;
   }
   catch (const std::exception&)
   {

@@ -13,7 +13,7 @@ import numpy as np
 import vtkTerrainTesting
 from vtkTerrainRasters import COLUMNS, ROWS, RasterCase, gdal, ground, osr
 
-from vtkterrain import array_from_heights
+from vtkterrain import array_from_heights, heights_from_array
 
 UTM = (5e5, 10.0, 0.0, 5e6, 0.0, -10.0)
 DEGREES = (10.0, 0.01, 0.0, 50.0, 0.0, -0.01)
@@ -103,6 +103,40 @@ class TestKinds(RasterCase):
                 "y": UTM[3] - 10.0 * (np.arange(ROWS) + 0.5), "x": UTM[0] + 10.0 * (np.arange(COLUMNS) + 0.5)})
             image = heights_from_dataarray(data, crs="EPSG:32631")
             np.testing.assert_allclose(array_from_heights(image)[::-1], holed())
+
+    def test_missing_values_beside_the_fill_value(self):
+        y, x = 49.995 - 0.01 * np.arange(ROWS), 10.005 + 0.01 * np.arange(COLUMNS)
+        heights = np.where(np.isnan(holed()), -500.0, ground())
+        self.check(self.arrays("one.nc", heights, y, x, missing_value=-500.0), holed(), DEGREES)
+        heights[HOLE][::2] = -600.0
+        self.check(self.arrays("two.nc", heights, y, x, missing_value=[-500.0, -600.0]), holed(), DEGREES)
+
+    def test_one_value_far_from_all_others_is_told(self):
+        holes = ground()
+        holes[5:15, 5:25] = np.nan
+        heights = np.where(np.isnan(holes), -9999 * 0.3048, ground())
+        path = self.write("feet.tif", heights)
+        words = self.check(path, np.float32(heights))
+        self.assertIn("below all others by more than these span", words)
+        given = float(words.split("--nodata ")[1].split(" ")[0])
+        self.check(path, holes, NoDataValue=given, UseNoDataValue=True)
+        with self.assertWarnsRegex(UserWarning, "below all others by more than these span"):
+            heights_from_array(np.float32(heights), spacing=(10.0, 10.0))
+
+    @unittest.skipIf(importlib.util.find_spec("xarray") is None, "xarray is not installed")
+    def test_kilometres_of_a_dataarray(self):
+        import xarray
+
+        from vtkterrain.xarrays import heights_from_dataarray
+
+        kilometres = {"units": "km"}
+        data = xarray.DataArray(np.float32(ground()), dims=("y", "x"), coords={
+            "y": ("y", (UTM[3] - 10.0 * (np.arange(ROWS) + 0.5)) / 1e3, kilometres),
+            "x": ("x", (UTM[0] + 10.0 * (np.arange(COLUMNS) + 0.5)) / 1e3, kilometres)})
+        for crs in (None, "EPSG:32631"):
+            image = heights_from_dataarray(data, crs=crs)
+            np.testing.assert_allclose(image.GetSpacing()[:2], 10.0, rtol=1e-6)
+            np.testing.assert_allclose(array_from_heights(image)[::-1], np.float32(ground()))
 
     def write_with_alpha(self, name):
         file = gdal.GetDriverByName("GTiff").Create(self.path(name), COLUMNS, ROWS, 2, gdal.GDT_Float32,

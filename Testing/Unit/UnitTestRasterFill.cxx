@@ -210,6 +210,24 @@ TEST(UnitTestRasterFill, ZeroFarBelowAllIsAVoid)
   EXPECT_FALSE(withZeros({ 100.0, 200.0, 300.0 }, 40)); // steps
 }
 
+TEST(UnitTestRasterFill, OneValueFarFromAllOthersIsTold)
+{
+  const auto withValue = [](double value, std::size_t count)
+  {
+    std::vector<double> heights = Hills(400.0, 760.0, 3000);
+    heights.insert(heights.end(), count, value);
+    return terrain::FindAloof(FindFill(heights), 1.0);
+  };
+  EXPECT_EQ(withValue(-3047.6952, 200), -3047.6952);
+  EXPECT_EQ(withValue(-1.0, 200), -1.0);
+  EXPECT_EQ(withValue(0.0, 5000), 0.0); // most of it
+  EXPECT_EQ(withValue(1200.0, 200), 1200.0);
+  EXPECT_TRUE(std::isnan(withValue(1203.5, 200))); // towers
+  EXPECT_TRUE(std::isnan(withValue(-1.0, 20)));    // few: AreNeedles()
+  EXPECT_TRUE(std::isnan(withValue(300.0, 200)));  // a lake
+  EXPECT_TRUE(std::isnan(withValue(390.0, 2000))); // the sea before a coast
+}
+
 TEST(UnitTestRasterFill, FillAmongTowersIsFound)
 {
   for (const double value : { 32767.0, -9999.0, 1e6, 65535.0, -32768.0 })

@@ -181,6 +181,14 @@ std::vector<double> InBaseUnit(const GridAxis& axis, Kind kind, RasterRecord& re
   {
     factor = 180.0 / std::acos(-1.0);
   }
+  else if (IsOneOf(LowerCase(units), { "arc_minute", "arc_minutes", "arcminute", "arcminutes" }))
+  {
+    factor = 1.0 / 60.0;
+  }
+  else if (IsOneOf(LowerCase(units), { "arc_second", "arc_seconds", "arcsecond", "arcseconds" }))
+  {
+    factor = 1.0 / 3600.0;
+  }
   std::for_each(values.begin(), values.end(), [factor](double& value) { value *= factor; });
   return values;
 }
@@ -260,9 +268,10 @@ void FillInKind(Kind& kind, Kind other)
   kind = partners.at(other);
 }
 
-void CheckDegrees(const GridPlace& place, const GridAxis& latitude)
+void CheckDegrees(
+  const GridPlace& place, const GridAxis& latitude, const std::vector<double>& degrees)
 {
-  const auto [low, high] = std::minmax_element(latitude.Values.begin(), latitude.Values.end());
+  const auto [low, high] = std::minmax_element(degrees.begin(), degrees.end());
   if (place.IsGeographic && (*low < -91.0 || *high > 91.0))
   {
     throw RasterError("its coordinates " + latitude.Name +
@@ -278,9 +287,9 @@ GridPlace PlaceOfAxes(
   place.IsGeographic = x == Kind::Longitude && y == Kind::Latitude;
   place.CoordinateSystem = place.IsGeographic ? "EPSG:4326" : "";
   place.MetresPerUnit = x == Kind::East ? MetresOfUnit(columns.Get("units")) : 0.0;
-  CheckDegrees(place, rows);
   std::vector<double> alongX = InBaseUnit(columns, x, record);
   std::vector<double> alongY = InBaseUnit(rows, y, record);
+  CheckDegrees(place, rows, alongY);
   if (x != Kind::East)
   {
     Unwrap(alongX);

@@ -178,6 +178,12 @@ public:
     return this->Turned;
   }
 
+  /// True if its coordinates were told in a unit other than metres.
+  bool HasCoordinatesOfAnotherUnit() const
+  {
+    return this->Uneven.MetresPerUnit > 0.0 && this->Uneven.MetresPerUnit != 1.0;
+  }
+
   std::string GetBandDescription() const;
   /// height in metres = offset + scale * value: of the band, its unit and its sense together.
   void GetScaleAndOffset(double& scale, double& offset) const;
@@ -233,6 +239,7 @@ private:
   bool HasFileMask() const;
   bool HasValidRange() const;
   GDALRasterBandH FindAlpha() const;
+  void TakeMissingValues();
   void FindValidRange();
 
   // RasterPlace.cxx
@@ -272,6 +279,7 @@ private:
   void CheckSanity();
   void CheckBytes();
   void CheckSigns();
+  void CheckFarValues(const std::string& range, double scale, double cell);
 
   std::string Name;
   HeldFiles Held;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace terrain
 {
@@ -109,6 +110,12 @@ std::size_t CountFill(
   return 0;
 }
 
+/// Metres of a cell that can show buildings, of the tallest of these (828 m), rounded up, and of
+/// masts that a single sample shows.
+constexpr double kWidestOfTowns = 15.0;
+constexpr double kTallest = 900.0;
+constexpr double kTallestMast = 100.0;
+
 /// True for values that programs fill with, and for those that a byte or a round number would be.
 bool LooksLikeFill(double value)
 {
@@ -134,6 +141,8 @@ void Summarize(
   findings.High = levels[end - 1].Value;
   findings.LowShare = static_cast<double>(levels[first].Count) / count;
   findings.HighShare = static_cast<double>(levels[end - 1].Count) / count;
+  findings.LowGap = end - first > 1 ? levels[first + 1].Value - findings.Low : 0.0;
+  findings.HighGap = end - first > 1 ? findings.High - levels[end - 2].Value : 0.0;
   double below = 0.0;
   for (std::size_t k = first + 1; k < end; ++k)
   {
@@ -216,9 +225,6 @@ bool AreNeedles(const FillFindings& findings, double perUnit, double cell)
   constexpr double kFewest = 0.01;
   constexpr double kCells = 10.0;
   constexpr double kShareOfAll = 1.0 / 3.0; // of the range with them
-  constexpr double kWidestOfTowns = 15.0;   // metres a cell
-  constexpr double kTallest = 900.0;        // the tallest building has 828 m
-  constexpr double kTallestMast = 100.0;    // of those that one sample shows
   constexpr double kMostlyLone = 0.5;
   const double gap = std::abs(perUnit) * findings.WidestGap;
   if (!(findings.GapShare < kFewest) || !(gap > kCells * cell) ||
@@ -233,6 +239,24 @@ bool AreNeedles(const FillFindings& findings, double perUnit, double cell)
     return true;
   }
   return findings.LoneShare > kMostlyLone && gap > kTallestMast;
+}
+
+//------------------------------------------------------------------------------
+double FindAloof(const FillFindings& findings, double perUnit)
+{
+  constexpr std::size_t kFewestLevels = 10;
+  constexpr double kLeastShare = 0.01;
+  const auto isAloof = [&](double gap, double share, double value, bool isLow)
+  {
+    const bool rises = isLow == (perUnit < 0.0);
+    return findings.LevelCount > kFewestLevels && share >= kLeastShare &&
+      (!rises || LooksLikeFill(value)) && gap > findings.High - findings.Low - gap &&
+      std::abs(perUnit) * gap > kTallestMast;
+  };
+  return isAloof(findings.LowGap, findings.LowShare, findings.Low, true) ? findings.Low
+    : isAloof(findings.HighGap, findings.HighShare, findings.High, false)
+    ? findings.High
+    : std::numeric_limits<double>::quiet_NaN();
 }
 
 //------------------------------------------------------------------------------

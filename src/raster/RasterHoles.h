@@ -38,6 +38,9 @@ struct FillFindings
   /// The value on that side that is next to the gap, and whether it is the only one there.
   double GapEnd = 0.0;
   bool IsGapOne = false;
+  /// Between the lowest and the next one, and between the highest and the one before.
+  double LowGap = 0.0;
+  double HighGap = 0.0;
   /// Share of the samples on that side that have none of them beside them; see FindLone().
   double LoneShare = 0.0;
 };
@@ -54,6 +57,12 @@ void FindLone(const std::vector<double>& values, std::size_t width, FillFindings
 /// of one show them, of heights that look like no fill, or single ones up to 100 m.
 /// perUnit: metres of a unit of the values, below 0 for depths; cell: metres.
 bool AreNeedles(const FillFindings& findings, double perUnit, double cell);
+
+/// The lowest or the highest value, if it is one of at least 1 % of the samples that lies farther
+/// from all others than these span, and than 100 m: fill that nobody would know, such as -9999 in
+/// another unit. NaN if there is none. What rises above all others may be a building, unless it
+/// looks like fill. perUnit: metres of a unit of the values, below 0 for depths.
+double FindAloof(const FillFindings& findings, double perUnit);
 
 /// True if 0 is the lowest value, of no more than half of the samples, and farther from the others
 /// than a quarter of the range: voids of which nobody says that they are.

@@ -86,6 +86,29 @@ void RasterFile::ReadMask(int overview, const RasterWindow& window, unsigned cha
 }
 
 //------------------------------------------------------------------------------
+// CF's missing_value, one number or several, beside _FillValue, of which alone GDAL knows.
+void RasterFile::TakeMissingValues()
+{
+  const char* item = GDALGetMetadataItem(this->Band, "missing_value", nullptr);
+  const auto found = this->Attributes.find("missing_value");
+  const std::string own = item ? item : "";
+  const std::string written = found != this->Attributes.end() ? found->second : own;
+  const char* text = written.c_str();
+  text += *text == '{' ? 1 : 0;
+  for (double value = NextNumber(&text, HUGE_VAL); value != HUGE_VAL;
+       value = NextNumber(&text, HUGE_VAL))
+  {
+    int declared = 0;
+    const double known = GDALGetRasterNoDataValue(this->Band, &declared);
+    const auto& more = this->MoreNoData;
+    if (!(declared && known == value) && std::find(more.begin(), more.end(), value) == more.end())
+    {
+      this->MoreNoData.push_back(value);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // CF's valid_range, valid_min and valid_max, in the numbers of the file.
 void RasterFile::FindValidRange()
 {

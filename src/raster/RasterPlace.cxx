@@ -252,6 +252,11 @@ void RasterFile::PlaceByArray(const std::string& given)
     const char* item = GDALGetMetadataItem(this->Band, name, nullptr);
     return std::string(item ? item : "");
   };
+  this->Attributes["NETCDF_VARNAME"] = own ? own : variable;
+  if (const std::string missing = hint("missing_value"); !missing.empty()) // arrays keep it back
+  {
+    this->Attributes["missing_value"] = missing;
+  }
   this->Array->SetHints(hint("coordinates"), hint("grid_mapping"));
   if (!this->NeedsCoordinates())
   {

@@ -197,6 +197,11 @@ bool FindSense(const HeightFacts& facts, RasterRecord& record)
                 "(--height-unit 1 if they are heights in metres)");
     return TakeSense(record, true, "guessed: its name");
   }
+  if (NamesDepth(facts) && !NamesHeight(facts) && facts.Low < 0.0 && facts.High > 0.0)
+  {
+    record.Warn("it is called a depth and has values below and above 0: taken for heights, "
+                "positive up (--height-unit -1 if they are depths in metres)");
+  }
   return TakeSense(record, false, "assumed");
 }
 }

@@ -13,6 +13,7 @@ from .vtkTerrain import vtkTerrainGeoreference, vtkTerrainGlobe, vtkTerrainRaste
 
 _ARRAY = "array"  # what the reader calls samples in memory
 _OF_DEGREES = "look like degrees"
+_OF_RELIEF = "three times as high as it is wide"
 _READ_TYPES = "BhHiIfd"  # of samples in memory
 
 
@@ -115,6 +116,17 @@ def tell(algorithm, of_place=True):
     for line in (algorithm.GetWarningMessage() or "").splitlines():
         if of_place or _OF_DEGREES not in line:
             warnings.warn(in_words_of_python(line), stacklevel=4)
+
+
+def tell_of_samples(reader, of_place=True):
+    """Warnings of samples that are heights as they are, which nobody has to read.
+
+    Samples without a place are not judged by how far apart they are: 1, mostly.
+    """
+    for line in reader.Describe().splitlines():
+        kind, _, text = line.partition(": ")
+        if kind == "warning" and (of_place or not any(words in text for words in (_OF_DEGREES, _OF_RELIEF))):
+            warnings.warn("heights: " + in_words_of_python(text), stacklevel=4)
 
 
 def read(reader, error=OSError, of_place=True):

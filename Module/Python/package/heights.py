@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
 
-from ._intake import describe_samples, make_reader, read
+from ._intake import describe_samples, make_reader, read, tell_of_samples
 
 _CODES_OF_VTK_TYPES = "bBhHiIlLqQfd"
 _FILL = 1e30  # from here on no height, declared or not
@@ -95,6 +95,7 @@ def _take_in(samples, spacing, nodata, height_unit):
     described = describe_samples(in_memory, None, rows=axes[0], columns=axes[1])
     reader = make_reader(described, nodata=nodata, height_unit=height_unit)
     if reader.GetSamplesAreHeights():
+        tell_of_samples(reader, of_place=False)
         return samples
     if "is not found" in reader.Describe() and nodata is None and height_unit is None:
         return samples  # without GDAL there is nobody to ask

@@ -11,7 +11,7 @@ import numpy as np
 import xarray
 
 from . import analysis
-from ._intake import describe_samples, lay_out, make_reader, read
+from ._intake import describe_samples, lay_out, make_reader, read, tell_of_samples
 from .heights import _fill_masked, _to_vtk_type, heights_from_array
 
 _UNEVEN = 0.1  # of a step: what a coordinate may be off
@@ -123,6 +123,7 @@ def _own_heights(data, crs=None, nodata=None, height_unit=None, flip=False):
                                  columns=axes[1], fields=fields, grid_mapping=mapping)
     reader = make_reader(described, crs=crs, nodata=nodata, height_unit=height_unit, flip=flip)
     if reader.GetSamplesAreHeights() and not flip:
+        tell_of_samples(reader)
         return _share(samples, axes, name, crs or system)
     return read(reader, ValueError)
 
