@@ -66,6 +66,25 @@ TEST(UnitTestGridCoordinates, DegreesByUnitsOrNames)
   }
 }
 
+TEST(UnitTestGridCoordinates, MinutesAndSecondsOfArc)
+{
+  for (const auto& [unit, parts] :
+    { std::pair("arc_minute", 60.0), std::pair("arc_seconds", 3600.0) })
+  {
+    RasterRecord record;
+    const GridPlace place = FindGridPlace(Grid(Axis("lat", unit, 40.0 * parts, 0.5 * parts, 10),
+                                            Axis("lon", unit, 5.0 * parts, 0.5 * parts, 20)),
+      record);
+    ASSERT_TRUE(place.HasGeoTransform) << unit;
+    EXPECT_TRUE(place.IsGeographic);
+    const std::array<double, 6> expected{ { 4.75, 0.5, 0.0, 39.75, 0.0, 0.5 } };
+    for (std::size_t k = 0; k < expected.size(); ++k)
+    {
+      EXPECT_NEAR(place.GeoTransform[k], expected[k], 1e-9) << unit;
+    }
+  }
+}
+
 TEST(UnitTestGridCoordinates, OrderAndSense)
 {
   RasterRecord record;

@@ -138,6 +138,19 @@ TEST(UnitTestRasterUnits, SenseByEachRoad)
   EXPECT_EQ(Find(named).Factor, 1.0);
 }
 
+TEST(UnitTestRasterUnits, DepthsOfBothSignsAreTold)
+{
+  HeightFacts facts;
+  facts.Variable = "depth";
+  facts.Low = -150.0;
+  facts.High = 213.0;
+  EXPECT_EQ(Find(facts).Factor, -1.0);
+  EXPECT_NE(Find(facts).Warnings.find("farther above than below"), std::string::npos);
+  facts.Low = -900.0;
+  EXPECT_EQ(Find(facts).Factor, 1.0);
+  EXPECT_NE(Find(facts).Warnings.find("--height-unit -1"), std::string::npos);
+}
+
 TEST(UnitTestRasterUnits, WhatIsGivenCounts)
 {
   HeightFacts facts;

@@ -3,6 +3,7 @@
 // The part of vtkTerrainActor that judges how high a terrain is for its extent, and how steep.
 #include "vtkTerrainActor.h"
 
+#include "core/grid/Constants.h"
 #include "core/grid/Relief.h"
 #include "data/GlobeData.h"
 
@@ -60,7 +61,6 @@ std::array<double, 2> SidesOfCell(vtkImageData* heights, const terrain::GlobeGri
 /// height.
 double SlopeOfCell(vtkImageData* heights, const std::array<double, 2>& sides, int column, int row)
 {
-  constexpr double kDegrees = 57.29577951308232;
   vtkDataArray* scalars = heights->GetPointData()->GetScalars();
   vtkUnsignedCharArray* ghosts = heights->GetPointGhostArray();
   const vtkIdType columns = heights->GetDimensions()[0];
@@ -72,7 +72,7 @@ double SlopeOfCell(vtkImageData* heights, const std::array<double, 2>& sides, in
   };
   const double east = height(1, 0) + height(1, 1) - height(0, 0) - height(0, 1);
   const double north = height(0, 1) + height(1, 1) - height(0, 0) - height(1, 0);
-  return kDegrees * std::atan(0.5 * std::hypot(east / sides[0], north / sides[1]));
+  return std::atan(0.5 * std::hypot(east / sides[0], north / sides[1])) / terrain::kDegree;
 }
 
 /// Of cells in columns and rows at equal distances.

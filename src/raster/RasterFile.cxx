@@ -68,7 +68,7 @@ RasterFile::RasterFile(const RasterMemory& memory)
   {
     GDALSetRasterOffset(band, value);
   }
-  for (const char* name : { "_FillValue", "missing_value", "nodatavals", "nodata" })
+  for (const char* name : { "_FillValue", "nodatavals", "nodata" })
   {
     if (number(name, value))
     {

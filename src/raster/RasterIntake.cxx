@@ -11,7 +11,6 @@
 #include "raster/RasterHoles.h"
 #include "raster/RasterReference.h"
 #include "raster/RasterRepairs.h"
-#include "raster/RasterTile.h"
 
 #include <algorithm>
 #include <cmath>

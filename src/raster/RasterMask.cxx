@@ -93,13 +93,13 @@ void RasterFile::TakeMissingValues()
   const auto found = this->Attributes.find("missing_value");
   const std::string own = item ? item : "";
   const std::string written = found != this->Attributes.end() ? found->second : own;
+  int declared = 0;
+  const double known = GDALGetRasterNoDataValue(this->Band, &declared);
   const char* text = written.c_str();
-  text += *text == '{' ? 1 : 0;
+  text += *text == '{' || *text == '[' ? 1 : 0;
   for (double value = NextNumber(&text, HUGE_VAL); value != HUGE_VAL;
        value = NextNumber(&text, HUGE_VAL))
   {
-    int declared = 0;
-    const double known = GDALGetRasterNoDataValue(this->Band, &declared);
     const auto& more = this->MoreNoData;
     if (!(declared && known == value) && std::find(more.begin(), more.end(), value) == more.end())
     {

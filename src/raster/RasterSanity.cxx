@@ -51,7 +51,8 @@ void RasterFile::CheckFarValues(const std::string& range, double scale, double c
   constexpr double kMostOfOne = 0.9;
   const FillFindings& seen = this->Holes.Seen;
   const double aloof = FindAloof(seen, scale);
-  if (seen.LowShare > kMostOfOne || seen.HighShare > kMostOfOne)
+  const bool isMost = seen.LowShare > kMostOfOne || seen.HighShare > kMostOfOne;
+  if (isMost)
   {
     const bool low = seen.LowShare > kMostOfOne;
     const double value = low ? seen.Low : seen.High;
@@ -59,7 +60,7 @@ void RasterFile::CheckFarValues(const std::string& range, double scale, double c
       (low ? "lowest" : "highest") + " value (" + range + "): --nodata " + NumberText(value) +
       " if that is no height");
   }
-  if (!std::isnan(aloof))
+  if (!isMost && !std::isnan(aloof))
   {
     const bool low = aloof == seen.Low;
     this->Record.Warn("about " +

@@ -193,8 +193,10 @@ bool FindSense(const HeightFacts& facts, RasterRecord& record)
   }
   if (NamesDepth(facts) && !NamesHeight(facts) && IsMostlyAboveZero(facts))
   {
-    record.Warn("it is called a depth and its values are above 0: taken for depths, positive down "
-                "(--height-unit 1 if they are heights in metres)");
+    record.Warn(
+      "it is called a depth and lies above 0, or reaches farther above than below: taken for "
+      "depths, positive down "
+      "(--height-unit 1 if they are heights in metres)");
     return TakeSense(record, true, "guessed: its name");
   }
   if (NamesDepth(facts) && !NamesHeight(facts) && facts.Low < 0.0 && facts.High > 0.0)
