@@ -95,6 +95,10 @@ for function in $(grep '^terrain' "$reasons"); do
   # shellcheck disable=SC2086
   grep -q "\b$function(" $glsl || offence "$reasons: no function $function"
 done
+# unittest's own end differs between Pythons where every test is skipped.
+for file in $(git ls-files 'Testing/Python/TestPython*.py'); do
+  grep -q '^    vtkTerrainTesting\.run()$' "$file" || offence "$file: does not end by vtkTerrainTesting.run()"
+done
 # src/ itself has the public classes, a pair of files each; all else is in rooms.
 for file in $(git ls-files 'src/*.h' 'src/*.cxx' | grep -v '^src/.*/'); do
   case $file in

@@ -7,7 +7,7 @@ import unittest
 import warnings
 
 import numpy as np
-import vtkTerrainTesting  # noqa: F401
+import vtkTerrainTesting
 
 try:
     import pyvista
@@ -106,4 +106,4 @@ class TestSceneFiles(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    vtkTerrainTesting.run()
