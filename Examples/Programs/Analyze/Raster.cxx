@@ -30,6 +30,8 @@
 
 namespace
 {
+constexpr int kBlock = 512; ///< samples along a side of the blocks that are written
+
 /// Bytes that processes may still take; infinity where the system does not say.
 double AvailableMemory()
 {
@@ -262,7 +264,6 @@ void ResultWriter::SetBand(int band, const std::string& description, const float
 {
   GDALRasterBandH to = GDALGetRasterBand(this->Dataset, band);
   GDALSetDescription(to, description.c_str());
-  GDALSetRasterNoDataValue(to, std::numeric_limits<double>::quiet_NaN());
   std::vector<float> line(static_cast<std::size_t>(this->Width));
   for (int row = 0; row < this->Height; ++row)
   {
@@ -273,21 +274,52 @@ void ResultWriter::SetBand(int band, const std::string& description, const float
     {
       std::reverse(line.begin(), line.end());
     }
+    this->HasHoles = this->HasHoles ||
+      std::any_of(line.begin(), line.end(), [](float value) { return std::isnan(value); });
     this->Check(GDALRasterIO(to, GF_Write, 0, row, this->Width, 1, line.data(), this->Width, 1,
                   GDT_Float32, 0, 0) == CE_None,
       "there is not enough memory");
   }
 }
 
+void ResultWriter::DeclareNoData()
+{
+  for (int band = 1; band <= GDALGetRasterCount(this->Dataset); ++band)
+  {
+    GDALSetRasterNoDataValue(
+      GDALGetRasterBand(this->Dataset, band), std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+void ResultWriter::BuildOverviews()
+{
+  std::vector<int> factors;
+  for (int factor = 2; std::max(this->Width, this->Height) > kBlock * factor / 2; factor *= 2)
+  {
+    factors.push_back(factor);
+  }
+  this->Check(factors.empty() ||
+      GDALBuildOverviews(this->Dataset, "AVERAGE", static_cast<int>(factors.size()), factors.data(),
+        0, nullptr, nullptr, nullptr) == CE_None,
+    "there is not enough memory");
+}
+
 void ResultWriter::Write()
 {
+  // GDAL averages four times as fast where no value is declared to be none.
+  if (this->HasHoles)
+  {
+    this->DeclareNoData();
+  }
+  this->BuildOverviews();
+  this->DeclareNoData();
   const std::string partial = this->File->GetPartialFileName();
   GDALDriverH driver = GDALGetDriverByName("COG");
   this->Check(driver != nullptr, "this GDAL writes no cloud-optimized GeoTIFF");
   char** creation = nullptr;
   creation = CSLSetNameValue(creation, "COMPRESS", this->Options.Compression.c_str());
   creation = CSLSetNameValue(creation, "BIGTIFF", "IF_SAFER");
-  creation = CSLSetNameValue(creation, "OVERVIEW_RESAMPLING", "AVERAGE");
+  creation = CSLSetNameValue(creation, "BLOCKSIZE", std::to_string(kBlock).c_str());
   if (this->Options.Compression != "NONE")
   {
     creation = CSLSetNameValue(creation, "PREDICTOR", "YES");

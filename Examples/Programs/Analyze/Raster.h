@@ -72,12 +72,15 @@ public:
 
 private:
   void Check(bool done, const std::string& what) const;
+  void DeclareNoData();
+  void BuildOverviews();
 
   const RasterOptions& Options;
   int Width;
   int Height;
   bool NorthFirst = true;
   bool EastFirst = false;
+  bool HasHoles = false; ///< some value is NaN
   void* Dataset = nullptr;
   vtkNew<vtkTerrainOutputFile> File;
 };

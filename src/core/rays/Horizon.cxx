@@ -43,10 +43,12 @@ HorizonGrid::HorizonGrid(
       rounding = std::max(rounding, most);
     });
   this->Rounding = rounding;
-  this->Single = std::make_unique<PreparedGrid<float>>(width, height, read, parallelFor);
+  this->Single = std::make_unique<PreparedGrid<float>>(
+    PaddedGrid<float>(width, height, read, parallelFor), parallelFor);
   if (rounding > 0.0)
   {
-    this->Double = std::make_unique<PreparedGrid<double>>(width, height, read, parallelFor);
+    this->Double = std::make_unique<PreparedGrid<double>>(
+      PaddedGrid<double>(width, height, read, parallelFor), parallelFor);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/grid/Constants.h"
 #include "core/grid/Heightfield.h"
+#include "core/grid/PaddedGrid.h"
 #include "core/grid/ParallelFor.h"
 #include "core/rays/LaneKernels.h"
 
@@ -90,16 +91,7 @@ public:
   /// Copies the heights; the view need not live on.
   template <typename T>
   HorizonGrid(const HeightfieldView<T>& view, const ParallelFor& parallelFor)
-    : HorizonGrid(
-        view.Width, view.Height,
-        [&view](std::int64_t row, double* heights)
-        {
-          for (std::int64_t i = 0; i < view.Width; ++i)
-          {
-            heights[i] = view.At(i, row);
-          }
-        },
-        parallelFor)
+    : HorizonGrid(view.Width, view.Height, ReadRows(view), parallelFor)
   {
   }
   ~HorizonGrid();
@@ -117,7 +109,6 @@ public:
     const LaneKernels& kernels = RunnableLaneKernels().back()) const;
 
 private:
-  using RowReader = std::function<void(std::int64_t row, double* heights)>;
   HorizonGrid(std::int64_t width, std::int64_t height, const RowReader& read, const ParallelFor&);
 
   template <typename Real>

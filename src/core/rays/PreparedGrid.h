@@ -12,7 +12,7 @@
 #include "core/surface/MinMaxPyramid.h"
 
 #include <cstdint>
-#include <functional>
+#include <utility>
 #include <vector>
 
 namespace terrain
@@ -26,11 +26,8 @@ struct PreparedGrid
   std::vector<typename LaneGrid<Real>::Level> Levels;
   LaneGrid<Real> View;
 
-  /// read: as that of PaddedGrid.
-  PreparedGrid(std::int64_t width, std::int64_t height,
-    const std::function<void(std::int64_t row, double* heights)>& read,
-    const ParallelFor& parallelFor)
-    : Grid(width, height, read, parallelFor)
+  PreparedGrid(PaddedGrid<Real> grid, const ParallelFor& parallelFor)
+    : Grid(std::move(grid))
   {
     this->Pyramid.Build(this->Grid.WithMargin(), parallelFor);
     for (int level = 1; level <= this->Pyramid.LevelCount(); ++level)
@@ -38,7 +35,7 @@ struct PreparedGrid
       const glm::ivec2 size = this->Pyramid.LevelSize(level);
       this->Levels.push_back({ this->Pyramid.LevelNodes(level), size.x, size.y });
     }
-    this->View = { width, height, this->Grid.Stride, this->Grid.At(0, 0),
+    this->View = { this->Grid.Width, this->Grid.Height, this->Grid.Stride, this->Grid.At(0, 0),
       static_cast<int>(this->Grid.Margin), this->Pyramid.CellCount().x, this->Pyramid.CellCount().y,
       this->Pyramid.LevelCount(), this->Levels.data() };
   }

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <utility>
 
 namespace terrain
@@ -17,7 +16,7 @@ namespace
 {
 /// Samples along a side of the blocks that are turned over, so that both sides are read in lines of
 /// memory.
-constexpr std::int64_t kTurned = 16;
+constexpr std::int64_t kTurned = 64;
 
 /// Where there are no data, if that blocks: above all ground, below what overflows squared, and the
 /// same as a float.
@@ -33,56 +32,22 @@ void ForEachTurned(const glm::i64vec2& size, const std::vector<Value>& values,
   parallelFor(values.empty() ? 0 : (size.y + kTurned - 1) / kTurned,
     [&](std::int64_t begin, std::int64_t end)
     {
-      std::array<std::array<Value, kTurned>, kTurned> block;
-      for (std::int64_t j = begin * kTurned; j < std::min(end * kTurned, size.y); j += kTurned)
+      for (std::int64_t first = begin * kTurned; first < std::min(end * kTurned, size.y);
+           first += kTurned)
       {
-        const std::int64_t rows = std::min(kTurned, size.y - j);
         for (std::int64_t i = 0; i < size.x; i += kTurned)
         {
-          const std::int64_t columns = std::min(kTurned, size.x - i);
-          for (std::int64_t k = 0; k < columns; ++k)
+          for (std::int64_t j = first; j < std::min(first + kTurned, size.y); ++j)
           {
-            const Value* from = values.data() + j + size.y * (i + k);
-            for (std::int64_t row = 0; row < rows; ++row)
+            const Value* from = values.data() + j + size.y * i;
+            for (std::int64_t k = 0; k < std::min(kTurned, size.x - i); ++k)
             {
-              block[static_cast<std::size_t>(row)][static_cast<std::size_t>(k)] = from[row];
-            }
-          }
-          for (std::int64_t row = 0; row < rows; ++row)
-          {
-            for (std::int64_t k = 0; k < columns; ++k)
-            {
-              take(i + k + size.x * (j + row),
-                block[static_cast<std::size_t>(row)][static_cast<std::size_t>(k)]);
+              take(i + k + size.x * j, from[size.y * k]);
             }
           }
         }
       }
     });
-}
-
-/// Least and greatest height.
-glm::dvec2 FindRange(const std::function<double(std::int64_t i, std::int64_t j)>& heights,
-  const glm::i64vec2& size, const ParallelFor& parallelFor)
-{
-  glm::dvec2 range(kInfinity, -kInfinity);
-  std::mutex mutex;
-  parallelFor(size.y,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      glm::dvec2 part(kInfinity, -kInfinity);
-      for (std::int64_t j = begin; j < end; ++j)
-      {
-        for (std::int64_t i = 0; i < size.x; ++i)
-        {
-          const double h = heights(i, j);
-          part = { h < part.x ? h : part.x, h > part.y ? h : part.y };
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      range = { std::min(range.x, part.x), std::max(range.y, part.y) };
-    });
-  return range;
 }
 } // namespace
 
@@ -121,42 +86,29 @@ double ViewshedOptions::RiseToBeSeen(const glm::dvec3& target, double hidden) co
                                                                                 : height - target.z;
 }
 
-ViewshedGrid::ViewshedGrid(std::int64_t width, std::int64_t height, const HeightAt& heights,
+ViewshedGrid::ViewshedGrid(const glm::i64vec2& size, const glm::dvec2& range, const RowReader& read,
   const ParallelFor& parallelFor, bool holesBlock)
-  : Width(width)
-  , Height(height)
+  : Width(size.x)
+  , Height(size.y)
 {
-  const glm::dvec2 range = FindRange(heights, { this->Width, this->Height }, parallelFor);
   const bool isEmpty = range.x > range.y;
   this->Relief = isEmpty ? 0.0 : range.y - range.x;
   this->Middle = isEmpty ? 0.0 : 0.5 * (range.x + range.y);
-  // NOLINTNEXTLINE(modernize-make-unique): it is an aggregate that cannot be moved
-  this->Upright.reset(new Side{ PreparedGrid<float>(
-                                  this->Width, this->Height,
-                                  [&](std::int64_t row, double* to)
-                                  {
-                                    for (std::int64_t i = 0; i < this->Width; ++i)
-                                    {
-                                      const double h = heights(i, row) - this->Middle;
-                                      to[i] = holesBlock && std::isnan(h) ? kWallHeight : h;
-                                    }
-                                  },
-                                  parallelFor),
-    false });
-  const PaddedGrid<float>& grid = this->Upright->Grid.Grid;
-  // NOLINTNEXTLINE(modernize-make-unique): it is an aggregate that cannot be moved
-  this->Transposed.reset(new Side{ PreparedGrid<float>(
-                                     this->Height, this->Width,
-                                     [&](std::int64_t column, double* to)
-                                     {
-                                       const float* from = grid.At(column, 0);
-                                       for (std::int64_t j = 0; j < this->Height; ++j)
-                                       {
-                                         to[j] = static_cast<double>(from[j * grid.Stride]);
-                                       }
-                                     },
-                                     parallelFor),
-    true });
+  const RowReader readSide = [&](std::int64_t row, double* heights)
+  {
+    read(row, heights);
+    for (std::int64_t i = 0; i < this->Width; ++i)
+    {
+      const double h = heights[i] - this->Middle;
+      heights[i] = holesBlock && std::isnan(h) ? kWallHeight : h;
+    }
+  };
+  PaddedGrid<float> grid(this->Width, this->Height, readSide, parallelFor);
+  PaddedGrid<float> turned = grid.Transposed(parallelFor);
+  // NOLINTBEGIN(modernize-make-unique): it is an aggregate that cannot be moved
+  this->Upright.reset(new Side{ PreparedGrid<float>(std::move(grid), parallelFor), false });
+  this->Transposed.reset(new Side{ PreparedGrid<float>(std::move(turned), parallelFor), true });
+  // NOLINTEND(modernize-make-unique)
 }
 
 /// One call: what is asked, and where the answers go: for samples by rows, and turned, by columns.

@@ -8,7 +8,9 @@
 #define terrain_Viewshed_h
 
 #include "core/grid/Constants.h"
+#include "core/grid/HeightCodes.h"
 #include "core/grid/Heightfield.h"
+#include "core/grid/PaddedGrid.h"
 #include "core/grid/ParallelFor.h"
 #include "core/rays/LaneKernels.h"
 
@@ -97,9 +99,8 @@ public:
   template <typename T>
   ViewshedGrid(
     const HeightfieldView<T>& view, const ParallelFor& parallelFor, bool holesBlock = false)
-    : ViewshedGrid(
-        view.Width, view.Height, [&view](std::int64_t i, std::int64_t j) { return view.At(i, j); },
-        parallelFor, holesBlock)
+    : ViewshedGrid({ view.Width, view.Height }, RangeOf(FindHeightRange(view, parallelFor)),
+        ReadRows(view), parallelFor, holesBlock)
   {
   }
   ~ViewshedGrid();
@@ -120,12 +121,17 @@ public:
     const LaneKernels& kernels = RunnableLaneKernels().back()) const;
 
 private:
-  using HeightAt = std::function<double(std::int64_t i, std::int64_t j)>;
   struct Side;
   struct Looking;
   class Taker;
-  ViewshedGrid(std::int64_t width, std::int64_t height, const HeightAt& heights,
+  /// range: lowest and highest height; the first is greater if there is none.
+  ViewshedGrid(const glm::i64vec2& size, const glm::dvec2& range, const RowReader& read,
     const ParallelFor& parallelFor, bool holesBlock);
+  template <typename T>
+  static glm::dvec2 RangeOf(const HeightRange<T>& range)
+  {
+    return { static_cast<double>(range.Minimum), static_cast<double>(range.Maximum) };
+  }
   void LookAround(const Looking& looking, const Observer& observer) const;
 
   std::int64_t Width;

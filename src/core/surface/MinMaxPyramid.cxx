@@ -205,7 +205,7 @@ void MinMaxPyramid<T>::Build(const HeightfieldView<T>& view, const ParallelFor& 
   const glm::i64vec2 first(this->LevelSize(1));
   this->NodeCount = static_cast<std::size_t>(this->Layout.Begin(1) + first.x * first.y);
   // Left unwritten here: the threads that build the levels touch the memory first.
-  this->Nodes = std::unique_ptr<Node[]>(new Node[this->NodeCount]);
+  this->Nodes = MakeLargeArray<Node>(this->NodeCount);
   this->BuildFirstLevel(view, { { 0, 0 }, this->LevelSize(1) }, parallelFor);
   for (int level = 2; level <= this->LevelCount(); ++level)
   {

@@ -26,6 +26,7 @@
 #define terrain_MinMaxPyramid_h
 
 #include "core/grid/Heightfield.h"
+#include "core/grid/LargeArray.h"
 #include "core/grid/ParallelFor.h"
 
 #include <glm/glm.hpp>
@@ -113,7 +114,7 @@ public:
     this->Layout = other.GetLayout();
     this->NodeCount = other.NumberOfNodes();
     this->Sizes.clear();
-    this->Nodes = std::make_unique<Node[]>(this->NodeCount);
+    this->Nodes = MakeLargeArray<Node>(this->NodeCount);
     for (int level = 1; level <= other.LevelCount(); ++level)
     {
       const glm::i64vec2 size(other.LevelSize(level));
@@ -188,7 +189,7 @@ private:
   glm::ivec2 Cells{ 0, 0 };
   std::vector<glm::ivec2> Sizes;
   PyramidLayout Layout;
-  std::unique_ptr<Node[]> Nodes;
+  LargeArray<Node> Nodes;
   std::size_t NodeCount = 0;
 };
 }
