@@ -64,6 +64,7 @@ set(private_sources
   raster/GridResample
   raster/HeldFiles
   raster/InputFiles
+  raster/PointText
   raster/PreparedFile
   raster/RasterArray
   raster/RasterBeside
@@ -78,6 +79,7 @@ set(private_sources
   raster/RasterPlace
   raster/RasterRecord
   raster/RasterReference
+  raster/RasterRemedies
   raster/RasterRepairs
   raster/RasterSanity
   raster/RasterSamples

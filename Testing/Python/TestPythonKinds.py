@@ -6,6 +6,7 @@ bands by name. By name, in a folder beside a second tile, and as a DataArray. Sk
 import importlib.util
 import os
 import re
+import subprocess
 import unittest
 import zipfile
 
@@ -382,10 +383,15 @@ class TestKinds(RasterCase):
         gdal.GetDriverByName("GPKG").Create(self.path("points.gpkg"), 0, 0, 0).CreateLayer("points")
         self.assertIn("gdal_grid", self.refusal(self.path("points.gpkg")))
 
-    def test_comments_before_points_are_told(self):
+    def test_comments_before_texts(self):
         with open(self.path("a.xyz"), "w") as file:
             file.write("# made by hand\n# x y z\n" + "".join(f"{c} {r} 5\n" for r in range(4) for c in range(4)))
-        self.assertIn("sed ", self.refusal(self.path("a.xyz")))
+        np.testing.assert_allclose(self.read(self.path("a.xyz"))[0], np.full((4, 4), 5.0))
+        with open(self.path("a.asc"), "w") as file:
+            file.write("# made by hand\nncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n")
+        remedy = re.search(r"\((sed .*) IN > OUT.xyz\)", self.refusal(self.path("a.asc")))[1]
+        subprocess.run(f"{remedy} a.asc > b.asc", shell=True, check=True, cwd=self.folder)
+        np.testing.assert_allclose(self.read(self.path("b.asc"))[0], [[1.0, 2.0], [3.0, 4.0]])
 
     def test_texts_are_read_behind_a_byte_order_mark(self):
         rows = "\n".join(" ".join(f"{value:.6f}" for value in row) for row in ground())

@@ -3,6 +3,7 @@
 #include "raster/FolderFiles.h"
 
 #include "raster/GDALTable.h"
+#include "raster/PointText.h"
 #include "raster/RasterMessages.h"
 #include "raster/Words.h"
 
@@ -67,6 +68,19 @@ bool OpensAsRaster(const std::string& path)
   return opens;
 }
 
+/// True if a text holds points on a grid.
+bool OpensAsPoints(const std::string& path)
+{
+  const GDALMessages messages;
+  RasterRecord record;
+  GDALDatasetH dataset = OpenPointText(path, record);
+  if (dataset)
+  {
+    GDALClose(dataset);
+  }
+  return dataset != nullptr;
+}
+
 /// True if a raster may be heights: it has a place and more than bytes, or parts of its own, and is
 /// not virtual, for then its sources may lie beside it.
 bool MayBeHeights(const std::string& path)
@@ -105,7 +119,7 @@ void SortFile(const std::string& path, FolderFiles& files, std::size_t& asked)
   const std::string name = LowerCase(CPLGetFilename(path.c_str()));
   const std::string extension = LowerCase(CPLGetExtension(path.c_str()));
   const bool isAuxiliary = name.size() > 8 && name.rfind(".aux.xml") == name.size() - 8;
-  if (IsCalledTile(path) || (IsText(extension) && OpensAsRaster(path)))
+  if (IsCalledTile(path) || (IsText(extension) && (OpensAsRaster(path) || OpensAsPoints(path))))
   {
     files.Rasters.push_back(path);
   }

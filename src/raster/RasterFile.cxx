@@ -34,7 +34,8 @@ RasterFile::RasterFile(std::string fileName, const std::string& part, FolderOpen
 {
   this->Dataset = OpenRaster(this->Name, part, this->Record, this->Held, openFolder);
   GDALDriverH driver = GDALGetDatasetDriver(this->Dataset);
-  if (driver && std::strcmp(GDALGetDriverShortName(driver), "MEM") != 0)
+  this->Replaced = driver && std::strcmp(GDALGetDriverShortName(driver), "MEM") == 0;
+  if (driver && !this->Replaced)
   {
     this->Record.Take("format", GDALGetDriverLongName(driver), "GDAL");
   }
@@ -119,7 +120,9 @@ void RasterFile::SelectBand(int band)
   const GDALDataType type = GDALGetRasterDataType(this->Band);
   if (GDALDataTypeIsComplex(type))
   {
-    throw RasterError("its samples are complex numbers, which are no heights");
+    throw RasterError("its samples are complex numbers, which are no heights; take their real part "
+                      "(gdal_translate DERIVED_SUBDATASET:REAL:IN OUT.tif), or AMPLITUDE or PHASE "
+                      "in place of REAL");
   }
   if (type == GDT_Unknown || this->GetWidth() < 1 || this->GetHeight() < 1)
   {

@@ -254,6 +254,8 @@ private:
   void SetReference(const std::string& definition, const std::string& source);
   void TurnFileAxes();
   void PlaceSheared();
+  std::string FindExchanged() const;
+  bool HasDegreesForMetres() const;
   void WarnOfPlace();
   void MakeLayout();
 

@@ -5,22 +5,21 @@
 #include "core/files/OutputFile.h"
 #include "raster/FolderFiles.h"
 #include "raster/GDALTable.h"
+#include "raster/PointText.h"
 #include "raster/RasterMessages.h"
+#include "raster/RasterRemedies.h"
 #include "raster/RasterRepairs.h"
 #include "raster/Words.h"
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <initializer_list>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace terrain
 {
@@ -71,101 +70,6 @@ GDALDatasetH OpenPlain(const std::string& name)
   GDALDatasetH dataset = GDALOpenEx(name.c_str(),
     GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr);
   return dataset ? WithNaN(dataset, name) : nullptr;
-}
-
-/// True if GDAL knows a file as points, lines or areas.
-bool IsVector(const std::string& name)
-{
-  const GDALMessages messages;
-  return GDALIdentifyDriverEx(name.c_str(), GDAL_OF_VECTOR, nullptr, nullptr) != nullptr;
-}
-
-/// What to do about a file of another kind, by its extension; empty if nothing is known.
-std::string RemedyOf(const std::string& name)
-{
-  const std::string extension = Extension(name);
-  if (IsOneOf(extension, { "raw", "dat", "bin" }) && !IsVector(name))
-  {
-    return "it is not a raster that GDAL can open; numbers without a header need one beside them, "
-           "of the same name with .hdr and the lines 'ENVI', 'samples = COLUMNS', 'lines = ROWS', "
-           "'bands = 1', 'data type = 4' (2 for 16 bits, 5 for 64) and 'byte order = 0'";
-  }
-  if (IsOneOf(extension, { "las", "laz", "e57", "copc", "pcd", "ply" }))
-  {
-    return "it holds points, not a raster: make a grid of them first (pdal's writers.gdal)";
-  }
-  if (IsOneOf(extension, { "geojson", "shp", "gpx", "kml", "kmz", "dxf", "gml", "osm" }))
-  {
-    return "it holds points or lines, not a raster: make a grid of them first (gdal_grid)";
-  }
-  if (IsOneOf(extension, { "obj", "stl", "glb", "gltf", "vtp", "vtk", "vti" }))
-  {
-    return "it holds a mesh or an image of VTK, which GDAL does not open: read it with VTK's "
-           "readers";
-  }
-  if (extension == "hgt")
-  {
-    return "it is no square of 1201, 1801, 3601 or 7201 samples of 2 bytes, as .hgt files are: it "
-           "may be incomplete, get it again";
-  }
-  if (IsOneOf(extension, { "7z", "rar", "bz2", "xz" }))
-  {
-    return "it is an archive of a kind that GDAL does not open: unpack it first";
-  }
-  if (IsOneOf(extension, { "zarr" }))
-  {
-    return "this GDAL (" + std::string(GDALVersionInfo("RELEASE_NAME")) +
-      ") opens no such Zarr; version 3 of the format needs GDAL 3.8 or later";
-  }
-  return {};
-}
-
-/// Why a file could not be opened, GDAL's own reason coming last.
-std::string WhyNotOpened(const std::string& name, const std::string& failure)
-{
-  if (name.empty())
-  {
-    return "no file name is given";
-  }
-  VSIStatBufL status;
-  std::memset(&status, 0, sizeof(status));
-  errno = 0;
-  if (VSIStatL(name.c_str(), &status) != 0)
-  {
-    if (errno == EACCES)
-    {
-      return "there is no permission to read it";
-    }
-    const bool plainName = name.find(':') == std::string::npos && name[0] != '<';
-    return plainName || failure.empty() ? "there is no such file" : failure;
-  }
-  if (name.compare(0, 4, "/vsi") != 0 && faccessat(AT_FDCWD, name.c_str(), R_OK, AT_EACCESS) != 0)
-  {
-    return "there is no permission to read it";
-  }
-  if (status.st_size == 0)
-  {
-    return "it is empty";
-  }
-  std::string remedy = RemedyOf(name);
-  if (remedy.empty() && HasComments(name))
-  {
-    remedy = "it is a text with lines before its first point or header that GDAL does not skip: "
-             "take them out (sed '/^[#%/!]/d' IN > OUT.xyz)";
-  }
-  // GDAL's driver XYZ takes the first three columns where it does not know their names.
-  if (remedy.empty() && failure.find("Ungridded") != std::string::npos)
-  {
-    return "its points do not lie on a grid, row by row (" + failure +
-      "): call the right columns x, y and z in its first line, or make a grid by gdal_grid";
-  }
-  if (remedy.empty() && IsVector(name))
-  {
-    return "it holds points or lines, not a raster: make a grid of them first (gdal_grid)";
-  }
-  return remedy.empty()
-    ? "it is not a raster that GDAL can open" + (failure.empty() ? "" : " (" + failure + ")")
-    : remedy;
 }
 
 /// The archive as a folder of GDAL's virtual file systems; empty if it is none.
@@ -416,31 +320,67 @@ bool IsHDF5(GDALDatasetH dataset)
   return IsOneOf(name, { "HDF5", "HDF5Image", "netCDF" });
 }
 
+/// A text of points of which GDAL took other columns than its first line names, read by those.
+GDALDatasetH OpenByNames(
+  GDALDatasetH dataset, const std::string& name, const GDALMessages& messages, RasterRecord& record)
+{
+  const std::vector<std::string>& warnings = messages.GetWarnings();
+  const bool isDefaulted = std::any_of(warnings.begin(), warnings.end(),
+    [](const std::string& warning)
+    { return warning.find(kDefaultedColumns) != std::string::npos; });
+  const std::optional<PointColumns> columns =
+    isDefaulted ? FindPointColumns(ReadColumnNames(name)) : std::nullopt;
+  if (!columns || *columns == PointColumns{ { 0, 1, 2 } })
+  {
+    return dataset;
+  }
+  GDALDatasetH points = OpenPointText(name, record);
+  if (points)
+  {
+    GDALClose(dataset);
+  }
+  return points ? points : dataset;
+}
+
+GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record, HeldFiles& held,
+  FolderOpener openFolder);
+
+/// The one raster of a folder, or several as one.
+GDALDatasetH OpenFolder(std::string& name, std::string& part, RasterRecord& record, HeldFiles& held,
+  FolderOpener openFolder)
+{
+  FolderFiles files = FindFolderFiles(name);
+  if (files.Rasters.empty() && files.OtherRasters.size() == 1)
+  {
+    files.Rasters.swap(files.OtherRasters);
+  }
+  if (files.Rasters.size() != 1)
+  {
+    return OpenSeveral(name, part, record, held, openFolder);
+  }
+  TellOfOthers(files, record);
+  name = files.Rasters.front();
+  record.Take("file", name, "the one raster in the folder");
+  return OpenAny(name, part, record, held, openFolder);
+}
+
 /// Any dataset under this name, with or without bands. `part` becomes empty where it was used.
 GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record, HeldFiles& held,
   FolderOpener openFolder)
 {
   const GDALMessages messages;
   GDALDatasetH dataset = OpenBeside(name, false, record);
+  bool isByNames = false;
   if (!dataset && !name.empty())
   {
     dataset = OpenPlain(name);
+    GDALDatasetH points = dataset ? OpenByNames(dataset, name, messages, record) : nullptr;
+    isByNames = points != dataset;
+    dataset = points;
   }
   if (!dataset && IsDirectory(name)) // of no format that is a directory
   {
-    FolderFiles files = FindFolderFiles(name);
-    if (files.Rasters.empty() && files.OtherRasters.size() == 1)
-    {
-      files.Rasters.swap(files.OtherRasters);
-    }
-    if (files.Rasters.size() == 1)
-    {
-      TellOfOthers(files, record);
-      name = files.Rasters.front();
-      record.Take("file", name, "the one raster in the folder");
-      return OpenAny(name, part, record, held, openFolder);
-    }
-    return OpenSeveral(name, part, record, held, openFolder);
+    return OpenFolder(name, part, record, held, openFolder);
   }
   if (!dataset && !name.empty())
   {
@@ -458,6 +398,11 @@ GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record,
   {
     dataset = OpenBeside(name, true, record);
   }
+  if (!dataset && IsCalledPoints(name) && Exists(name))
+  {
+    dataset = OpenPointText(name, record);
+    isByNames = dataset != nullptr;
+  }
   if (!dataset)
   {
     throw RasterError(WhyNotOpened(name, messages.GetFailure()));
@@ -465,6 +410,10 @@ GDALDatasetH OpenAny(std::string& name, std::string& part, RasterRecord& record,
   for (const std::string& warning : messages.GetWarnings())
   {
     record.Warn("GDAL: " + warning);
+  }
+  if (isByNames)
+  {
+    record.Forget(kDefaultedColumns);
   }
   return dataset;
 }

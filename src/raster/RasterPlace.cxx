@@ -6,6 +6,7 @@
 #include "core/grid/Constants.h"
 #include "raster/CoordinateSystem.h"
 #include "raster/GDALTable.h"
+#include "raster/PointText.h"
 #include "raster/RasterArray.h"
 #include "raster/RasterReference.h"
 #include "raster/RasterRepairs.h"
@@ -47,7 +48,9 @@ bool IsSheared(const std::array<double, 6>& transform, double width, double heig
 }
 
 /// Degrees to metres, true at the centre of the file, which becomes x = 0, y = 0.
-void LayOutDegrees(OGRSpatialReferenceH srs, double width, double height, RasterLayout& layout)
+/// remedy: what to do where they are none.
+void LayOutDegrees(OGRSpatialReferenceH srs, double width, double height, const std::string& remedy,
+  RasterLayout& layout)
 {
   const std::array<double, 6>& transform = layout.GeoTransform;
   const double degrees = OSRGetAngularUnits(srs, nullptr) / kDegree; // per unit
@@ -62,7 +65,7 @@ void LayOutDegrees(OGRSpatialReferenceH srs, double width, double height, Raster
   {
     std::ostringstream text;
     text << "its CRS is in degrees, but its centre lies at latitude " << latitude << " and it is "
-         << extent << " degrees wide (--crs names the right one)";
+         << extent << " degrees wide (--crs names the right one" << remedy << ")";
     throw RasterError(text.str());
   }
   OGRErr error = OGRERR_NONE;
@@ -82,52 +85,6 @@ bool LooksLikeDegrees(const std::array<double, 6>& t, double width, double heigh
   { return std::max(std::fabs(a), std::fabs(b)) <= limit; };
   return std::fabs(t[1]) < kLargestCell && within(t[0], t[0] + width * t[1], 360.0) &&
     within(t[3], t[3] + height * t[5], 90.01);
-}
-
-/// Columns of a text of points whose first two are latitude and longitude, or the other way round.
-enum class PointOrder
-{
-  Unknown,
-  LongitudeFirst,
-  LatitudeFirst,
-  EastingFirst,
-  NorthingFirst
-};
-
-PointOrder OrderOf(const std::vector<std::string>& names)
-{
-  if (names.size() < 3)
-  {
-    return PointOrder::Unknown;
-  }
-  GridAxis first;
-  GridAxis second;
-  first.Name = names[0];
-  second.Name = names[1];
-  const auto isDegrees = [](const std::string& name)
-  { return name.compare(0, 3, "lon") == 0 || name.compare(0, 3, "lat") == 0; };
-  const bool degrees = isDegrees(names[0]) && isDegrees(names[1]);
-  if (GridSideOf(first) == 2 && GridSideOf(second) == 1)
-  {
-    return degrees ? PointOrder::LatitudeFirst : PointOrder::NorthingFirst;
-  }
-  const bool eastFirst = GridSideOf(first) == 1 && GridSideOf(second) == 2;
-  return degrees ? PointOrder::LongitudeFirst
-    : eastFirst  ? PointOrder::EastingFirst
-                 : PointOrder::Unknown;
-}
-
-/// True if columns behind the first two are called as places are.
-bool HasPlacesLater(const std::vector<std::string>& names)
-{
-  int sides = 0;
-  for (std::size_t k = 1; k < names.size(); ++k)
-  {
-    GridAxis axis;
-    axis.Name = names[k];
-    sides |= GridSideOf(axis);
-  }
-  return sides == 3;
 }
 
 /// All samples of a raster that holds coordinates; empty if it cannot be read.
@@ -360,34 +317,20 @@ void RasterFile::PlaceByText()
 }
 
 //------------------------------------------------------------------------------
-// Points of a text whose first line names its columns. GDAL takes the columns that it knows by
-// their names; where it does not know all three it warns, and takes the first three as x, y, z.
+// Points of a text whose first line names its columns. GDAL warns where it does not know all three,
+// and takes the first three as x, y, z; where they are others, OpenPointText reads the file.
 void RasterFile::PlaceByColumns(const std::vector<std::string>& names)
 {
-  static const char* const kDefaulted = "column names in header";
-  const bool isFirstThree = this->Record.HasWarned(kDefaulted);
-  const PointOrder order = OrderOf(names);
-  if (order == PointOrder::Unknown)
+  const std::optional<PointColumns> columns = FindPointColumns(names);
+  if (!columns)
   {
-    if (isFirstThree && HasPlacesLater(names))
-    {
-      throw RasterError("its first three columns are " + ListText(names, 3) +
-        ", of which GDAL makes x, y and z: call the right columns x, y and z in its first line");
-    }
     return;
   }
-  this->Record.Forget(kDefaulted);
-  if (isFirstThree && (order == PointOrder::LatitudeFirst || order == PointOrder::NorthingFirst))
+  this->Record.Forget(kDefaultedColumns);
+  if (AreDegrees(names, *columns) && !this->Reference)
   {
-    const std::array<double, 6> t = this->Transform;
-    this->Replace(MakeTransposed(this->Dataset, this->BandNumber));
-    this->Transform = { t[3], t[5], 0.0, t[0], 0.0, t[1] };
-    this->Record.Take("order", names[0] + " first, " + names[1] + " second", "first line");
-  }
-  const bool isDegrees = order == PointOrder::LatitudeFirst || order == PointOrder::LongitudeFirst;
-  if (isDegrees && !this->Reference)
-  {
-    this->SetReference("EPSG:4326", "columns " + names[0] + ", " + names[1]);
+    this->SetReference(
+      "EPSG:4326", "columns " + names[(*columns)[0]] + ", " + names[(*columns)[1]]);
   }
 }
 
@@ -467,10 +410,82 @@ void RasterFile::PlaceSheared()
 }
 
 //------------------------------------------------------------------------------
+// What to do where a file in degrees lies outside of the area of its CRS, but not if its longitude
+// and latitude are exchanged; empty where they are not.
+std::string RasterFile::FindExchanged() const
+{
+  const std::array<double, 6>& t = this->Transform;
+  const double width = static_cast<double>(this->GetWidth()) * t[1];
+  const double height = static_cast<double>(this->GetHeight()) * t[5];
+  const double x = t[0] + 0.5 * width;
+  const double y = t[3] + 0.5 * height;
+  const double degree = OSRGetAngularUnits(this->Reference, nullptr) / kDegree;
+  const auto isInside = [&](double east, double north)
+  { return std::abs(north * degree) <= 90.0 && IsInArea(this->Reference, east, north); };
+  if (isInside(x, y) || !isInside(y, x))
+  {
+    return {};
+  }
+  const std::string told = "; if its longitude and latitude are exchanged, ";
+  if (!IsCalledPoints(this->Name))
+  {
+    return told +
+      CPLSPrintf("gdal_translate -a_ullr %.10g %.10g %.10g %.10g IN OUT.tif puts them right", t[3],
+        t[0], t[3] + width, t[0] + height);
+  }
+  std::vector<std::string> names = ReadColumnNames(this->Name);
+  const std::string rows = names.empty() ? "cat IN" : "tail -n +2 IN";
+  const PointColumns columns = FindPointColumns(names).value_or(PointColumns{ { 0, 1, 2 } });
+  names.resize(std::max(names.size(), columns.size()), "");
+  names[columns[0]] = "lat";
+  names[columns[1]] = "lon";
+  names[columns[2]] = "z";
+  std::string header;
+  for (const std::string& name : names)
+  {
+    header += (header.empty() ? "" : ",") + name;
+  }
+  return told + "(echo '" + header + "'; " + rows + " | tr -s ' ;\\t' ,) > OUT.csv puts them right";
+}
+
+//------------------------------------------------------------------------------
+// Degrees in a projected CRS: outside of its area, or far too high for metres.
+bool RasterFile::HasDegreesForMetres() const
+{
+  constexpr double kSteepest = 3.0;
+  const double width = static_cast<double>(this->GetWidth());
+  const double height = static_cast<double>(this->GetHeight());
+  const std::array<double, 6>& t = this->Transform;
+  if (!this->HasTransform || !this->Reference || !OSRIsProjected(this->Reference) ||
+    !LooksLikeDegrees(t, width, height))
+  {
+    return false;
+  }
+  const double longest = std::max(std::abs(width * t[1]), std::abs(height * t[5]));
+  return this->Holes.Seen.High - this->Holes.Seen.Low > kSteepest * longest ||
+    !IsInArea(this->Reference, t[0] + 0.5 * width * t[1], t[3] + 0.5 * height * t[5]);
+}
+
+//------------------------------------------------------------------------------
 void RasterFile::WarnOfPlace()
 {
   const auto width = static_cast<double>(this->GetWidth());
   const auto height = static_cast<double>(this->GetHeight());
+  if (this->HasDegreesForMetres())
+  {
+    this->Record.Warn("its CRS, " + NameOfSystem(this->Layout.CRS) +
+      ", is not in degrees, but where it lies looks like degrees (--crs EPSG:4326 for longitude "
+      "and "
+      "latitude)");
+  }
+  const std::string exchanged =
+    this->HasTransform && this->Reference && OSRIsGeographic(this->Reference)
+    ? this->FindExchanged()
+    : std::string();
+  if (!exchanged.empty())
+  {
+    this->Record.Warn("it lies outside of the area that its CRS is for" + exchanged);
+  }
   if (this->HasTransform && !this->Reference && LooksLikeDegrees(this->Transform, width, height))
   {
     this->Record.Warn(
@@ -566,7 +581,7 @@ void RasterFile::MakeLayout()
   CheckAxes(this->Transform);
   if (this->Reference && OSRIsGeographic(this->Reference))
   {
-    LayOutDegrees(this->Reference, width, height, this->Layout);
+    LayOutDegrees(this->Reference, width, height, this->FindExchanged(), this->Layout);
   }
   else if (this->Reference)
   {

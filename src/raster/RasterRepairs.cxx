@@ -447,13 +447,20 @@ std::string SystemBeside(const std::string& file)
 std::vector<std::string> ReadColumnNames(const std::string& file)
 {
   const std::string head = ReadHead(file);
-  const std::string line = LowerCase(head.substr(0, head.find_first_of("\r\n")));
+  std::string line = LowerCase(head.substr(0, head.find_first_of("\r\n")));
+  line.erase(0, std::min(line.find_first_not_of("#%/! \t\xEF\xBB\xBF"), line.size()));
   if (line.find_first_of("abcdefghijklmnopqrstuvwxyz") == std::string::npos)
   {
     return {};
   }
+  // spaces stand within names where there is another separator
+  const char* separator = " ";
+  for (const char* other : { ";", "\t", "," })
+  {
+    separator = *separator == ' ' && line.find(other) != std::string::npos ? other : separator;
+  }
   std::vector<std::string> names;
-  for (std::string name : Split(line, ",;\t "))
+  for (std::string name : Split(line, separator))
   {
     name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
     names.push_back(name);

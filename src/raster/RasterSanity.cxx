@@ -115,7 +115,8 @@ void RasterFile::CheckSanity()
   const std::string range = "heights from " + NumberText(std::min(ends[0], ends[1])) + " to " +
     NumberText(std::max(ends[0], ends[1])) + " m, cells of " + NumberText(cellX) + " x " +
     NumberText(cellY) + " m";
-  if (std::abs(scale) * (seen.High - seen.Low) > kSteepestRelief * longest)
+  if (std::abs(scale) * (seen.High - seen.Low) > kSteepestRelief * longest &&
+    !this->HasDegreesForMetres())
   {
     this->Record.Warn("it is more than three times as high as it is wide (" + range +
       "): check --height-unit, --nodata, " +

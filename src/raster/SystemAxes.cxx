@@ -57,15 +57,17 @@ bool FindArea(
   {
     return true;
   }
-  const char* code = OSRGetAuthorityCode(reference, "PROJCS");
+  const char* code =
+    OSRGetAuthorityCode(reference, OSRIsProjected(reference) ? "PROJCS" : "GEOGCS");
   OGRSpatialReferenceH registered = OSRNewSpatialReference(nullptr);
   const bool found = code && OSRImportFromEPSG(registered, std::atoi(code)) == OGRERR_NONE &&
     OSRGetAreaOfUse(registered, &west, &south, &east, &north, nullptr);
   OSRRelease(registered);
   return found;
 }
+}
 
-/// Longitude and latitude of a point (x east, y north) within the area of the CRS, or near it.
+//------------------------------------------------------------------------------
 bool IsInArea(OGRSpatialReferenceH reference, double x, double y)
 {
   double west = 0.0;
@@ -94,7 +96,6 @@ bool IsInArea(OGRSpatialReferenceH reference, double x, double y)
   OSRRelease(turned);
   return found && x >= west - kMargin && x <= east + kMargin && y >= south - kMargin &&
     y <= north + kMargin;
-}
 }
 
 //------------------------------------------------------------------------------

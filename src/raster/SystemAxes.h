@@ -21,6 +21,10 @@ namespace terrain
 /// the order of axes that GIS programs use. True if an axis points west or south.
 bool TurnAxes(OGRSpatialReferenceH reference);
 
+/// True if a point (x east, y north) lies in the area that a CRS is for, or within a degree of it;
+/// also where that area is not known.
+bool IsInArea(OGRSpatialReferenceH reference, double x, double y);
+
 /// How file coordinates become x east and y north: x = Sign[0] * file[IsSwapped ? 1 : 0], y
 /// likewise.
 struct FileAxes
