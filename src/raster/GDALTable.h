@@ -63,6 +63,7 @@
   ENTRY(GDALClose)                                                                                 \
   ENTRY(GDALCreate)                                                                                \
   ENTRY(GDALCreateApproxTransformer)                                                               \
+  ENTRY(GDALCreateRPCTransformerV2)                                                                \
   ENTRY(GDALCreateTPSTransformer)                                                                  \
   ENTRY(GDALCreateWarpOperation)                                                                   \
   ENTRY(GDALCreateWarpOptions)                                                                     \
@@ -71,6 +72,7 @@
   ENTRY(GDALDatasetRasterIOEx)                                                                     \
   ENTRY(GDALDeleteRasterNoDataValue)                                                               \
   ENTRY(GDALDestroyApproxTransformer)                                                              \
+  ENTRY(GDALDestroyRPCTransformer)                                                                 \
   ENTRY(GDALDestroyTPSTransformer)                                                                 \
   ENTRY(GDALDestroyWarpOperation)                                                                  \
   ENTRY(GDALDestroyWarpOptions)                                                                    \
@@ -79,6 +81,7 @@
   ENTRY(GDALDimensionGetSize)                                                                      \
   ENTRY(GDALExtendedDataTypeCreate)                                                                \
   ENTRY(GDALExtendedDataTypeRelease)                                                               \
+  ENTRY(GDALExtractRPCInfoV2)                                                                      \
   ENTRY(GDALFillRaster)                                                                            \
   ENTRY(GDALFlushRasterCache)                                                                      \
   ENTRY(GDALGCPsToGeoTransform)                                                                    \
@@ -154,6 +157,7 @@
   ENTRY(GDALRATGetValueAsDouble)                                                                   \
   ENTRY(GDALRATGetValueAsInt)                                                                      \
   ENTRY(GDALRATGetValueAsString)                                                                   \
+  ENTRY(GDALRPCTransform)                                                                          \
   ENTRY(GDALRasterIO)                                                                              \
   ENTRY(GDALRasterIOEx)                                                                            \
   ENTRY(GDALReleaseAttributes)                                                                     \

@@ -24,6 +24,8 @@ namespace
 {
 // Cells by which ground control points may be off an affine transform, and places off a spline.
 constexpr double kPointTolerance = 0.01;
+// Pixels by which places are off rational polynomials.
+constexpr double kPolynomialTolerance = 0.001;
 // Samples of a raster that is bent in memory.
 constexpr std::int64_t kMostBent = std::int64_t{ 1 } << 27;
 
@@ -38,6 +40,32 @@ bool FitsAll(const std::array<double, 6>& t, const GDAL_GCP* points, int count)
       const double y = t[3] + point.dfGCPPixel * t[4] + point.dfGCPLine * t[5];
       return std::hypot(x - point.dfGCPX, y - point.dfGCPY) <= kPointTolerance * cell;
     });
+}
+
+/// Longitude and latitude of the middle of each sample, of which the heights in metres are given;
+/// NaN where the polynomials of a transformer of GDAL have none.
+GridPlace PlacesOf(void* polynomials, std::vector<double> heights, std::int64_t width)
+{
+  GridPlace place;
+  place.IsField = true;
+  place.IsGeographic = true;
+  place.X.resize(heights.size());
+  place.Y.resize(heights.size());
+  for (std::size_t k = 0; k < heights.size(); ++k)
+  {
+    const auto row = static_cast<std::int64_t>(k) / width;
+    place.X[k] = static_cast<double>(static_cast<std::int64_t>(k) - row * width) + 0.5;
+    place.Y[k] = static_cast<double>(row) + 0.5;
+  }
+  std::vector<int> done(heights.size(), 0);
+  GDALRPCTransform(polynomials, FALSE, static_cast<int>(heights.size()), place.X.data(),
+    place.Y.data(), heights.data(), done.data());
+  for (std::size_t k = 0; k < heights.size(); ++k)
+  {
+    place.X[k] = done[k] != 0 ? place.X[k] : std::nan("");
+    place.Y[k] = done[k] != 0 ? place.Y[k] : std::nan("");
+  }
+  return place;
 }
 }
 
@@ -109,12 +137,6 @@ void RasterFile::PlaceByPoints()
     this->Record.Warn("it is placed by ground control points that no affine transform fits, which "
                       "are not used: warp it first (gdalwarp -dstnodata -9999 IN OUT.tif)");
   }
-  else if (GDALGetMetadata(this->Dataset, "RPC"))
-  {
-    this->Record.Warn(
-      "it is placed by rational polynomials (RPC), which are not used: warp it first "
-      "(gdalwarp -rpc -t_srs EPSG:4326 -dstnodata -9999 IN OUT.tif)");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -173,6 +195,54 @@ bool RasterFile::BendToPoints(double cell)
       "-dstnodata -9999 IN OUT.tif lays a polynomial among them)");
   }
   return isDone;
+}
+
+//------------------------------------------------------------------------------
+// Gives each sample the longitude and latitude that rational polynomials have for its height.
+void RasterFile::PlaceByPolynomials()
+{
+  char** const items = GDALGetMetadata(this->Dataset, "RPC");
+  GDALRPCInfoV2 polynomials{};
+  if (this->HasTransform || !this->Uneven.X.empty() || !items ||
+    !GDALExtractRPCInfoV2(items, &polynomials))
+  {
+    return;
+  }
+  const char* const kWarp =
+    "(gdalwarp -rpc -r bilinear -t_srs EPSG:4326 -dstnodata -9999 IN OUT.tif)";
+  const std::int64_t width = this->GetWidth();
+  const std::int64_t count = width * this->GetHeight();
+  const std::unique_ptr<void, void (*)(void*)> placed(count <= kMostBent
+      ? GDALCreateRPCTransformerV2(&polynomials, FALSE, kPolynomialTolerance, nullptr)
+      : nullptr,
+    [](void* made) { made ? GDALDestroyRPCTransformer(made) : void(); });
+  if (!placed)
+  {
+    this->Record.Warn(std::string("it is placed by rational polynomials (RPC), and too large to be "
+                                  "resampled in memory: warp it first ") +
+      kWarp);
+    return;
+  }
+  double scale = 1.0;
+  double offset = 0.0;
+  this->GetScaleAndOffset(scale, offset);
+  std::vector<double> heights = this->ReadHeights();
+  for (double& z : heights)
+  {
+    z = std::isnan(z) ? polynomials.dfHEIGHT_OFF : offset + scale * z;
+  }
+  this->Uneven = PlacesOf(placed.get(), std::move(heights), width);
+  if (this->Reference)
+  {
+    this->Record.Warn("the coordinate system that is given is not used: rational polynomials are "
+                      "of longitude and latitude");
+  }
+  this->SetReference("EPSG:4326", "rational polynomials");
+  this->Record.Take("place", "each sample where they put it at its height", "rational polynomials");
+  this->Record.Warn(std::string("it is placed by rational polynomials (RPC): each sample is laid "
+                                "where they put it at its own height, taken for one above the "
+                                "ellipsoid ") +
+    kWarp);
 }
 
 //------------------------------------------------------------------------------

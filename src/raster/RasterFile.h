@@ -263,6 +263,7 @@ private:
   void CheckUnitOfAxes();
   double FactorOfAxes(double metres);
   void PlaceByPoints();
+  void PlaceByPolynomials();
   void TakeSystemOfPoints();
   bool BendToPoints(double cell);
   void TakeSystemBeside();

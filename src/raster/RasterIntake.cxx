@@ -489,6 +489,7 @@ void RasterFile::TakeIn(const RasterOptions& options)
   this->PlaceSheared();
   this->FindHoles(options);
   this->FindHeights(options);
+  this->PlaceByPolynomials();
   this->Resample();
   if (options.Flip)
   {
