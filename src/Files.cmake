@@ -91,6 +91,7 @@ set(private_sources
   raster/RasterUnits
   raster/ReaderPlan
   raster/SystemAxes
+  raster/TileOverlaps
   render/ComputeProgram
   render/ComputeTexture
   render/DetailTexture

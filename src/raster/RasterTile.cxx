@@ -5,6 +5,7 @@
 #include "raster/GDALTable.h"
 #include "raster/RasterMessages.h"
 #include "raster/RasterReference.h"
+#include "raster/Words.h"
 
 #include <algorithm>
 #include <cctype>
@@ -99,6 +100,25 @@ std::vector<std::vector<std::size_t>> FindSites(const std::vector<RasterTile>& t
   return sites;
 }
 
+/// True if a name holds a word of products that are no heights.
+bool HasProductWord(std::string name)
+{
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char c) { return static_cast<char>(std::isalnum(c) ? std::tolower(c) : ' '); });
+  name = " " + name + " ";
+  for (const char* word : { "hillshade", "shade", "shaded", "slope", "aspect", "roughness", "tri",
+         "tpi", "curvature", "wbm", "edm", "flm", "hem", "ql", "msk", "mask", "stk", "num", "swbd",
+         "quality", "uncertainty", "browse", "thumb", "thumbnail", "preview", "ortho", "orthophoto",
+         "count", "srtmswbd" })
+  {
+    if (name.find(" " + std::string(word) + " ") != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return name.find("hillshade") != std::string::npos;
+}
+
 void RemoveNamed(
   std::vector<RasterTile>& tiles, const std::vector<bool>& isLeftOut, RasterRecord& record)
 {
@@ -141,34 +161,30 @@ bool IsFromNorth(const RasterTile& tile)
 //------------------------------------------------------------------------------
 bool IsNamedAsProduct(const std::string& path)
 {
-  std::string name = CPLGetFilename(path.c_str());
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char c) { return static_cast<char>(std::isalnum(c) ? std::tolower(c) : ' '); });
-  name = " " + name + " ";
-  for (const char* word : { "hillshade", "shade", "shaded", "slope", "aspect", "roughness", "tri",
-         "tpi", "curvature", "wbm", "edm", "flm", "hem", "ql", "msk", "mask", "stk", "num", "swbd",
-         "quality", "uncertainty", "browse", "thumb", "thumbnail", "preview", "ortho", "orthophoto",
-         "count", "srtmswbd" })
-  {
-    if (name.find(" " + std::string(word) + " ") != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return name.find("hillshade") != std::string::npos;
+  return HasProductWord(CPLGetFilename(path.c_str()));
+}
+
+//------------------------------------------------------------------------------
+bool IsOtherQuantity(const std::string& description, const std::string& unit)
+{
+  return HasProductWord(description) ||
+    IsOneOf(LowerCase(unit),
+      { "degree", "degrees", "deg", "\xC2\xB0", "radian", "radians", "rad", "percent", "%",
+        "pct" });
 }
 
 //------------------------------------------------------------------------------
 void LeaveOutProducts(std::vector<RasterTile>& tiles, RasterRecord& record)
 {
   const bool hasWide = std::any_of(tiles.begin(), tiles.end(),
-    [](const RasterTile& tile) { return tile.Type != GDT_Byte && !IsNamedAsProduct(tile.Path); });
+    [](const RasterTile& tile)
+    { return tile.Type != GDT_Byte && !tile.IsOtherQuantity && !IsNamedAsProduct(tile.Path); });
   std::vector<bool> isLeftOut;
   isLeftOut.reserve(tiles.size());
   for (const RasterTile& tile : tiles)
   {
-    isLeftOut.push_back(
-      IsNamedAsProduct(tile.Path) || tile.IsColour || (hasWide && tile.Type == GDT_Byte));
+    isLeftOut.push_back(IsNamedAsProduct(tile.Path) || tile.IsColour || tile.IsOtherQuantity ||
+      (hasWide && tile.Type == GDT_Byte));
   }
   RemoveNamed(tiles, isLeftOut, record);
 }

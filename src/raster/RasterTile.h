@@ -43,6 +43,8 @@ struct RasterTile
   double NoData = 0.0;
   bool HasMask = false;
   bool IsColour = false;
+  /// True if its band is called, or has a unit, as slopes, shades and the like have.
+  bool IsOtherQuantity = false;
   /// True if GDAL may not show it as it is read alone: points for a place, an alpha band that is no
   /// mask, another band for its heights, a CRS beside it, distances from a centre, halves.
   bool NeedsLook = false;
@@ -79,7 +81,11 @@ bool IsFromNorth(const RasterTile& tile);
 /// True for names that hold a word of products that are no heights (hillshade, mask, slope, ...).
 bool IsNamedAsProduct(const std::string& path);
 
-/// Leaves out what are no heights: by name, colours, and bytes beside wider types; warns of them.
+/// True for what a band is called, or for its unit, where it holds slopes, shades and the like.
+bool IsOtherQuantity(const std::string& description, const std::string& unit);
+
+/// Leaves out what are no heights: by name, by what their band is called or its unit, colours, and
+/// bytes beside wider types; warns of them.
 void LeaveOutProducts(std::vector<RasterTile>& tiles, RasterRecord& record);
 
 /// Throws RasterError that names the first tile of another CRS, or that is no grid from the north.

@@ -142,6 +142,7 @@ void HoldInMemory(RasterTile& tile, HeldFiles& held)
   }
   DescribeHeld(tile, place->GetPath(), dataset);
   GDALClose(dataset);
+  tile.IsOtherQuantity = tile.IsOtherQuantity && file.GetBand() == 1;
   tile.Scale = tile.BandScale = 1.0;
   tile.Offset = tile.BandOffset = 0.0;
   tile.Unit = "m";

@@ -89,6 +89,7 @@ void DescribeTile(GDALDatasetH dataset, GDALRasterBandH band, RasterTile& tile)
   tile.Description = !facts.Description.empty() ? facts.Description
     : facts.LongName.empty()                    ? facts.Variable
                                                 : facts.LongName;
+  tile.IsOtherQuantity = IsOtherQuantity(tile.Description, facts.BandUnit);
   tile.Warnings = own.GetWarnings();
   tile.Scale = meaning.Factor * tile.BandScale;
   tile.Offset = meaning.Factor * tile.BandOffset;

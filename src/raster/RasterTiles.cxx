@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "raster/RasterTiles.h"
 
+#include "core/strips/HierarchyFile.h"
 #include "raster/FolderFiles.h"
 #include "raster/GDALTable.h"
 #include "raster/RasterMessages.h"
@@ -9,6 +10,7 @@
 #include "raster/RasterTile.h"
 #include "raster/RasterTileAlone.h"
 #include "raster/RasterTileRead.h"
+#include "raster/TileOverlaps.h"
 
 #include <algorithm>
 #include <array>
@@ -203,6 +205,12 @@ std::vector<RasterTile> ReadTiles(
     }
     catch (const RasterError& error)
     {
+      if (IsHierarchyFile(path))
+      {
+        record.Warn("left out of the folder: " + std::string(CPLGetFilename(path.c_str())) +
+          " is a file of terrain-prepare (name it alone to see it)");
+        continue;
+      }
       if (IsCalledTile(path))
       {
         throw;
@@ -290,6 +298,7 @@ GDALDatasetH OpenRasterTiles(
   JoinDateLine(tiles, record);
   ChooseSite(tiles, site, record);
   const Mosaic mosaic = PlanMosaic(std::move(tiles));
+  TellOfOverlaps(mosaic.Tiles, record);
   record.Take("tiles",
     std::to_string(mosaic.Tiles.size()) + " of " + std::to_string(found) + " files", "folder");
   if (!mosaic.IsUniform)
