@@ -114,6 +114,7 @@ TEST_F(TerrainRenderGlobe, MarksLieOnIt)
   const std::string stats = this->ReadText("stats.json");
   EXPECT_NE(stats.find("Near"), std::string::npos);
   EXPECT_EQ(stats.find("Far"), std::string::npos);
+  EXPECT_NE(stats.find("\"cell_unit\" : \"degree\""), std::string::npos) << stats;
   this->ExpectDrawn(this->Draw(path, { "--peaks", "5" }), 100);
 }
 

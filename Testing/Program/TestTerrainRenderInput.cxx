@@ -221,6 +221,7 @@ TEST_F(TerrainRenderInput, SitesOfAFolderAreTerrainsOfOnePicture)
   Json::Value stats = read();
   EXPECT_EQ(stats["sites"].asInt(), 2);
   EXPECT_NEAR(stats["bounds"][1].asDouble() - stats["bounds"][0].asDouble(), kAway + 23.5, 1e-6);
+  EXPECT_EQ(stats["cell_unit"].asString(), "metre");
   EXPECT_NEAR(stats["height_range"][0].asDouble(), 0.0, 1e-5);
   EXPECT_NEAR(stats["height_range"][1].asDouble(), 109.4, 1e-4);
   const Depths depths = this->ReadDepths();

@@ -132,14 +132,15 @@ TEST_F(TerrainRenderOptions, HelpAndVersionAreNoErrors)
 {
   const RunResult help = this->Run({ "--help" });
   EXPECT_EQ(help.Status, 0);
-  for (const char* option : { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells",
-         "--camera", "--view-angle", "--exaggeration", "--depth", "--window", "--frames", "--stats",
-         "--crs", "--frame", "--curvature", "--origin", "--utm-zone", "--cell", "--cubic",
-         "--vertical", "--geoid", "--drape", "--track", "--track-mode", "--look-from", "--look-at",
-         "--sun", "--graticule", "--scale-bar", "--north-arrow", "--pixel-tolerance", "--crossings",
-         "--steps", "--long-steps", "--step-length", "--secant-steps", "--colors", "--range",
-         "--reverse", "--below-sea", "--shadows", "--sun-angle", "--sky-light", "--contours",
-         "--hillshade", "--block", "--legend" })
+  for (const char* option :
+    { "HEIGHTS", "--output", "--size", "--technique", "--mesh-cells", "--camera", "--view-angle",
+      "--exaggeration", "--depth", "--window", "--frames", "--stats", "--crs", "--frame",
+      "--curvature", "--origin", "--utm-zone", "--cell", "--cubic", "--vertical", "--geoid",
+      "--drape", "--track", "--track-mode", "--look-from", "--look-at", "--sun", "--graticule",
+      "--scale-bar", "--north-arrow", "--pixel-tolerance", "--crossings", "--steps", "--long-steps",
+      "--step-length", "--secant-steps", "--colors", "--range", "--reverse", "--below-sea",
+      "--shadows", "--sun-angle", "--sky-light", "--contours", "--hillshade", "--block", "--legend",
+      "a folder or an archive", "height_range", "cell_unit" })
   {
     EXPECT_NE(help.Output.find(option), std::string::npos) << option;
   }

@@ -83,7 +83,9 @@ private:
     const std::string& name, const std::string& text, const std::function<void()>& run)
   {
     CLI::App* command = this->App.add_subcommand(name, text);
-    command->add_option("HEIGHTS", this->Raster.Heights, "Any raster that GDAL opens")
+    command
+      ->add_option("HEIGHTS", this->Raster.Heights,
+        "Any raster that GDAL opens, or a folder or an archive (.zip, .tar, .tgz) of them")
       ->required()
       ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
     this->Raster.Input.Declare(*command);

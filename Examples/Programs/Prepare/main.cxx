@@ -272,7 +272,11 @@ int Run(int argc, char** argv)
   std::string out;
   bool check = false;
   bool quiet = false;
-  app.add_option("HEIGHTS", heights, "Any raster that GDAL opens; with --check a prepared file")
+  app
+    .add_option("HEIGHTS", heights,
+      "Any raster that GDAL opens, or a folder or an archive (.zip, .tar, .tgz) of them; with "
+      "--check "
+      "a prepared file")
     ->required()
     ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
   app.add_option("OUT", out, "The prepared file");

@@ -136,6 +136,12 @@ struct Texts
   DetailArguments Detail;
 };
 
+constexpr const char* kHelpOfStats =
+  "JSON: record and warnings as --describe, columns, rows, samples, samples_without_data, crs, "
+  "height_unit, height_range (m), bounds (x, y, z of the scene, m), cell with cell_unit, "
+  "exaggeration, technique, window, width, height, texture_bytes, peak_memory_bytes, and "
+  "{min, median, max} in ms of read, prepare, first_frame, frame_cpu, frame_gpu, total";
+
 /// Adds an option with a value to an application.
 struct Adder
 {
@@ -152,7 +158,9 @@ void DeclareSearch(CLI::App& app, Options& options, Texts& texts)
 {
   const Adder add{ app };
   add("HEIGHTS", options.Heights, "FILE",
-    "file of heights, any raster GDAL opens; the built-in landscape without")
+    "heights: any raster GDAL opens, a folder or an archive (.zip, .tar, .tgz) of them, which is "
+    "one "
+    "terrain, or a file of terrain-prepare; the built-in landscape without")
     ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
   add("--memory", texts.Memory, "MIB",
     "most memory for a raster that is larger than a texture; default 1024");
@@ -207,7 +215,7 @@ void DeclareView(CLI::App& app, Options& options, Texts& texts)
   add("--window", options.Target, "NAME", "auto (default), egl, osmesa, x")
     ->transform(CLI::CheckedTransformer(kWindows).description(""));
   add("--frames", texts.Frames, "N", "how often the picture is drawn; default 1");
-  add("--stats", options.Stats, "FILE", "JSON of counts, sizes and times");
+  add("--stats", options.Stats, "FILE", kHelpOfStats);
   app.add_flag("--describe", options.Describe,
     "print what HEIGHTS is taken for and what was taken from where, and draw nothing");
 }

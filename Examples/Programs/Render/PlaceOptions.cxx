@@ -154,7 +154,8 @@ void PlaceArguments::Declare(CLI::App& app, PlaceOptions& options)
   { app.add_flag(name, value, help)->group("Places on earth"); };
   add("--frame", this->Frame, "NAME",
     "scene: grid (of the file, where it is in metres and true to scale: the default there), globe "
-    "(of HEIGHTS in degrees, of any planet: the default where they reach over 60), plane "
+    "(of HEIGHTS in degrees, of any planet: the default where they reach over 60, or lie on "
+    "another world), plane "
     "(the default elsewhere: flat, east and north at its origin), local (the same, the earth "
     "round), utm, geocentric, map (the default among the flat ones)")
     ->check(CLI::Validator(

@@ -9,10 +9,12 @@
 #include "Statistics.h"
 #include "Terrain.h"
 
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkTerrainGeoid.h"
 #include "vtkTerrainGeoreference.h"
 #include "vtkTerrainGlobe.h"
@@ -48,6 +50,22 @@ vtkSmartPointer<vtkTerrainGeoreference> DescribeScene(
   return scene;
 }
 
+constexpr const char* kDegrees = "looks like degrees";
+
+/// True if the reader of heights has warned with a text.
+bool HasWarned(vtkImageData* heights, const std::string& text)
+{
+  auto* told = vtkStringArray::SafeDownCast(heights->GetFieldData()->GetAbstractArray("Warnings"));
+  for (vtkIdType k = 0; told && k < told->GetNumberOfValues(); ++k)
+  {
+    if (told->GetValue(k).find(text) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Sets the frame of a scene of the frame Grid for which the options name none. Returns what there
 /// is to warn of.
 std::string ChooseFrame(PlacedHeights& placed, const std::string& name)
@@ -70,8 +88,12 @@ std::string ChooseFrame(PlacedHeights& placed, const std::string& name)
   }
   if (placed.Georeference->GetWhyNot().empty())
   {
+    // of degrees the reader may have told already
     const std::string warning = placed.Georeference->GetWarning();
-    return warning.empty() ? warning : warning + " (--frame local)";
+    return warning.empty() || HasWarned(placed.Image, kDegrees) ? std::string()
+      : warning.find(kDegrees) != std::string::npos
+      ? warning + " (--crs EPSG:4326 for longitude and latitude)"
+      : warning + " (--frame local)";
   }
   return std::string("it reaches too far for a flat scene, and is laid out as a map that is true "
                      "to scale in its middle: ") +

@@ -380,13 +380,15 @@ void RefineTerrain(
 }
 
 //------------------------------------------------------------------------------
-void DescribeTerrain(const Terrain& terrain, vtkImageData* heights, Statistics& statistics)
+void DescribeTerrain(
+  const Terrain& terrain, vtkImageData* heights, bool isGlobe, Statistics& statistics)
 {
   std::array<double, 6> bounds{};
   terrain.Bounds.GetBounds(bounds.data());
   statistics.SetNumbers("bounds", { bounds.begin(), bounds.end() });
   const double* spacing = heights->GetSpacing();
   statistics.SetNumbers("cell", { spacing[0], spacing[1] });
+  statistics.SetText("cell_unit", isGlobe ? "degree" : "metre");
   const double base = heights->GetOrigin()[2];
   const std::array<double, 2> range = HeightRange(terrain.Actor, heights);
   statistics.SetNumbers("height_range",

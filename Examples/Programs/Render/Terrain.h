@@ -87,9 +87,11 @@ void RefineTerrain(
 /// Prints what the file of heights is taken for. Throws a Failure.
 void DescribeFile(const Options& options);
 
-/// Adds the terrain's bounds (as drawn), cell and range of heights (metres, not exaggerated), and
-/// what it takes on the graphics card, after it was drawn.
-void DescribeTerrain(const Terrain& terrain, vtkImageData* heights, Statistics& statistics);
+/// Adds the terrain's bounds (metres, as drawn), its cell with the unit of that (on a globe
+/// degrees), the range of heights (metres, not exaggerated), and what it takes on the graphics
+/// card, after it was drawn.
+void DescribeTerrain(
+  const Terrain& terrain, vtkImageData* heights, bool isGlobe, Statistics& statistics);
 
 /// Adds the histogram of the work of all pixels' rays, nodes visited and samples taken: draws once
 /// more, with a compute shader. Adds nothing for techniques without rays, and where the graphics

@@ -130,7 +130,7 @@ void DrawOutputs(const Stage& stage, ViewMarks& marks, const Options& options,
   {
     DrawFlight({ stage.Renderer, canvas, marks, stage.Ground, stage.Heights }, options, statistics);
   }
-  DescribeTerrain(stage.Ground, stage.Heights.Image, statistics);
+  DescribeTerrain(stage.Ground, stage.Heights.Image, stage.Heights.IsGlobe(), statistics);
   statistics.AddTime("total", watch.GetMilliseconds());
   if (severalSuns)
   {

@@ -154,7 +154,8 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
   app.set_version_flag("--version", TERRAIN_VIEW_VERSION);
   app
     .add_option("HEIGHTS", options.Heights,
-      "any raster that GDAL opens, or a file of terrain-prepare; the built-in landscape without it")
+      "any raster that GDAL opens, a folder or an archive (.zip, .tar, .tgz) of them, which is one "
+      "terrain, or a file of terrain-prepare; the built-in landscape without it")
     ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
   options.Exaggeration.Declare(app);
   options.Input.Declare(app);
