@@ -332,8 +332,8 @@ GDALDatasetH OpenPointText(const std::string& file, RasterRecord& record)
     return nullptr;
   }
   const std::optional<EvenAxis> x = FindEvenAxis(points.X);
-  const std::optional<EvenAxis> y = x ? FindEvenAxis(points.Y) : std::nullopt;
-  if (!y ||
+  const std::optional<EvenAxis> y = FindEvenAxis(points.Y);
+  if (!x || !y ||
     static_cast<double>(x->Count) * static_cast<double>(y->Count) >
       kMostCellsPerPoint * static_cast<double>(points.X.size()))
   {

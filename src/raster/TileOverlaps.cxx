@@ -179,6 +179,33 @@ struct Difference
   }
 };
 
+/// The sample at or before a position, and the share of the way to the next one.
+std::pair<int, double> Split(double index)
+{
+  const double whole = std::floor(index + kSameGrid);
+  const double share = index - whole;
+  return { static_cast<int>(whole), share < kSameGrid ? 0.0 : share };
+}
+
+std::size_t SampleAt(int row, int column, int columns)
+{
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+    static_cast<std::size_t>(column);
+}
+
+/// Highest less lowest.
+double SpanOf(const std::vector<double>& heights)
+{
+  double lowest = HUGE_VAL;
+  double highest = -HUGE_VAL;
+  for (const double each : heights)
+  {
+    lowest = std::isnan(each) ? lowest : std::min(lowest, each);
+    highest = std::isnan(each) ? highest : std::max(highest, each);
+  }
+  return std::max(highest - lowest, 0.0);
+}
+
 /// Compares the samples of a window of one tile with the other's at the same places.
 void CompareWindow(const OpenTile& a, const OpenTile& b, const std::array<int, 4>& window,
   double rounding, Difference& found)
@@ -187,14 +214,8 @@ void CompareWindow(const OpenTile& a, const OpenTile& b, const std::array<int, 4
   const double x = a.Tile.West() + (column + 0.5) * a.Tile.GeoTransform[1];
   const double y = a.Tile.North() + (row + 0.5) * a.Tile.GeoTransform[5];
   const std::array<double, 2> first = b.IndexOf(x, y);
-  const auto split = [](double index)
-  {
-    const double whole = std::floor(index + kSameGrid);
-    return std::pair<int, double>(static_cast<int>(whole),
-      std::clamp(index - whole, 0.0, 1.0) < kSameGrid ? 0.0 : index - whole);
-  };
-  const auto [left, u] = split(first[0]);
-  const auto [top, v] = split(first[1]);
+  const auto [left, u] = Split(first[0]);
+  const auto [top, v] = Split(first[1]);
   const int more[2] = { u > 0.0 ? 1 : 0, v > 0.0 ? 1 : 0 };
   const int wide = std::min(width + more[0], b.Tile.Width - left);
   const int high = std::min(height + more[1], b.Tile.Height - top);
@@ -208,30 +229,25 @@ void CompareWindow(const OpenTile& a, const OpenTile& b, const std::array<int, 4
   {
     return;
   }
-  double lowest = HUGE_VAL;
-  double highest = -HUGE_VAL;
-  for (const double each : low)
-  {
-    lowest = std::isnan(each) ? lowest : std::min(lowest, each);
-    highest = std::isnan(each) ? highest : std::max(highest, each);
-  }
-  const double same =
-    rounding + std::min(kLargestSame, kSameOfSpan * std::max(highest - lowest, 0.0));
+  const double same = rounding + std::min(kLargestSame, kSameOfSpan * SpanOf(low));
   for (int r = 0; r < high - more[1]; ++r)
   {
     for (int c = 0; c < wide - more[0]; ++c)
     {
-      const double* corner = &other[static_cast<std::size_t>(r * wide + c)];
-      const std::array<double, 4> z{ { corner[0], corner[more[0]], corner[more[1] * wide],
-        corner[more[1] * wide + more[0]] } };
+      const std::size_t corner = SampleAt(r, c, wide);
+      const std::size_t south = corner + SampleAt(more[1], 0, wide);
+      const auto east = static_cast<std::size_t>(more[0]);
+      const std::array<double, 4> z{ { other[corner], other[corner + east], other[south],
+        other[south + east] } };
+      const double own = low[SampleAt(r, c, width)];
       const double between =
         (1.0 - v) * ((1.0 - u) * z[0] + u * z[1]) + v * ((1.0 - u) * z[2] + u * z[3]);
-      const double off = std::abs(between - low[static_cast<std::size_t>(r * width + c)]);
+      const double off = std::abs(between - own);
       // between samples a surface may run as it likes
       const auto [lowest4, highest4] = std::minmax_element(z.begin(), z.end());
       const double slack = u + v > 0.0 ? *highest4 - *lowest4 : 0.0;
       found.Samples += std::isnan(off) ? 0 : 1;
-      found.Step += std::isnan(off) ? 0.0 : between - low[static_cast<std::size_t>(r * width + c)];
+      found.Step += std::isnan(off) ? 0.0 : between - own;
       if (off > same + slack)
       {
         ++found.Different;
