@@ -5,7 +5,6 @@ order and with any names, tiles over one another, rational polynomials. Skipped 
 import os
 import re
 import subprocess
-import unittest
 
 import numpy as np
 import vtkTerrainTesting
@@ -126,8 +125,8 @@ class TestTexts(RemedyCase):
             places = np.meshgrid(np.linspace(x0, x1, heights.shape[1]), np.linspace(y1, y0, heights.shape[0]))
             np.testing.assert_allclose(heights[100:150, 100:150],
                                        (100.0 + 0.1 * places[0] + 0.05 * places[1])[100:150, 100:150], atol=0.5)
-            for name in filter(lambda each: each.startswith("P."), os.listdir(self.folder)):
-                os.remove(self.path(name))
+            for made in filter(lambda each: each.startswith("P."), os.listdir(self.folder)):
+                os.remove(self.path(made))
 
     def test_columns_that_names_do_not_tell(self):
         rows = np.column_stack([np.arange(ROWS * COLUMNS), points()])
