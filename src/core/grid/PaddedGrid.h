@@ -108,8 +108,8 @@ struct PaddedGrid
   }
 
 private:
-  /// Samples along a side of the blocks that are transposed, so that both grids are read and written
-  /// in lines of memory.
+  /// Samples along a side of the blocks that are transposed, so that both grids are read and
+  /// written in lines of memory.
   static constexpr std::int64_t Turned = 16;
 
   /// Only the margin is filled.
