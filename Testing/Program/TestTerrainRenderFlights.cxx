@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -77,13 +78,14 @@ protected:
   }
 
   /// A program in place of ffmpeg, in a folder of its own, and the words to run with it alone.
-  std::vector<std::string> WithFilmMaker(const std::string& script) const
+  std::vector<std::string> WithFilmMaker(const std::string& script,
+    const std::string& size = "64x48", const std::string& flight = "spin:0.5") const
   {
     fs::create_directory(this->Path("bin"));
     this->WriteText("bin/ffmpeg", "#!/bin/sh\n" + script);
     fs::permissions(this->Path("bin/ffmpeg"), fs::perms::owner_all);
     return { "/usr/bin/env", "PATH=" + this->Path("bin") + ":/bin:/usr/bin", Program(), this->Hill,
-      "--size", "64x48", "--flight", "spin:0.5", "--fps", "6" };
+      "--size", size, "--flight", flight, "--fps", "6" };
   }
 
   std::string Hill;
@@ -247,30 +249,121 @@ TEST_F(TerrainRenderFlights, FullDiskKeepsFramesMade)
   }
 }
 
-TEST_F(TerrainRenderFlights, FilmsAreMadeOfFrames)
+// ffmpeg as the tests have it: it takes its words down, and its input for a film.
+const char* const kRecorder = "echo \"$@\" >> \"${0%/*}/words\"\nfor last; do :; done\n"
+                              "case \"$*\" in *pipe:0*) cat;; *) cat spin-frames/*.png;; esac "
+                              "> \"$last\"\n";
+
+TEST_F(TerrainRenderFlights, FilmsAreEncodedWhileFramesAreDrawn)
 {
-  // takes the words down, and the first bytes of the first frame for a film
-  std::vector<std::string> command =
-    this->WithFilmMaker("echo \"$@\" > \"${0%/*}/words\"\nfor last; do :; done\nhead -c 8 "
-                        "spin-frames/frame-00001.png > "
-                        "\"$last\"\n");
+  std::vector<std::string> command = this->WithFilmMaker(kRecorder);
   command.insert(command.end(), { "--output", "spin.mp4" });
   const RunResult film = this->RunCommand(command);
   EXPECT_EQ(film.Status, 0) << film.Errors;
   EXPECT_EQ(film.Output, this->Path("spin.mp4") + "\n");
-  EXPECT_EQ(this->ReadText("spin.mp4").substr(1, 3), "PNG");
+  EXPECT_EQ(this->CountFrames("spin-frames"), 0);
+  // three frames of three bytes a pixel, the lowest row first; then a list of the parts
+  EXPECT_EQ(this->ReadText("spin-frames/frames-00001-00003.mp4").size(), 3U * 64U * 48U * 3U);
+  EXPECT_EQ(this->ReadText("spin.mp4"),
+    "file 'file:" + this->Path("spin-frames/frames-00001-00003.mp4") + "'\nduration 0.500000\n");
+  const std::string words = this->ReadText("bin/words");
+  EXPECT_NE(words.find("-video_size 64x48 -framerate 6.0"), std::string::npos) << words;
+  EXPECT_NE(words.find("libx264"), std::string::npos) << words;
+  EXPECT_NE(words.find("-f concat"), std::string::npos) << words;
+  // another kind of film has parts of its own
+  command.back() = "spin.webm";
+  EXPECT_EQ(this->RunCommand(command).Status, 0);
+  EXPECT_NE(this->ReadText("bin/words").find("libvpx-vp9"), std::string::npos);
+  EXPECT_TRUE(fs::exists(this->Path("spin-frames/frames-00001-00003.webm")));
+}
+
+TEST_F(TerrainRenderFlights, FilmsAreMadeOfFrames)
+{
+  std::vector<std::string> command = this->WithFilmMaker(kRecorder);
+  command.insert(command.end(), { "--output", "spin.gif" });
+  EXPECT_EQ(this->RunCommand(command).Status, 0);
   EXPECT_EQ(this->CountFrames("spin-frames"), 3);
+  EXPECT_EQ(this->ReadText("spin.gif").substr(1, 3), "PNG");
   const std::string words = this->ReadText("bin/words");
   EXPECT_NE(words.find("-framerate 6.0"), std::string::npos) << words;
   EXPECT_NE(words.find("-i spin-frames/frame-%05d.png"), std::string::npos) << words;
-  EXPECT_NE(words.find("libx264"), std::string::npos) << words;
-  // of the same frames another kind
-  command.back() = "spin.gif";
-  EXPECT_EQ(this->RunCommand(command).Status, 0);
-  EXPECT_NE(this->ReadText("bin/words").find("palettegen"), std::string::npos);
+  EXPECT_NE(words.find("palettegen"), std::string::npos);
+  // of the same frames other kinds
   command.back() = "spin.webp";
   EXPECT_EQ(this->RunCommand(command).Status, 0);
   EXPECT_NE(this->ReadText("bin/words").find("libwebp_anim"), std::string::npos);
+  command.back() = "spin.mp4";
+  EXPECT_EQ(this->RunCommand(command).Status, 0);
+  EXPECT_EQ(this->ReadText("spin.mp4").substr(1, 3), "PNG");
+}
+
+/// The frames of a film, red, green, blue, as ffmpeg decodes them.
+std::string Decode(const std::string& film)
+{
+  const std::string raw = film + ".raw";
+  const std::string command =
+    "ffmpeg -loglevel error -y -i '" + film + "' -f rawvideo -pix_fmt rgb24 '" + raw + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  std::ifstream file(raw, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// A film in parts, the second of which is made anew, has the frames of the flight in their order
+// and colours.
+TEST_F(TerrainRenderFlights, FilmsHaveTheFramesOfTheFlight)
+{
+  if (std::system("ffmpeg -loglevel quiet -encoders 2>/dev/null | grep -q libx264") != 0)
+  {
+    GTEST_SKIP() << "there is no ffmpeg with x264 here";
+  }
+  const auto fly = [this](const std::string& output)
+  {
+    return this->Run(
+      { this->Hill, "--size", "96x63", "--flight", "spin:7", "--fps", "3", "--output", output });
+  };
+  ASSERT_EQ(fly("spin").Status, 0);
+  const RunResult first = fly("spin.mp4");
+  ASSERT_EQ(first.Status, 0) << first.Errors;
+  const std::string part = this->Path("spin-frames/frames-00016-00021.mp4");
+  ASSERT_TRUE(fs::remove(part));
+  fs::remove(this->Path("spin.mp4"));
+  ASSERT_EQ(fly("spin.mp4").Status, 0);
+  EXPECT_TRUE(fs::exists(part));
+  const std::string frames = Decode(this->Path("spin.mp4"));
+  constexpr int kEvenHeight = 64; // its last row is black
+  ASSERT_EQ(frames.size(), 21U * 96U * kEvenHeight * 3U);
+  for (int k = 0; k < 21; ++k)
+  {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "spin/frame-%05d.png", k + 1);
+    const Picture still = this->ReadPicture(name.data());
+    double sum = 0.0;
+    for (std::size_t byte = 0; byte < still.Values.size(); ++byte)
+    {
+      sum += std::abs(int{ still.Values[byte] } -
+        int{ static_cast<unsigned char>(frames[k * 96U * kEvenHeight * 3U + byte]) });
+    }
+    EXPECT_LT(sum / static_cast<double>(still.Values.size()), 6.0) << "frame " << k;
+  }
+  std::string times;
+  FILE* probe = popen(
+    ("ffprobe -v error -show_entries packet=pts_time -of csv=p=0 '" + this->Path("spin.mp4") + "'")
+      .c_str(),
+    "r");
+  for (int letter = std::fgetc(probe); letter != EOF; letter = std::fgetc(probe))
+  {
+    times += static_cast<char>(letter);
+  }
+  EXPECT_EQ(pclose(probe), 0);
+  std::istringstream lines(times);
+  for (int k = 0; k < 21; ++k)
+  {
+    double seconds = -1.0;
+    lines >> seconds;
+    EXPECT_NEAR(seconds, k / 3.0, 1e-4);
+  }
 }
 
 // As the container's specification has it: RIFF, WEBP, ANIM, and a chunk ANMF for each frame.
@@ -300,12 +393,80 @@ TEST_F(TerrainRenderFlights, FilmsThatCannotBeMade)
 {
   std::vector<std::string> command = this->WithFilmMaker("echo no codec >&2\nexit 3\n");
   command.insert(command.end(), { "--output", "spin.webm" });
+  ExpectRefused(
+    this->RunCommand(command), 1, "spin.webm: ffmpeg made no film (no codec); no frame is kept");
+  command.back() = "spin.gif";
   ExpectRefused(this->RunCommand(command), 1, "ffmpeg made no film (no codec); the frames are in");
   EXPECT_EQ(this->CountFrames("spin-frames"), 3);
   EXPECT_FALSE(fs::exists(this->Path("spin.webm")));
+  EXPECT_FALSE(fs::exists(this->Path("spin.gif")));
   fs::remove(this->Path("bin/ffmpeg"));
   command[1] = "PATH=" + this->Path("bin");
   ExpectRefused(this->RunCommand(command), 2, "ffmpeg, which is not on the PATH: install it");
+}
+
+// It takes 20 frames and ends, well or not; the second time it ends in the second part.
+TEST_F(TerrainRenderFlights, FilmMakersThatEndEarly)
+{
+  const auto fly = [this](const std::string& script)
+  {
+    std::vector<std::string> command = this->WithFilmMaker(script, "160x120", "spin:15");
+    command.insert(command.end(), { "--output", "spin.mp4" });
+    return this->RunCommand(command);
+  };
+  const std::string takesSome = "for last; do :; done\nhead -c 1152000 > \"$last\"\n";
+  ExpectRefused(fly(takesSome + "echo the disk is full >&2\nexit 1\n"), 1,
+    "spin.mp4: ffmpeg made no film (the disk is full); no frame is kept");
+  const std::string inTheSecond = "case \"$*\" in *frames-00031*) " + takesSome +
+    "kill -9 $$;; *) for last; do :; done; cat > \"$last\";; esac\n";
+  ExpectRefused(fly(inTheSecond), 1,
+    "ffmpeg made no film; 30 of 90 frames are kept in 'spin-frames', and the same command goes on");
+  std::vector<std::string> left;
+  for (const fs::directory_entry& entry : fs::directory_iterator(this->Path("spin-frames")))
+  {
+    left.push_back(entry.path().filename().string());
+  }
+  std::sort(left.begin(), left.end());
+  EXPECT_EQ(
+    left, (std::vector<std::string>{ "flight.csv", "frames-00001-00030.mp4", "scene.toml" }));
+  EXPECT_FALSE(fs::exists(this->Path("spin.mp4")));
+  const RunResult rest = fly("for last; do :; done\ncat > \"$last\"\n");
+  EXPECT_EQ(rest.Status, 0) << rest.Errors;
+  EXPECT_EQ(this->ReadText("spin-frames/frames-00031-00060.mp4").size(), 30U * 160U * 120U * 3U);
+  EXPECT_NE(this->ReadText("spin.mp4").find("frames-00061-00090.mp4"), std::string::npos);
+}
+
+// ffmpeg itself on a disk that is full after a part or two.
+TEST_F(TerrainRenderFlights, FullDiskKeepsPartsMade)
+{
+  if (std::system("ffmpeg -loglevel quiet -encoders 2>/dev/null | grep -q libx264") != 0)
+  {
+    GTEST_SKIP() << "there is no ffmpeg with x264 here";
+  }
+  // five seconds of the sky alone, then of the hill
+  this->WriteText("down.csv",
+    "seconds,x,y,z,look_x,look_y,look_z\n0,32,-90,60,32,-91,200\n"
+    "6,32,-90,60,32,-91,200\n12,32,-60,40,32,-24,5\n");
+  const auto fly = [this](long disk)
+  {
+    return this->Run({ this->Hill, "--size", "200x150", "--flight", "down.csv", "--fps", "4",
+                       "--output", "down.mp4", "--contours", "1" },
+      disk);
+  };
+  const RunResult full = fly(30000);
+  EXPECT_EQ(full.Status, 1);
+  EXPECT_EQ(std::count(full.Errors.begin(), full.Errors.end(), '\n'), 1) << full.Errors;
+  EXPECT_NE(full.Errors.find("File too large"), std::string::npos) << full.Errors;
+  EXPECT_NE(full.Errors.find("0 of 48 frames are kept in 'down-frames'"), std::string::npos)
+    << full.Errors;
+  EXPECT_FALSE(fs::exists(this->Path("down.mp4")));
+  EXPECT_TRUE(fs::exists(this->Path("down-frames/frames-00001-00020.mp4")));
+  for (const fs::directory_entry& entry : fs::directory_iterator(this->Path("down-frames")))
+  {
+    EXPECT_EQ(entry.path().string().find("partial"), std::string::npos) << entry.path();
+  }
+  EXPECT_EQ(fly(0).Status, 0);
+  EXPECT_EQ(Decode(this->Path("down.mp4")).size(), 48U * 200U * 150U * 3U);
 }
 
 TEST_F(TerrainRenderFlights, TracksAreSeenFromBehind)

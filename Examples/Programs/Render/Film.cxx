@@ -4,104 +4,115 @@
 
 #include "Failure.h"
 
-#include "vtkNew.h"
-#include "vtkTerrainOutputFile.h"
+#include "vtkImageData.h"
 
-#include <array>
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
-#include <vector>
 
-#include <fcntl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
 
 namespace
 {
-const char* const kFilmMaker = "ffmpeg";
-/// Exit status of a child that could not become the program.
-constexpr int kNotRun = 127;
+using Words = std::vector<std::string>;
 
-/// What encodes: ffmpeg's words for the kinds of film.
-std::vector<std::string> EncoderOf(const std::string& extension)
+const char* const kFilmMaker = "ffmpeg";
+
+void Append(Words& words, const Words& more)
 {
-  // sides of films of these kinds are even
-  const std::string even = "pad=ceil(iw/2)*2:ceil(ih/2)*2";
+  words.insert(words.end(), more.begin(), more.end());
+}
+
+std::string KindOf(const std::string& output)
+{
+  return fs::path(output).extension().string();
+}
+
+/// ffmpeg's words before its input: it asks nothing, tells errors, and ends with the first.
+Words Begin()
+{
+  return { kFilmMaker, "-loglevel", "error", "-xerror", "-y" };
+}
+
+/// Makes sides even, as films of .mp4 and .webm need them.
+const char* const kEven = "pad=ceil(iw/2)*2:ceil(ih/2)*2";
+
+/// What encodes: ffmpeg's words for the kinds of film, after a filter of the frames.
+Words EncoderOf(const std::string& extension, const std::string& filter)
+{
+  // players take colours without a matrix for those of BT.709
+  const std::string filters = filter + ",scale=out_color_matrix=bt709:out_range=tv";
+  const Words colors = { "-pix_fmt", "yuv420p", "-colorspace", "bt709", "-color_primaries", "bt709",
+    "-color_trc", "bt709" };
+  Words words;
   if (extension == ".mp4")
   {
-    return { "-vf", even, "-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-pix_fmt",
-      "yuv420p", "-movflags", "+faststart", "-f", "mp4" };
+    words = { "-vf", filters, "-c:v", "libx264", "-preset", "ultrafast", "-crf", "22" };
+    Append(words, colors);
+    Append(words, { "-f", "mp4" });
   }
-  if (extension == ".webm")
+  else if (extension == ".webm")
   {
-    return { "-vf", even, "-c:v", "libvpx-vp9", "-crf", "30", "-b:v", "0", "-row-mt", "1",
-      "-pix_fmt", "yuv420p", "-f", "webm" };
+    words = { "-vf", filters, "-c:v", "libvpx-vp9", "-crf", "30", "-b:v", "0", "-row-mt", "1" };
+    Append(words, colors);
+    Append(words, { "-f", "webm" });
   }
-  if (extension == ".webp")
+  else if (extension == ".webp")
   {
-    return { "-c:v", "libwebp_anim", "-quality", "80", "-compression_level", "3", "-loop", "0",
+    words = { "-c:v", "libwebp_anim", "-quality", "80", "-compression_level", "3", "-loop", "0",
       "-f", "webp" };
   }
-  return { "-vf", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=bayer", "-f", "gif" };
+  else
+  {
+    words = { "-vf", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=bayer", "-f", "gif" };
+  }
+  return words;
 }
 
-/// Runs a program of the PATH. Returns its exit status and what it says on stderr.
-std::pair<int, std::string> RunProgram(std::vector<std::string> words)
+/// Why ffmpeg wrote no file; empty if it did.
+std::string WhyNone(const Child::Ending& ending, const std::string& file)
 {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0)
-  {
-    return { kNotRun, "no pipe can be had" };
-  }
-  std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (std::string& word : words)
-  {
-    pointers.push_back(word.data());
-  }
-  pointers.push_back(nullptr);
-  const pid_t child = fork();
-  if (child == 0)
-  {
-    dup2(ends[1], STDERR_FILENO);
-    close(ends[0]);
-    const int nothing = open("/dev/null", O_RDWR);
-    dup2(nothing, STDIN_FILENO);
-    dup2(nothing, STDOUT_FILENO);
-    execvp(pointers[0], pointers.data());
-    _exit(kNotRun);
-  }
-  close(ends[1]);
-  std::string said;
-  std::array<char, 4096> part{};
-  for (ssize_t count = 1; child > 0 && count > 0;)
-  {
-    count = read(ends[0], part.data(), part.size());
-    said.append(part.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
-    count = count < 0 && errno == EINTR ? 1 : count;
-  }
-  close(ends[0]);
-  int status = -1;
-  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
-  {
-  }
-  return { child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : kNotRun, said };
+  std::error_code error;
+  const bool isEmpty = fs::file_size(file, error) == 0 || error;
+  const std::string line = LastLine(ending.Said);
+  return ending.Status == 0 && !isEmpty ? std::string()
+    : line.empty()                      ? "ffmpeg made no film"
+                                        : "ffmpeg made no film (" + line + ")";
 }
 
-/// The last line of a text that is not empty.
-std::string LastLine(const std::string& text)
+/// A path as a list of ffmpeg's demuxer "concat" has it.
+std::string ListedPath(const std::string& path)
 {
-  std::istringstream lines(text);
-  std::string last;
-  for (std::string line; std::getline(lines, line);)
+  std::string text = "file 'file:";
+  for (const char letter : fs::absolute(path).string())
   {
-    last = line.empty() ? last : line;
+    text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
   }
-  return last;
+  return text + "'\n";
+}
+
+/// Runs ffmpeg with an input of text; the film is what the last word names.
+void Make(Words words, const std::string& input, const std::string& output, const std::string& kept)
+{
+  const vtkNew<vtkTerrainOutputFile> file;
+  if (!file->Open(output))
+  {
+    throw Failure(file->GetErrorMessage());
+  }
+  words.push_back(file->GetPartialFileName());
+  Child maker(words);
+  maker.Feed(input.data(), input.size());
+  const std::string why = WhyNone(maker.Wait(), file->GetPartialFileName());
+  if (!why.empty())
+  {
+    throw Failure(output, why + "; " + kept);
+  }
+  if (!file->Commit())
+  {
+    throw Failure(file->GetErrorMessage());
+  }
 }
 }
 
@@ -123,32 +134,79 @@ bool HasFilmMaker()
 }
 
 //------------------------------------------------------------------------------
-void MakeFilm(const std::string& folder, double rate, const std::string& output)
+bool HasParts(const std::string& extension)
 {
-  const vtkNew<vtkTerrainOutputFile> file;
-  if (!file->Open(output))
+  return extension == ".mp4" || extension == ".webm";
+}
+
+//------------------------------------------------------------------------------
+void MakeFilm(
+  const std::string& folder, double rate, const std::string& output, const std::string& kept)
+{
+  Words words = Begin();
+  Append(words,
+    { "-nostdin", "-framerate", std::to_string(rate), "-i",
+      (fs::path(folder) / "frame-%05d.png").string() });
+  Append(words, EncoderOf(KindOf(output), kEven));
+  if (KindOf(output) == ".mp4")
   {
-    throw Failure(file->GetErrorMessage());
+    Append(words, { "-movflags", "+faststart" });
   }
-  std::vector<std::string> words = { kFilmMaker, "-nostdin", "-loglevel", "error", "-y",
-    "-framerate", std::to_string(rate), "-i", (fs::path(folder) / "frame-%05d.png").string() };
-  for (const std::string& word : EncoderOf(fs::path(output).extension().string()))
+  Make(words, {}, output, kept);
+}
+
+//------------------------------------------------------------------------------
+void JoinParts(const std::vector<std::pair<std::string, double>>& parts, const std::string& output,
+  const std::string& kept)
+{
+  Words words = Begin();
+  Append(words,
+    { "-f", "concat", "-safe", "0", "-protocol_whitelist", "file,pipe,fd", "-i", "pipe:0", "-c",
+      "copy", "-f", KindOf(output).substr(1) });
+  if (KindOf(output) == ".mp4")
   {
-    words.push_back(word);
+    Append(words, { "-movflags", "+faststart" });
   }
-  words.push_back(file->GetPartialFileName());
-  const auto [status, said] = RunProgram(words);
-  std::error_code error;
-  const bool isEmpty = fs::file_size(file->GetPartialFileName(), error) == 0 || error;
-  if (status != 0 || isEmpty)
+  std::string list;
+  for (const auto& [name, seconds] : parts)
   {
-    const std::string line = LastLine(said);
-    throw Failure(output,
-      "ffmpeg made no film" + (line.empty() ? "" : " (" + line + ")") + "; the frames are in '" +
-        folder + "'");
+    // files round their durations to milliseconds
+    list += ListedPath(name) + "duration " + std::to_string(seconds) + '\n';
   }
-  if (!file->Commit())
+  Make(words, list, output, kept);
+}
+
+//------------------------------------------------------------------------------
+FilmPart::FilmPart(const std::string& name, const std::array<int, 2>& size, double rate)
+{
+  if (!this->File->Open(name))
   {
-    throw Failure(file->GetErrorMessage());
+    throw Failure(this->File->GetErrorMessage());
   }
+  Words words = Begin();
+  Append(words,
+    { "-f", "rawvideo", "-pix_fmt", "rgb24", "-video_size",
+      std::to_string(size[0]) + "x" + std::to_string(size[1]), "-framerate", std::to_string(rate),
+      "-i", "pipe:0" });
+  // the lowest row is VTK's first
+  const bool isEven = size[0] % 2 == 0 && size[1] % 2 == 0;
+  Append(words, EncoderOf(KindOf(name), isEven ? "vflip" : std::string("vflip,") + kEven));
+  words.push_back(this->File->GetPartialFileName());
+  this->Encoder = std::make_unique<Child>(words);
+}
+
+//------------------------------------------------------------------------------
+bool FilmPart::Add(vtkImageData* picture)
+{
+  const std::size_t size = static_cast<std::size_t>(picture->GetNumberOfPoints()) *
+    static_cast<std::size_t>(picture->GetNumberOfScalarComponents());
+  return this->Encoder->Feed(picture->GetScalarPointer(), size);
+}
+
+//------------------------------------------------------------------------------
+std::string FilmPart::Finish()
+{
+  const std::string why = WhyNone(this->Encoder->Wait(), this->File->GetPartialFileName());
+  const bool isThere = why.empty() && this->File->Commit();
+  return isThere || !why.empty() ? why : this->File->GetErrorMessage();
 }

@@ -6,8 +6,8 @@
 #include "Day.h"
 #include "DefaultView.h"
 #include "Failure.h"
-#include "Film.h"
 #include "FlightFile.h"
+#include "FlightFrames.h"
 #include "FlightPath.h"
 #include "Messages.h"
 #include "Options.h"
@@ -28,10 +28,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <future>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -193,13 +192,6 @@ void OpenFolder(const std::string& folder, const std::string& description)
   file.Commit();
 }
 
-std::string FrameName(const std::string& folder, std::size_t frame)
-{
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "frame-%05zu.png", frame + 1);
-  return (fs::path(folder) / name.data()).string();
-}
-
 /// The views as a flight of their own.
 void WriteViews(const std::string& folder, const std::vector<FlightView>& views, double rate)
 {
@@ -242,53 +234,17 @@ std::string TimeLeft(double seconds)
   return text.str();
 }
 
-/// Encodes frames beside the drawing of the next ones, and writes them.
-class FrameWriter
-{
-public:
-  explicit FrameWriter(double dots)
-    : Dots(dots)
-  {
-  }
-
-  /// Takes a frame over, after the one before is written. Throws a Failure.
-  void Take(const std::string& name, const vtkSmartPointer<vtkImageData>& picture)
-  {
-    this->Finish();
-    this->Name = name;
-    this->Bytes = std::async(std::launch::async,
-      [picture, dots = this->Dots] { return EncodePicture(picture, dots, PictureUse::Passing); });
-  }
-  /// Writes what was taken. Throws a Failure.
-  void Finish()
-  {
-    if (this->Bytes.valid())
-    {
-      const PendingFile file(this->Name);
-      WriteEncoded(this->Bytes.get(), file);
-      file.Commit();
-    }
-  }
-
-private:
-  double Dots;
-  std::string Name;
-  std::future<std::vector<unsigned char>> Bytes;
-};
-
 /// Draws the frames that are missing; returns their number.
 std::size_t DrawMissing(const FlightStage& stage, const std::vector<FlightView>& views,
-  const std::string& folder, const Options& options, Statistics& statistics)
+  FlightFrames& frames, const Options& options, Statistics& statistics)
 {
   ProgressBar progress;
-  FrameWriter writer(options.Dots);
+  FrameQueue queue(frames);
   const Stopwatch watch;
   std::size_t drawn = 0;
   for (std::size_t k = 0; k < views.size(); ++k)
   {
-    const std::string name = FrameName(folder, k);
-    std::error_code error;
-    if (fs::exists(name, error))
+    if (frames.Has(k))
     {
       continue;
     }
@@ -297,15 +253,15 @@ std::size_t DrawMissing(const FlightStage& stage, const std::vector<FlightView>&
     stage.Marks.Refresh();
     RefineTerrain(stage.Ground, stage.Renderer, options, statistics);
     const vtkSmartPointer<vtkImageData> picture = stage.Frame.Draw();
-    ThrowOnError(name);
-    writer.Take(name, picture);
+    ThrowOnError("frame " + std::to_string(k + 1));
+    queue.Add(k, picture);
     statistics.AddTime("flight_frame", frame.GetMilliseconds());
     ++drawn;
     const double each = watch.GetMilliseconds() / 1e3 / static_cast<double>(drawn);
     progress.Show(static_cast<double>(k + 1) / static_cast<double>(views.size()),
       TimeLeft(each * static_cast<double>(views.size() - k - 1)));
   }
-  writer.Finish();
+  queue.Finish();
   statistics.AddTime("flight", watch.GetMilliseconds());
   return drawn;
 }
@@ -339,13 +295,15 @@ void DrawFlight(const FlightStage& stage, const Options& options, Statistics& st
   OpenFolder(folder, DescribeFlight(options));
   const double rate = options.Flight.Rate;
   WriteViews(folder, views, rate);
-  const std::size_t drawn = DrawMissing(stage, views, folder, options, statistics);
+  const std::unique_ptr<FlightFrames> frames =
+    OpenFrames({ folder, options.Output, views.size(), options.Size, rate, options.Dots });
+  const std::size_t drawn = DrawMissing(stage, views, *frames, options, statistics);
   statistics.SetCount("flight_frames", static_cast<std::int64_t>(views.size()));
   statistics.SetCount("flight_frames_drawn", static_cast<std::int64_t>(drawn));
+  const Stopwatch watch;
+  frames->Finish();
   if (IsFilm(options.Output))
   {
-    const Stopwatch watch;
-    MakeFilm(folder, rate, options.Output);
     statistics.AddTime("film", watch.GetMilliseconds());
   }
   TellName(options.Output);

@@ -45,8 +45,8 @@ void FlightOptions::Declare(CLI::App& app)
       "GPX, seen from behind and above, as fast as its times say; a table of CSV: seconds, lon, "
       "lat, height[agl] or x, y, z, "
       "and look_lon, look_lat, look_height or look_x, look_y, look_z. The output is a folder of "
-      "frames, or .mp4, .webm, .gif, .webp with the frames beside it; a flight that was stopped "
-      "goes on")
+      "frames, or .mp4, .webm, .gif, .webp with a folder of frames or parts beside it; a flight "
+      "that was stopped goes on")
     ->type_name("orbit|spin:SECONDS|FILE")
     ->group(group);
   app.add_option("--fps", this->Rate, "frames a second; default 30")
