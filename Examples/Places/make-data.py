@@ -9,7 +9,8 @@ route.gpx    a walk from the shore to the crater, which the photo shows as a lig
 huts.geojson three huts on the way
 zones.geojson a reserve round the crater, whose middle is none, and meadows of two parts
 
-Needs Python alone, and GDAL's programs gdal_translate and gdalwarp.
+belts.cpt, the colours of its heights with names, is written by hand. Needs Python alone, and GDAL's
+programs gdal_translate and gdalwarp.
 """
 import json
 import math
