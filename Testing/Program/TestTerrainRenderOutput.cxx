@@ -165,6 +165,28 @@ TEST_F(TerrainRenderOutput, BlocksHaveWallsAlongTheEdgeOfTheData)
   EXPECT_NE(detailed.Errors.find("leave out --detail"), std::string::npos) << detailed.Errors;
 }
 
+// The rim of a plateau goes from the south to the east in steps, whose eastern sides have next to
+// no light: they are lit as the plane through all of them.
+TEST_F(TerrainRenderOutput, WallsOfStepsHaveNoStripes)
+{
+  RasterDescription plateau;
+  plateau.Width = 81;
+  plateau.Height = 81;
+  plateau.HasNoData = true;
+  plateau.Sample = [](int i, int j) { return i + j > 80 ? -32767.0 : 10.0; };
+  this->ExpectDrawn(
+    this->Draw(this->WriteRaster("plateau.tif", plateau),
+      { "--block", "20", "--camera", "45,-140,10,40.5,-40.5,-5", "--colors", "grey" }),
+    1000);
+  const Picture picture = this->ReadPicture();
+  int darkest = 255;
+  for (int column = picture.Width / 3; column < 2 * picture.Width / 3; ++column)
+  {
+    darkest = std::min(darkest, picture.At(column, 6 * picture.Height / 10, 1));
+  }
+  EXPECT_GT(darkest, 12);
+}
+
 TEST_F(TerrainRenderOutput, BlocksHaveNoContoursOnTheirWalls)
 {
   RasterDescription plateau; // no line crosses its top

@@ -9,6 +9,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkOpenGLTerrainMapper.h>
@@ -22,11 +23,13 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
 {
 constexpr double kLayerAmbient = 0.6;
+constexpr std::array<double, 3> kDown{ 0.0, 0.0, -1.0 };
 
 /// Polygons with one colour each.
 class LayerBuilder
@@ -35,15 +38,19 @@ public:
   LayerBuilder()
   {
     this->Points->SetDataTypeToDouble();
+    this->Normals->SetNumberOfComponents(3);
     this->Colors->SetNumberOfComponents(3);
   }
 
-  void Add(const std::array<std::array<double, 3>, 4>& corners, const std::array<double, 3>& color)
+  /// Of corners, with the direction that each faces.
+  void Add(const std::array<std::array<double, 3>, 4>& corners,
+    const std::array<std::array<double, 3>, 4>& facings, const std::array<double, 3>& color)
   {
     std::array<vtkIdType, 4> ids{};
     for (std::size_t k = 0; k < ids.size(); ++k)
     {
       ids[k] = this->Points->InsertNextPoint(corners[k].data());
+      this->Normals->InsertNextTuple(facings[k].data());
     }
     this->Cells->InsertNextCell(4, ids.data());
     constexpr double kFull = 255.0;
@@ -55,6 +62,7 @@ public:
     auto block = vtkSmartPointer<vtkPolyData>::New();
     block->SetPoints(this->Points);
     block->SetPolys(this->Cells);
+    block->GetPointData()->SetNormals(this->Normals);
     block->GetCellData()->SetScalars(this->Colors);
     return block;
   }
@@ -62,8 +70,17 @@ public:
 private:
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Cells;
+  vtkNew<vtkFloatArray> Normals;
   vtkNew<vtkUnsignedCharArray> Colors;
 };
+
+/// Facings of the corners of a wall: from, to, to, from.
+std::array<std::array<double, 3>, 4> FacingsOf(const std::array<DataRim::Facing, 2>& side)
+{
+  const std::array<double, 3> from{ side[0][0], side[0][1], 0.0 };
+  const std::array<double, 3> to{ side[1][0], side[1][1], 0.0 };
+  return { from, to, to, from };
+}
 
 /// An actor of walls with the material and the place of a terrain.
 vtkSmartPointer<vtkActor> MakeActor(vtkTerrainActor* terrain, vtkPolyDataMapper* mapper)
@@ -71,7 +88,6 @@ vtkSmartPointer<vtkActor> MakeActor(vtkTerrainActor* terrain, vtkPolyDataMapper*
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->DeepCopy(terrain->GetProperty());
-  actor->GetProperty()->SetInterpolationToFlat();
   // a wall sees half of the sky
   actor->GetProperty()->SetAmbient(
     terrain->GetProperty()->GetAmbient() + 0.5 * terrain->GetSkyLight());
@@ -96,10 +112,19 @@ vtkSmartPointer<vtkPolyData> MakeBlockWalls(vtkImageData* heights, double base, 
     values->InsertNextValue(isFloor ? color - (height - base) : color);
     return points->InsertNextPoint(rim.GetPoint(sample, isFloor ? base : height).data());
   };
-  for (const DataRim::Side& side : rim.FindSides())
+  const vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  const std::vector<DataRim::Side> sides = rim.FindSides();
+  const auto facings = rim.FindFacings(sides);
+  for (std::size_t k = 0; k < sides.size(); ++k)
   {
+    const DataRim::Side& side = sides[k];
     if (!side.IsBorder)
     {
+      for (const std::array<double, 3>& facing : FacingsOf(facings[k]))
+      {
+        normals->InsertNextTuple(facing.data());
+      }
       const vtkIdType corners[] = { add(side.From, true), add(side.To, true), add(side.To, false),
         add(side.From, false) };
       cells->InsertNextCell(4, corners);
@@ -109,6 +134,7 @@ vtkSmartPointer<vtkPolyData> MakeBlockWalls(vtkImageData* heights, double base, 
   walls->SetPoints(points);
   walls->SetPolys(cells);
   walls->GetPointData()->SetScalars(values);
+  walls->GetPointData()->SetNormals(normals);
   return walls;
 }
 
@@ -120,8 +146,11 @@ vtkSmartPointer<vtkPolyData> MakeLayeredBlock(
   LayerBuilder builder;
   const auto at = [&](vtkIdType sample, double depth)
   { return rim.GetPoint(sample, std::max(base, rim.GetHeight(sample) - depth)); };
-  for (const DataRim::Side& side : rim.FindSides())
+  const std::vector<DataRim::Side> sides = rim.FindSides();
+  const auto facings = rim.FindFacings(sides);
+  for (std::size_t index = 0; index < sides.size(); ++index)
   {
+    const DataRim::Side& side = sides[index];
     const double deepest = std::max(rim.GetHeight(side.From), rim.GetHeight(side.To)) - base;
     double top = 0.0;
     for (std::size_t k = 0; k < strata.size() && top < deepest; ++k)
@@ -130,7 +159,7 @@ vtkSmartPointer<vtkPolyData> MakeLayeredBlock(
       const double bottom = isLast ? deepest : std::min(deepest, top + strata[k].Thickness);
       builder.Add(
         { at(side.From, bottom), at(side.To, bottom), at(side.To, top), at(side.From, top) },
-        strata[k].Color);
+        FacingsOf(facings[index]), strata[k].Color);
       top = bottom;
     }
   }
@@ -143,7 +172,7 @@ vtkSmartPointer<vtkPolyData> MakeLayeredBlock(
       builder.Add(
         { rim.GetPoint(low + first, base), rim.GetPoint(low + last + 1, base),
           rim.GetPoint(low + width + last + 1, base), rim.GetPoint(low + width + first, base) },
-        strata.back().Color);
+        { kDown, kDown, kDown, kDown }, strata.back().Color);
     }
   }
   return builder.Take();

@@ -34,6 +34,14 @@ public:
   };
   std::vector<Side> FindSides() const;
 
+  /// East and north of a horizontal direction.
+  using Facing = std::array<double, 2>;
+
+  /// What walls below sides face, of length 1, at the first and the last sample of each. Steps of
+  /// one to seven cells along missing data are the grid's, not the ground's: they face what the rim
+  /// faces over some cells, so that they do not alternate between light and dark.
+  std::vector<std::array<Facing, 2>> FindFacings(const std::vector<Side>& sides) const;
+
   /// Cells of a row that follow each other: first and last column.
   std::vector<std::array<vtkIdType, 2>> FindRuns(vtkIdType row) const;
 

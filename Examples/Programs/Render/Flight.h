@@ -28,9 +28,9 @@ struct FlightStage
 /**
  * Draws the flight that the options ask for, into a folder (FlightFrames.h), beside `scene.toml`,
  * which has the options, and `flight.csv`, which has the cameras and is a flight itself. Frames
- * that are there from an earlier run with the same options, heights and flight are kept and not drawn
- * again; a folder with anything else in it is left alone. Tells the name of the folder or of the
- * film. Throws a Failure: frames that are kept stay.
+ * that are there from an earlier run with the same options, heights and flight are kept and not
+ * drawn again; a folder with anything else in it is left alone. Tells the name of the folder or of
+ * the film. Throws a Failure: frames that are kept stay.
  */
 void DrawFlight(const FlightStage& stage, const Options& options, Statistics& statistics);
 
