@@ -69,7 +69,7 @@ TEST(TerrainColors, RefusesInOneSentence)
   ExpectColor(colors->MakeTable(0.0, 1.0), 1.0, 0.97, 0.97, 0.98);
 }
 
-// Cut at every byte, a file of each kind is read or refused with one line; XML and JSON are refused.
+// Cut at every byte, a file of each kind is read or refused with one line; trees are refused.
 TEST(TerrainColors, FilesCutShortAreReadOrRefused)
 {
   const std::string item = "<item alpha='255' value='10' label='low' color='#ff0000'/>";
