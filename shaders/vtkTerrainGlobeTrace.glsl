@@ -419,7 +419,10 @@ bool terrainGlobeIsWide(TerrainGlobeStep at)
 TerrainGlobeHit terrainGlobeTracePart(TerrainGlobePath path)
 {
   TerrainGlobeHit hit = TerrainGlobeHit(false, 0.0, ivec2(0), vec2(0.0), true, 0);
-  TerrainGlobeStep at = terrainGlobeFirstStep(path, path.begin);
+  vec2 begin = path.origin.xy + path.begin * path.direction.xy;
+  // on the axis a path is on all meridians, a millimetre on it is beside one
+  float off = begin == vec2(0.0) ? 1e-3 / length(path.direction) : 0.0;
+  TerrainGlobeStep at = terrainGlobeFirstStep(path, path.begin + off);
   TerrainGlobeMeeting meeting;
   ivec2 cell = ivec2(0);
   int most = 8 * (terrainSize.x + terrainSize.y) + 64;

@@ -10,19 +10,10 @@
 #include "core/strips/HierarchyBuild.h"
 #include "core/strips/Refinement.h"
 
-#include <cstdlib>
 #include <vector>
 
 namespace
 {
-void Require(bool holds)
-{
-  if (!holds)
-  {
-    std::abort();
-  }
-}
-
 void CheckMesh(const terrain::TestField& field, std::int64_t cells)
 {
   terrain::CoarseMeshOptions options;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Numbers from the bytes of a fuzzer; zeros after their end.
+ * Numbers and texts from the bytes of a fuzzer; zeros after their end.
  */
 #ifndef FuzzInput_h
 #define FuzzInput_h
@@ -12,7 +12,20 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <string>
+
+/// Ends the process, which is a finding, unless something holds; names the line of the caller.
+inline void Require(bool holds, int line = __builtin_LINE())
+{
+  if (!holds)
+  {
+    std::fprintf(stderr, "Not so: what line %d requires\n", line);
+    std::abort();
+  }
+}
 
 class FuzzInput
 {
@@ -41,6 +54,15 @@ public:
     std::memcpy(&value, this->Rest(), count);
     this->Position += count;
     return value;
+  }
+  /// What follows up to a byte 0xff, which is skipped.
+  std::string Text()
+  {
+    const std::uint8_t* begin = this->Rest();
+    const std::uint8_t* end = std::find(begin, begin + this->Left(), std::uint8_t{ 0xff });
+    this->Position += static_cast<std::size_t>(end - begin);
+    this->Position += this->Left() > 0 ? 1 : 0;
+    return { begin, end };
   }
   std::size_t Left() const
   {

@@ -162,6 +162,7 @@ TEST_F(TerrainRenderScenes, WrongScenesAreOneSentence)
   refuse("size = \"9x9\"\nsize = \"8x8\"\n", "line 2: 'size' stands in line 1 already");
   refuse("size = true\n", "line 1: 'size' needs a value");
   refuse("\nsize = \"9by9\"\n", "not of the form WIDTHxHEIGHT (scene.toml, line 2)");
+  refuse("size = " + std::string(300000, '1') + "\n", "not of the form WIDTHxHEIGHT");
   refuse("exaggeration = 0\n", "not between 0.001 and 1000 (scene.toml, line 1)");
   refuse("title = \"\\q\"\n", "line 1: after \\ only");
   ExpectRefused(this->Run({ hill, "--scene", "nowhere.toml" }), 2, "'nowhere.toml' is no file");

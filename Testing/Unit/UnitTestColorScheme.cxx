@@ -199,6 +199,24 @@ TEST(ColorFile, RefusesWithTheLine)
 }
 
 //--------------------------------------------------------------------------------------------------
+// "inf" ends the last class of DISCRETE, and stands for nothing elsewhere; values whose differences
+// would be infinite are none.
+TEST(ColorFile, RefusesWhatHasNoEnd)
+{
+  const std::string twice = "inf,255,0,0,255,a\ninf,0,255,0,255,b\n";
+  for (const std::string& kind : { std::string("INTERPOLATED"), std::string("DISCRETE") })
+  {
+    EXPECT_NE(ReadColorMapText("INTERPOLATION:" + kind + "\n" + twice).WhyNot.find("'inf'"),
+      std::string::npos);
+  }
+  EXPECT_NE(ReadColorMapText("10,255,0,0,255,a\ninf,0,255,0,255,b\n").WhyNot.find("DISCRETE"),
+    std::string::npos);
+  EXPECT_NE(ReadColorReliefText("-1.7e308 red\n1.7e308 blue\n").WhyNot, "");
+  const ColorFileResult widest = ReadColorReliefText("-1e300 red\n1e300 blue\n");
+  ASSERT_EQ(widest.WhyNot, "");
+  EXPECT_EQ(Stretched(widest.Scheme, 0.0, 1.0).Stops.back().Value, 1.0);
+}
+
 TEST(ColorFile, ReadsTablesOfClasses)
 {
   const ColorFileResult plain =

@@ -242,6 +242,34 @@ TEST(Globe, PicksPlacesToAMillimetre)
   EXPECT_LT(farthest, terrain::kGlobePickError);
 }
 
+// A ray that begins on the axis is on all meridians there: of a raster that does not go round, it
+// goes on over the one where it goes.
+TEST(Globe, LooksFromItsPole)
+{
+  const terrain::TestGlobe globe{ "sector",
+    terrain::MakeGrid({}, 20.0, 1.0, 41, terrain::Parallels(-90.0, 1.0, 11)), [](int i, int j) {
+      return j == 0 ? 500.0 : std::floor(900.0 + 700.0 * std::sin(1.3 * i + j));
+    } };
+  const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
+  const terrain::GlobeReference reference = world.Reference();
+  int hits = 0;
+  for (int k = 0; k < 360; ++k)
+  {
+    terrain::GlobeReferenceRay ray;
+    ray.Origin.z = -globe.Grid.Body.Polar - 510.0;
+    const double longitude = (k + 0.5) * kDegree;
+    ray.Direction = glm::normalize(glm::dvec3(std::cos(longitude), std::sin(longitude), 1e-3));
+    ray.End = 1e8;
+    const terrain::WorldTracer<double, std::uint16_t> tracer(world, ray.Origin);
+    const auto hit = tracer.Trace(ray);
+    const auto expected = reference.Cast(ray);
+    ASSERT_EQ(hit.Found, expected.Found) << k;
+    EXPECT_TRUE(!hit.Found || std::abs(hit.T - expected.T) < terrain::kGlobeError) << k;
+    hits += hit.Found ? 1 : 0;
+  }
+  EXPECT_EQ(hits, 40);
+}
+
 // Heights may be met from below, and the far side is seen through a hole.
 TEST(Globe, HasTwoSides)
 {

@@ -3,6 +3,8 @@
 // Units and sense of heights from all that rasters say of them.
 #include "raster/RasterUnits.h"
 
+#include "core/grid/HeightUnits.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -55,6 +57,22 @@ TEST(UnitTestRasterUnits, BandsByName)
     EXPECT_NEAR(found.Factor, metres, 1e-9 * metres) << name;
     EXPECT_EQ(found.Warnings, "") << name;
   }
+}
+
+// A factor before a name, once, and such that metres are a number.
+TEST(UnitTestRasterUnits, FactorsAreFinite)
+{
+  EXPECT_DOUBLE_EQ(terrain::MetresOfUnit("0.5 km"), 500.0);
+  for (const char* name : { "inf metre", "inf kelvin", "1e308 km", "nan metre", "1e999 metre" })
+  {
+    EXPECT_EQ(terrain::MetresOfUnit(name), 0.0) << name;
+  }
+  std::string endless;
+  for (int k = 0; k < 100000; ++k)
+  {
+    endless += "1 ";
+  }
+  EXPECT_EQ(terrain::MetresOfUnit(endless + "parsec"), 0.0);
 }
 
 TEST(UnitTestRasterUnits, GeopotentialsAreHeightsTimesGravity)

@@ -15,6 +15,8 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -338,6 +340,44 @@ TEST_F(TileFileTest, DamageIsNoticed)
   }
   std::ofstream(this->Path, std::ios::binary) << good << 'x';
   EXPECT_FALSE(isTrusted());
+}
+
+// A header whose numbers no file can have, under checksums that fit: refused before anything is
+// made of them.
+TEST_F(TileFileTest, RefusesHeadersThatFitNoFile)
+{
+  using terrain::TileFileHeader;
+  const std::vector<short> samples = Hills(70, 45);
+  ASSERT_EQ(terrain::WriteTileFile<short>(
+              this->Path, Prepare(samples, TileLayout{ 70, 45, kFileTileLevel }, 2)),
+    "");
+  std::ifstream in(this->Path, std::ios::binary);
+  TileFileHeader good{};
+  in.read(reinterpret_cast<char*>(&good), sizeof(good));
+  in.close();
+  const std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  const std::vector<std::function<void(TileFileHeader&)>> changes{
+    [](TileFileHeader& header) { header.Width = 1; },
+    [](TileFileHeader& header) { header.Height = -45; },
+    [most](TileFileHeader& header) { header.Width = header.Height = most; },
+    [](TileFileHeader& header) { header.Width = header.Height = 2000000000; },
+    [](TileFileHeader& header) { header.TileLevel = 63; },
+    [](TileFileHeader& header) { header.TileLevel = -1; },
+    [](TileFileHeader& header) { header.FirstLevel = -2; },
+    [](TileFileHeader& header) { header.FirstLevel = 1000; },
+    [](TileFileHeader& header) { header.Type = static_cast<terrain::StoredType>(0); },
+    [](TileFileHeader& header) { header.Maximum = 4e249; },
+  };
+  for (std::size_t k = 0; k < changes.size(); ++k)
+  {
+    TileFileHeader header = good;
+    changes[k](header);
+    header.Checksum = terrain::HeaderChecksum(header);
+    const std::string bytes(reinterpret_cast<const char*>(&header), sizeof(header));
+    ASSERT_EQ(WriteBytes(this->Path, 0, bytes), "");
+    TileFile file;
+    EXPECT_NE(file.Open(this->Path).find("contradict"), std::string::npos) << "change " << k;
+  }
 }
 
 // A file that is cut while it is open: an error for each tile beyond, no crash.

@@ -121,6 +121,17 @@ void ExpectShown(const TiledField& field, const TerrainRay& ray, const TerrainHi
   ASSERT_GE(highest, -error) << "below the surface";
 }
 
+// The step beyond the grid that a ray ends with has no tile, and is asked for.
+TEST(TileTraversal, HasNoTilesBeyondTheGrid)
+{
+  const TestField flat("flat", 34, 19, [](int, int) { return 1.0; });
+  const TiledField field(flat);
+  for (const glm::ivec2 cell : { glm::ivec2(-1, 0), glm::ivec2(0, -1), glm::ivec2(4096, 0) })
+  {
+    EXPECT_EQ(field.Slots.TileSlot(cell, 0), -1);
+  }
+}
+
 // Four planes around the lines from an eye through the corners of a square, looking along +y.
 terrain::TileView ViewFrom(const glm::dvec3& eye, double halfWidth, const glm::dvec4& tolerance)
 {

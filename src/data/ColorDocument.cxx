@@ -98,23 +98,27 @@ ColorFileResult ReadShader(vtkXMLDataElement* shader)
     {
       continue;
     }
-    double value = std::numeric_limits<double>::infinity();
     const bool isInfinite = TextOf(item, "value") == "inf";
+    const std::optional<double> value =
+      isInfinite ? std::numeric_limits<double>::infinity() : ToNumber(TextOf(item, "value"));
     const std::optional<Color> color = ColorFromName(TextOf(item, "color"));
-    if ((!isInfinite && item->GetScalarAttribute("value", value) == 0) || !color ||
-      std::isnan(value))
+    if (!value || !color)
     {
       return Refused("item " + std::to_string(k + 1) + " needs a value and a colour #RRGGBB");
     }
-    scheme.Stops.push_back({ value, *color });
+    scheme.Stops.push_back({ *value, *color });
     if (!isInfinite || TextOf(shader, "colorRampType") == "DISCRETE")
     {
-      scheme.Classes.push_back({ value, TextOf(item, "label") });
+      scheme.Classes.push_back({ *value, TextOf(item, "label") });
     }
   }
   std::stable_sort(scheme.Stops.begin(), scheme.Stops.end(),
     [](const ColorStop& a, const ColorStop& b) { return a.Value < b.Value; });
   const std::string kind = TextOf(shader, "colorRampType");
+  if (!HasLastOnly(scheme.Stops, kind == "EXACT"))
+  {
+    return Refused("'inf' ends the last class only: write it once, and with DISCRETE");
+  }
   if (kind == "DISCRETE" || kind == "EXACT")
   {
     scheme.Stops = kind == "EXACT" ? ExactStops(scheme.Stops) : DiscreteStops(scheme.Stops);
@@ -153,15 +157,15 @@ ColorFileResult ReadMap(vtkXMLDataElement* map)
     vtkXMLDataElement* child = map->GetNestedElement(k);
     const std::string name = child->GetName();
     const std::optional<Color> color = ColorOfElement(child);
-    double value = 0.0;
-    if (name == "Point" && (!color || child->GetScalarAttribute("x", value) == 0))
+    const std::optional<double> value = ToNumber(TextOf(child, "x"));
+    if (name == "Point" && (!color || !value))
     {
       return Refused(
         "point " + std::to_string(k + 1) + " needs x, r, g and b, colours from 0 to 1");
     }
-    if (name == "Point" && color)
+    if (name == "Point")
     {
-      scheme.Stops.push_back({ value, *color });
+      scheme.Stops.push_back({ *value, *color });
     }
     else if (name == "NaN")
     {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <map>
-#include <regex>
 
 namespace
 {
@@ -106,10 +106,45 @@ private:
   std::size_t At = 0;
 };
 
+/// Where the digits end that begin at a place; the place itself if there are none.
+std::size_t EndOfDigits(const std::string& value, std::size_t begin)
+{
+  return std::min(value.find_first_not_of("0123456789", begin), value.size());
+}
+
+/// True for [+-]?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?
+/// By hand: std::regex takes stack for each letter, and a file may have any number of them.
+bool IsNumber(const std::string& value)
+{
+  const auto isAnyOf = [&value](std::size_t at, const char* letters)
+  { return at < value.size() && value[at] != 0 && std::strchr(letters, value[at]); };
+  const std::size_t begin = isAnyOf(0, "+-") ? 1 : 0;
+  std::size_t at = EndOfDigits(value, begin);
+  if (at == begin || (value[begin] == '0' && at > begin + 1))
+  {
+    return false;
+  }
+  if (isAnyOf(at, "."))
+  {
+    const std::size_t fraction = at + 1;
+    at = EndOfDigits(value, fraction);
+    if (at == fraction)
+    {
+      return false;
+    }
+  }
+  if (isAnyOf(at, "eE"))
+  {
+    const std::size_t exponent = at + (isAnyOf(at + 1, "+-") ? 2 : 1);
+    at = EndOfDigits(value, exponent);
+    return at > exponent && at == value.size();
+  }
+  return at == value.size();
+}
+
 bool IsPlain(const std::string& value)
 {
-  static const std::regex plain(R"([+-]?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?|true|false)");
-  return std::regex_match(value, plain);
+  return value == "true" || value == "false" || IsNumber(value);
 }
 
 std::string ReadValue(LineReader& reader)

@@ -212,6 +212,13 @@ void DropRepeated(std::vector<ColorStop>& stops)
 }
 }
 
+bool HasLastOnly(const std::vector<ColorStop>& table, bool isExact)
+{
+  const auto infinite = std::count_if(
+    table.begin(), table.end(), [](const ColorStop& stop) { return std::isinf(stop.Value); });
+  return infinite <= (isExact ? 0 : 1);
+}
+
 std::vector<ColorStop> DiscreteStops(const std::vector<ColorStop>& table)
 {
   std::vector<ColorStop> stops;
@@ -260,6 +267,40 @@ std::vector<ColorStop> ExactStops(const std::vector<ColorStop>& table)
     stops.push_back(table[k]);
   }
   return stops;
+}
+
+namespace
+{
+/// The end of reading a colour map of QGIS: stops as it interpolates them.
+ColorFileResult Interpolated(ColorScheme scheme, const std::string& kind)
+{
+  if (kind != "interpolated" && kind != "discrete" && kind != "exact")
+  {
+    return Refused(
+      "the interpolation '" + kind + "' is not known: INTERPOLATED, DISCRETE or EXACT");
+  }
+  if (!HasLastOnly(scheme.Stops, kind == "exact"))
+  {
+    return Refused("'inf' ends the last class only: write it once, and with DISCRETE");
+  }
+  ColorFileResult result = Finished(std::move(scheme));
+  if (kind != "interpolated" && result.WhyNot.empty())
+  {
+    if (kind == "discrete")
+    {
+      BeginClasses(result.Scheme.Classes);
+    }
+    result.Scheme.Stops =
+      kind == "discrete" ? DiscreteStops(result.Scheme.Stops) : ExactStops(result.Scheme.Stops);
+  }
+  else if (result.WhyNot.empty() && std::isinf(result.Scheme.Stops.back().Value))
+  {
+    result.Scheme.Stops.pop_back();
+  }
+  return result.Scheme.Stops.empty() && result.WhyNot.empty()
+    ? Refused("there are no colours in it")
+    : result;
+}
 }
 
 ColorFileResult ReadColorPaletteTable(const std::string& text)
@@ -351,28 +392,7 @@ ColorFileResult ReadColorMapText(const std::string& text)
       scheme.Classes.push_back({ *value, Trimmed(fields[5]) });
     }
   }
-  if (kind != "interpolated" && kind != "discrete" && kind != "exact")
-  {
-    return Refused(
-      "the interpolation '" + kind + "' is not known: INTERPOLATED, DISCRETE or EXACT");
-  }
-  ColorFileResult result = Finished(std::move(scheme));
-  if (kind != "interpolated" && result.WhyNot.empty())
-  {
-    if (kind == "discrete")
-    {
-      BeginClasses(result.Scheme.Classes);
-    }
-    result.Scheme.Stops =
-      kind == "discrete" ? DiscreteStops(result.Scheme.Stops) : ExactStops(result.Scheme.Stops);
-  }
-  else if (result.WhyNot.empty() && std::isinf(result.Scheme.Stops.back().Value))
-  {
-    result.Scheme.Stops.pop_back();
-  }
-  return result.Scheme.Stops.empty() && result.WhyNot.empty()
-    ? Refused("there are no colours in it")
-    : result;
+  return Interpolated(std::move(scheme), kind);
 }
 
 ColorFileResult ReadClassTable(const std::string& text)

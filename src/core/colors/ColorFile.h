@@ -43,6 +43,10 @@ ColorFileResult ReadColorMapText(const std::string& text);
 /// between two.
 ColorFileResult ReadClassTable(const std::string& text);
 
+/// True if an infinite value, which ends a last class, is not there twice, nor where colours hold
+/// at a value (EXACT).
+bool HasLastOnly(const std::vector<ColorStop>& table, bool isExact);
+
 /// Stops of a table whose colours hold up to a value (DISCRETE) or at a value (EXACT), in the way
 /// of a ColorScheme. values ascend; the last may be infinite.
 std::vector<ColorStop> DiscreteStops(const std::vector<ColorStop>& table);

@@ -106,10 +106,11 @@ std::optional<double> ToNumber(const std::string& text)
 {
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
+  constexpr double kMost = 1e300;
   double number = 0.0;
   stream >> number;
   if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof() ||
-    !std::isfinite(number))
+    !(std::abs(number) <= kMost))
   {
     return std::nullopt;
   }

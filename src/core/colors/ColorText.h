@@ -21,7 +21,8 @@ std::string LowerCase(std::string text);
 /// Without blanks at both ends.
 std::string Trimmed(const std::string& text);
 
-/// A number that is the whole of a text, whatever the locale.
+/// A number that is the whole of a text, whatever the locale; none of a magnitude above 1e300,
+/// which sums and differences would take to infinity.
 std::optional<double> ToNumber(const std::string& text);
 
 /// Words between separators, none of them empty.

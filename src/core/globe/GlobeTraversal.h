@@ -235,7 +235,7 @@ Real GlobeTraversal<Real, Texel>::RowCrossing(
 template <typename Real, typename Texel>
 GlobeFence GlobeTraversal<Real, Texel>::Fence(const Step& at) const
 {
-  const glm::ivec2 first = at.Node << at.Level;
+  const glm::ivec2 first = at.Node * (1 << at.Level); // below 0 outside of the grid
   return { first, glm::min(first + (1 << at.Level), this->lines->Cells) };
 }
 
@@ -522,7 +522,11 @@ template <typename Real, typename Texel>
 GlobeHit<Real> GlobeTraversal<Real, Texel>::TracePart(const Path& path) const
 {
   Hit hit;
-  Step at = this->FirstStep(path, path.Begin);
+  const Vec2 begin =
+    Vec2(path.Origin.x, path.Origin.y) + path.Begin * Vec2(path.Direction.x, path.Direction.y);
+  // on the axis a path is on all meridians, a millimetre on it is beside one
+  const Real off = begin == Vec2(0) ? Real(1e-3) / glm::length(path.Direction) : Real(0);
+  Step at = this->FirstStep(path, path.Begin + off);
   // Lines ahead are crossed once at each level, and a level is gone down for each crossed.
   const int most = 8 * (this->lines->Cells.x + this->lines->Cells.y) + 64;
   Real side = 0;

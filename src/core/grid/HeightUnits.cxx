@@ -131,19 +131,10 @@ constexpr std::array<std::pair<const char*, double>, 58> kUnits{ {
   { "nmi", 1852.0 },
   { "international nautical mile", 1852.0 },
 } };
-}
 
-namespace terrain
+/// Metres of a unit by its name alone.
+double MetresOfName(const std::string& name)
 {
-//------------------------------------------------------------------------------
-double MetresOfUnit(const std::string& name)
-{
-  char* rest = nullptr;
-  const double factor = std::strtod(name.c_str(), &rest);
-  if (rest != name.c_str() && factor > 0.0 && *rest == ' ') // "0.3048006096 metre" of CF
-  {
-    return factor * MetresOfUnit(rest + 1);
-  }
   const std::string plain = PlainName(name);
   for (std::string word :
     { plain, plain.substr(0, plain.size() - (plain.empty() || plain.back() != 's' ? 0 : 1)) })
@@ -172,6 +163,22 @@ double MetresOfUnit(const std::string& name)
   return plain == "m above sea level" || plain == "m amsl" || plain == "m asl" || plain == "m msl"
     ? 1.0
     : 0.0;
+}
+}
+
+namespace terrain
+{
+//------------------------------------------------------------------------------
+double MetresOfUnit(const std::string& name)
+{
+  char* rest = nullptr;
+  const double factor = std::strtod(name.c_str(), &rest);
+  if (rest != name.c_str() && factor > 0.0 && *rest == ' ') // "0.3048006096 metre" of CF
+  {
+    const double metres = std::isfinite(factor) ? factor * MetresOfName(rest + 1) : 0.0;
+    return std::isfinite(metres) ? metres : 0.0;
+  }
+  return MetresOfName(name);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <regex>
 
 namespace
@@ -84,8 +85,9 @@ bool TimeFromText(const std::string& text, UtcTime& time, std::string& message)
   static const std::regex pattern(
     "(\\d{4})-(\\d{2})-(\\d{2})[T ](\\d{2}):(\\d{2})(?::(\\d{2}(?:\\.\\d+)?))?"
     "(?:Z|([+-])(\\d{2}):?(\\d{2}))?");
+  constexpr std::size_t kMostLetters = 64; // std::regex takes stack for each
   std::smatch part;
-  if (!std::regex_match(text, part, pattern))
+  if (text.size() > kMostLetters || !std::regex_match(text, part, pattern))
   {
     message = "'" + text + "' is no time like 2024-06-21T06:30Z or 2024-06-21T12:15+05:45";
     return false;

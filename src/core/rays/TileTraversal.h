@@ -180,7 +180,7 @@ struct TiledPyramid : CodedPyramid<TiledTexel>
 inline glm::vec2 TiledPyramid::NodeFraction(
   const Path& path, glm::ivec2 cell, int level, float s, int line, float side) const
 {
-  const glm::ivec2 first = (cell >> level) << level;
+  const glm::ivec2 first = cell & -(1 << level); // cells of mirrored axes are below 0
   const float width = 1.0f / static_cast<float>(1 << level);
   glm::vec2 fraction = glm::clamp(
     (glm::vec2(path.origin) + glm::vec2(path.direction) * s - glm::vec2(first - path.anchor)) *

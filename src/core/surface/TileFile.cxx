@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -69,6 +70,43 @@ std::string WhyNotHeader(const TileFileHeader& header, std::size_t fileSize)
       std::to_string(header.FileBytes);
   }
   return {};
+}
+
+/// True if a height is one that the type of the samples can hold.
+template <typename T>
+bool CanHold(double height)
+{
+  return height >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
+    height <= static_cast<double>(std::numeric_limits<T>::max());
+}
+
+bool CanHold(StoredType type, double height)
+{
+  return type == StoredType::Float ? CanHold<float>(height)
+    : type == StoredType::Short    ? CanHold<short>(height)
+                                   : CanHold<unsigned short>(height);
+}
+
+/// True if a content can be that of a file of some bytes: before anything is made from it.
+bool IsSound(const TileFileContent& content, std::uint64_t fileBytes)
+{
+  constexpr std::int64_t mostSamples = std::numeric_limits<std::int32_t>::max();
+  constexpr int mostTileLevel = 16;
+  const TileLayout& layout = content.Layout;
+  const bool isLayout = layout.Width > 1 && layout.Width <= mostSamples && layout.Height > 1 &&
+    layout.Height <= mostSamples && layout.TileLevel >= 0 && layout.TileLevel <= mostTileLevel &&
+    content.FirstLevel > 0 && content.FirstLevel < layout.LevelCount();
+  const bool isType = content.Type == StoredType::Short ||
+    content.Type == StoredType::UnsignedShort || content.Type == StoredType::Float;
+  const bool isEmpty = !(content.Minimum <= content.Maximum);
+  if (!isLayout || !isType ||
+    !(isEmpty ||
+      (CanHold(content.Type, content.Minimum) && CanHold(content.Type, content.Maximum))))
+  {
+    return false;
+  }
+  const glm::i64vec2 tiles = layout.Tiles(content.FirstLevel);
+  return static_cast<std::uint64_t>(tiles.x * tiles.y) <= fileBytes / sizeof(std::uint64_t);
 }
 }
 
@@ -147,10 +185,11 @@ std::string TileFile::OpenUnchecked(const std::string& path)
     return error;
   }
   this->Content = ContentOf(header);
-  this->Index = TileFileIndex(this->Content);
-  if (this->Index.FileSize() != header.FileBytes)
+  this->Index =
+    IsSound(this->Content, header.FileBytes) ? TileFileIndex(this->Content) : TileFileIndex();
+  if (this->Index.Count() == 0 || this->Index.FileSize() != header.FileBytes)
   {
-    return "the header is damaged: sizes contradict each other";
+    return "the header is damaged: its numbers contradict each other";
   }
   this->Checksums.resize(this->Index.Count());
   const std::size_t bytes = this->Checksums.size() * sizeof(std::uint64_t);

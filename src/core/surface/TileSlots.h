@@ -58,6 +58,13 @@ public:
     return LevelBegin(depth) + (static_cast<std::size_t>(key.Row) << depth) +
       static_cast<std::size_t>(key.Column);
   }
+  /// True for the tiles of a level, and those that would be if both sides had as many as the longer
+  /// one and these were a power of two.
+  bool HasRoomFor(const TileKey& key) const
+  {
+    const std::int64_t tiles = std::int64_t{ 1 } << (this->Top() - key.Level);
+    return key.Column >= 0 && key.Row >= 0 && key.Column < tiles && key.Row < tiles;
+  }
   std::uint32_t At(const TileKey& key) const
   {
     return this->Pages[this->PlaceOf(key)];
@@ -157,7 +164,9 @@ public:
       return this->TailSlot();
     }
     const glm::ivec2 tile = cell >> this->Pages.GetLayout().TileLevel;
-    return static_cast<int>(this->Pages.At({ level, tile.x, tile.y })) - 1;
+    // a ray that ends at the border asks beyond it, and does not look at the answer
+    const bool isThere = this->Pages.HasRoomFor({ level, tile.x, tile.y });
+    return isThere ? static_cast<int>(this->Pages.At({ level, tile.x, tile.y })) - 1 : -1;
   }
   glm::vec4 SlotCodes(glm::ivec2 cell, int slot) const
   {

@@ -1,0 +1,1 @@
+<colorrampshader colorRampType="EXACT"><item value="-1" color="#ff0000"/><item value="1e3" color="white"/></colorrampshader>
