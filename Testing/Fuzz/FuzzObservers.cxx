@@ -25,7 +25,9 @@ double CoordinateOf(FuzzInput& input)
     case 1:
       return std::floor(20.0 * input.Real());
     case 2:
-      return 1e6 * input.Real();
+      return 300.0 * input.Real();
+    case 3: // so far away that neighbours are one
+      return 1e17 + 64.0 * std::floor(20.0 * input.Real());
     default:
       return 50.0 * input.Real();
   }

@@ -10,8 +10,8 @@ import unittest
 import numpy as np
 import vtkTerrainTesting
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from vtkterrain import analysis, array_from_heights, heights_from_array, vtkTerrainHorizon, vtkTerrainViewshed
 from vtkterrain.viewer import read_heights
@@ -66,6 +66,26 @@ class TestAnalysis(unittest.TestCase):
         seen = array_of(viewshed, "Observers")[:, :, 0]
         self.assertTrue((seen[:, :20] == 1).all())
         self.assertTrue((seen[:, 21:] == 0).all())
+
+    def test_areas_without_samples(self):
+        """Between two columns of samples, or where columns cannot be counted any more, nobody stands."""
+        heights = heights_from_array(np.zeros((21, 41)))
+        for corners in ([(3.2, 0.0), (3.4, 0.0), (3.4, 1e15)], [(1e17, 0.0), (1e17 + 64.0, 0.0), (1e17, 9.0)]):
+            points = vtkPoints()
+            points.SetDataType(VTK_DOUBLE)
+            points.InsertNextPoint(5.0, 10.0, 0.0)
+            areas = vtkCellArray()
+            areas.InsertNextCell(len(corners))
+            for x, y in corners:
+                areas.InsertCellPoint(points.InsertNextPoint(x, y, 0.0))
+            observers = vtkPolyData()
+            observers.SetPoints(points)
+            observers.SetPolys(areas)
+            viewshed = vtkTerrainViewshed()
+            viewshed.SetInputData(0, heights)
+            viewshed.SetInputData(1, observers)
+            viewshed.Update()
+            self.assertTrue((array_of(viewshed, "Observers") == 1).all())
 
 
 def rough(rows, columns):

@@ -139,10 +139,16 @@ private:
       low = glm::min(low, corner);
       high = glm::max(high, corner);
     }
+    constexpr double kFarthest = 0x1p52; // where doubles cannot be counted up by one
+    const glm::dvec2 reach = glm::max(glm::abs(low), glm::abs(high)) / this->Step;
+    if (std::max(reach.x, reach.y) > kFarthest) // away from any heights, where none can stand
+    {
+      return;
+    }
     const glm::dvec2 first = glm::ceil(low / this->Step);
     const glm::dvec2 last = glm::floor(high / this->Step);
     const glm::dvec2 size = glm::max(last - first + 1.0, glm::dvec2(0.0));
-    if (!this->HasRoomFor(size.x * size.y))
+    if (size.x < 1.0 || size.y < 1.0 || !this->HasRoomFor(size.x * size.y))
     {
       return;
     }

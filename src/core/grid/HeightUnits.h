@@ -13,7 +13,8 @@ namespace terrain
 {
 /// Metres of a unit of length by its name, or by a factor and a name; 0 if the name is not known.
 /// Case, brackets, quotes, underscores and hyphens do not matter, plurals are known: metre, foot
-/// (of surveys too), inch, yard, fathom, mile, and their abbreviations, from nanometre to kilometre.
+/// (of surveys too), inch, yard, fathom, mile, and their abbreviations, from nanometre to
+/// kilometre.
 double MetresOfUnit(const std::string& name);
 
 /// What an option about the unit of heights says: metres a unit, as a number ("0.3048", "-1") or a
