@@ -96,10 +96,10 @@ void CheckText(const std::string& text)
   Require(read.Error.empty() == (read.Line == 0));
   for (const SceneEntry& entry : read.Entries)
   {
-    std::istringstream again(SceneLine("key", entry.Values));
+    std::istringstream again(SceneLine(entry.Key, entry.Values));
     const SceneEntries reread = ReadSceneText(again);
     Require(reread.Error.empty() && reread.Entries.size() == 1 &&
-      reread.Entries.front().Values == entry.Values);
+      reread.Entries.front().Key == entry.Key && reread.Entries.front().Values == entry.Values);
   }
 }
 }

@@ -3,6 +3,7 @@
 #include "SceneText.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstring>
 #include <map>
@@ -210,12 +211,8 @@ SceneEntry ReadEntry(LineReader& reader)
   return entry;
 }
 
-std::string Quoted(const std::string& value)
+std::string InQuotes(const std::string& value)
 {
-  if (IsPlain(value))
-  {
-    return value;
-  }
   std::string quoted = "\"";
   for (const char letter : value)
   {
@@ -227,6 +224,15 @@ std::string Quoted(const std::string& value)
     quoted += text;
   }
   return quoted + "\"";
+}
+
+/// True for keys that need no quotes.
+bool IsBare(const std::string& key)
+{
+  return !key.empty() &&
+    std::all_of(key.begin(), key.end(),
+      [](unsigned char letter)
+      { return std::isalnum(letter) != 0 || letter == '-' || letter == '_'; });
 }
 }
 
@@ -259,7 +265,8 @@ std::string SceneLine(const std::string& key, const std::vector<std::string>& va
   std::string list;
   for (const std::string& value : values)
   {
-    list.append(list.empty() ? "" : ", ").append(Quoted(value));
+    list.append(list.empty() ? "" : ", ").append(IsPlain(value) ? value : InQuotes(value));
   }
-  return key + " = " + (values.size() == 1 ? list : "[" + list + "]") + "\n";
+  return (IsBare(key) ? key : InQuotes(key)) + " = " +
+    (values.size() == 1 ? list : "[" + list + "]") + "\n";
 }

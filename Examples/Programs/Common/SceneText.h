@@ -32,7 +32,8 @@ struct SceneEntries
 /// Reads a text; lists may go over several lines.
 SceneEntries ReadSceneText(std::istream& text);
 
-/// One line of such a text, with its end. Numbers and true stand as they are, the rest in quotes.
+/// One line of such a text, with its end. Numbers, true, and keys of letters, digits, - and _ stand
+/// as they are, the rest in quotes.
 std::string SceneLine(const std::string& key, const std::vector<std::string>& values);
 
 #endif
