@@ -211,7 +211,7 @@ ColorFileResult ReadIndexedColors(const Json::Value& map)
   for (Json::ArrayIndex k = 0; names.isArray() && k + 1 < names.size(); k += 2)
   {
     const std::optional<double> value =
-      names[k].isString() ? ToNumber(names[k].asString()) : std::nullopt;
+      ToNumber(names[k].isString() ? names[k].asString() : std::string());
     // as ParaView has it: colours begin again after the last one
     const std::size_t count = colors.size() / 3;
     const std::optional<Color> color =
