@@ -31,6 +31,7 @@
 #include "vtkTerrainActor.h"
 #include "vtkTerrainLooks.h"
 #include "vtkTerrainPieces.h"
+#include "vtkTerrainScenes.h"
 #include "vtkTerrainSelectionLift.h"
 #include "vtkTerrainSourceColors.h"
 #include "vtkTerrainStrips.h"
@@ -41,6 +42,7 @@
 #include <cstddef>
 #include <cstring>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -211,6 +213,7 @@ int vtkTerrainRepresentation::ProcessViewRequest(
   {
     this->PassPieces(inInfo, outInfo);
     this->LiftSelection();
+    this->TellOfOtherScenes();
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())
   {
@@ -240,6 +243,45 @@ void vtkTerrainRepresentation::PassPieces(vtkInformation* inInfo, vtkInformation
   if (this->Actor->GetProperty()->GetOpacity() < 1.0)
   {
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+// All that are seen where their own coordinates say: whoever moves a terrain knows where to.
+std::vector<vtkImageData*> vtkTerrainRepresentation::FindPlacedImages()
+{
+  const auto are = [](const double* values, double value)
+  { return std::all_of(values, values + 3, [value](double x) { return x == value; }); };
+  vtkActor* actor = this->Actor;
+  const bool isPlaced = this->GetVisibility() && are(actor->GetPosition(), 0.0) &&
+    are(actor->GetOrientation(), 0.0) && are(actor->GetScale(), 1.0);
+  return isPlaced ? vtkTerrainPieces::FindImages(this->Pieces) : std::vector<vtkImageData*>();
+}
+
+//------------------------------------------------------------------------------
+// All terrains are compared with the first one of the view. The first process, which has a piece of
+// every image, speaks for all.
+void vtkTerrainRepresentation::TellOfOtherScenes()
+{
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  if (!this->GetView() || (processes && processes->GetLocalProcessId() > 0))
+  {
+    return;
+  }
+  std::vector<vtkImageData*> images;
+  for (int k = 0; k < this->GetView()->GetNumberOfRepresentations() && images.empty(); ++k)
+  {
+    auto* shown = vtkTerrainRepresentation::SafeDownCast(this->GetView()->GetRepresentation(k));
+    images = shown ? shown->FindPlacedImages() : images;
+  }
+  for (vtkImageData* image : this->FindPlacedImages())
+  {
+    const std::string text =
+      image == images.front() ? "" : vtkTerrainScenes::WhyApart(images.front(), image);
+    if (!text.empty() && this->Told.insert(text).second)
+    {
+      vtkWarningMacro(<< text);
+    }
   }
 }
 

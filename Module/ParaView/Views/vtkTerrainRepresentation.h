@@ -29,6 +29,7 @@
 #include <array>   // For members
 #include <cstddef> // For std::size_t
 #include <memory>  // For members
+#include <set>     // For members
 #include <string>  // For members
 #include <vector>  // For members
 
@@ -154,6 +155,8 @@ private:
   void AddSurface(vtkPolyData* surface);
   void ShareHeightRange();
   void PassPieces(vtkInformation* inInfo, vtkInformation* outInfo);
+  void TellOfOtherScenes();
+  std::vector<vtkImageData*> FindPlacedImages();
   void GetOwnBounds(double bounds[6]);
   void TakePieces(vtkDataObject* delivered);
   void TakeSurfaces(vtkDataObject* delivered);
@@ -183,6 +186,8 @@ private:
   std::string Drape;
   /// Whether extract or drape have changed since the pieces were taken.
   bool HasOtherParts = false;
+  /// What was said of terrains that do not lie in one scene.
+  std::set<std::string> Told;
 };
 
 #endif
