@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMTerrainRepresentationProxy.h"
 
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVFileInformation.h"
 #include "vtkSMDoubleRangeDomain.h"
 #include "vtkSMDoubleVectorProperty.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSmartPointer.h"
 
 #include <cmath>
@@ -68,6 +72,43 @@ void vtkSMTerrainRepresentationProxy::PutBack(
 }
 
 //------------------------------------------------------------------------------
+// Names that GDAL alone understands, of files in archives or on servers, are left to it.
+bool vtkSMTerrainRepresentationProxy::IsThere(const std::string& fileName)
+{
+  const bool isOfGDAL = fileName.compare(0, 4, "/vsi") == 0 || fileName.find(':') < fileName.size();
+  const auto files = vtkSmartPointer<vtkSMProxy>::Take(
+    this->GetSessionProxyManager()->NewProxy("misc", "FileInformationHelper"));
+  if (isOfGDAL || !files)
+  {
+    return true;
+  }
+  vtkSMPropertyHelper(files, "Path").Set(fileName.c_str());
+  files->UpdateVTKObjects();
+  const vtkNew<vtkPVFileInformation> found;
+  files->GatherInformation(found);
+  return found->GetType() != vtkPVFileInformation::INVALID;
+}
+
+//------------------------------------------------------------------------------
+void vtkSMTerrainRepresentationProxy::PutBackDrape()
+{
+  vtkSMPropertyHelper drape(this, "Drape");
+  const std::string wanted = drape.GetAsString() ? drape.GetAsString() : "";
+  if (wanted == this->TakenDrape)
+  {
+    return;
+  }
+  if (wanted.empty() || this->IsThere(wanted))
+  {
+    this->TakenDrape = wanted;
+    return;
+  }
+  drape.Set(this->TakenDrape.c_str());
+  vtkErrorMacro(<< "Drape: there is no file '" << wanted << "' where the data are read: it stays '"
+                << this->TakenDrape << "'.");
+}
+
+//------------------------------------------------------------------------------
 void vtkSMTerrainRepresentationProxy::UpdateVTKObjects()
 {
   const auto all = vtkSmartPointer<vtkSMPropertyIterator>::Take(this->NewPropertyIterator());
@@ -81,5 +122,6 @@ void vtkSMTerrainRepresentationProxy::UpdateVTKObjects()
       this->PutBack(all->GetKey(), property, range);
     }
   }
+  this->PutBackDrape();
   this->Superclass::UpdateVTKObjects();
 }

@@ -4,9 +4,10 @@
  * @class   vtkSMTerrainRepresentationProxy
  * @brief   puts back what a terrain refuses
  *
- * Numbers outside of a property's range would be refused where the terrain is drawn, while the
- * panel went on showing them. Here they are set back to what was last taken, before anything is
- * sent, with one error that says what is allowed.
+ * Numbers outside of a property's range, and a picture's file that is not there where the data are,
+ * would be refused where the terrain is drawn, while the panel went on showing them. Here they are
+ * set back to what was last taken, before anything is sent, with one error that says what is
+ * allowed.
  */
 #ifndef vtkSMTerrainRepresentationProxy_h
 #define vtkSMTerrainRepresentationProxy_h
@@ -41,9 +42,13 @@ protected:
 private:
   void PutBack(
     const char* name, vtkSMDoubleVectorProperty* property, vtkSMDoubleRangeDomain* range);
+  void PutBackDrape();
+  bool IsThere(const std::string& fileName);
 
   /// Of each property with a range: what was last taken.
   std::map<std::string, std::vector<double>> Taken;
+  /// The picture's file that was last taken.
+  std::string TakenDrape;
 };
 
 #endif
