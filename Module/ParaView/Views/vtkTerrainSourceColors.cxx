@@ -68,7 +68,7 @@ void vtkTerrainSourceColors::ShowBar(vtkPVRenderView* view, int source)
   if (!this->Renderer)
   {
     this->Renderer = view->GetNonCompositedRenderer();
-    this->Renderer->AddActor2D(this->Bar);
+    this->Renderer->AddViewProp(this->Bar);
   }
 }
 
@@ -77,7 +77,7 @@ void vtkTerrainSourceColors::HideBar()
 {
   if (this->Renderer)
   {
-    this->Renderer->RemoveActor2D(this->Bar);
+    this->Renderer->RemoveViewProp(this->Bar);
     this->Renderer = nullptr;
   }
 }
