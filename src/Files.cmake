@@ -50,6 +50,7 @@ set(private_sources
   parts/ActorSurface
   parts/AssemblyPart
   parts/ColorsOfRaster
+  parts/DrapePicture
   parts/RasterReaderLevels
   place/GeoreferencePrepare
   place/GlobeHeights

@@ -208,6 +208,18 @@ void vtkOpenGLTerrainMapper::SetExtract(const int first[2], const int last[2])
 }
 
 //------------------------------------------------------------------------------
+bool vtkOpenGLTerrainMapper::GetExtract(int first[2], int last[2]) const
+{
+  const terrain::Cutting& cutting = this->Internals->Scene.Cutting;
+  for (int axis = 0; cutting.Extracts && axis < 2; ++axis)
+  {
+    first[axis] = cutting.First[axis];
+    last[axis] = cutting.Last[axis];
+  }
+  return cutting.Extracts;
+}
+
+//------------------------------------------------------------------------------
 void vtkOpenGLTerrainMapper::ExtractAll()
 {
   this->Internals->Scene.Cutting.Extracts = false;

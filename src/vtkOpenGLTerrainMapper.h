@@ -292,8 +292,10 @@ public:
   ///@}
 
   ///@{
-  /// Draw the samples first[0] <= i <= last[0], first[1] <= j <= last[1] only. Default all of them.
+  /// Draw the samples first[0] <= i <= last[0], first[1] <= j <= last[1] only. Default all of them:
+  /// GetExtract() is false then, and changes nothing.
   void SetExtract(const int first[2], const int last[2]);
+  bool GetExtract(int first[2], int last[2]) const;
   void ExtractAll();
   ///@}
 

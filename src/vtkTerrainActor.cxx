@@ -27,6 +27,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTexture.h" // For the destructor of a member
 
 #include <algorithm>
 #include <array>

@@ -56,6 +56,7 @@ class vtkColorTransferFunction;
 class vtkImageData;
 class vtkPolyData;
 class vtkScalarsToColors;
+class vtkTexture;
 class vtkTerrainCoarseMesh;
 class vtkTerrainHierarchy;
 class vtkTerrainMesh;
@@ -167,8 +168,9 @@ public:
   /// actor's matrix, property, texture and colours. Exporters and VTK's pickers get it by
   /// themselves in place of the box that rays start from, through InitPathTraversal(): a picker's
   /// GetActor() is the terrain. vtkTerrainPicker does without and is exact. The mesh is made when
-  /// somebody asks, and again after changes: about 0.2 microseconds a sample. It has no detail,
-  /// block or extract. Null without an image of heights (strips of a prepared file alone) and on a
+  /// somebody asks, and again after changes: about 0.2 microseconds a sample. It is cut by the
+  /// extract, and has the walls and the floor of a block that lies below all heights; it has no
+  /// detail, and is cut by clipping planes only where its actor is drawn or picked. Null without an image of heights (strips of a prepared file alone) and on a
   /// globe (vtkTerrainGlobe), where exporters and VTK's pickers find nothing.
   vtkPolyData* GetSurface();
   vtkActor* GetSurfaceActor();
@@ -265,7 +267,9 @@ private:
   void UpdateMesh();
   void UpdateColors();
   bool HasSea();
+  void CutSurface();
   void UpdateSurfaceLook(vtkImageData* heights);
+  void UpdateSurfacePicture(vtkImageData* heights);
   void RenderInTime(vtkRenderer* renderer, vtkMapper* mapper);
 
   vtkSmartPointer<vtkOpenGLTerrainMapper> TerrainMapper;
@@ -287,6 +291,8 @@ private:
   double SurfaceError = -1.0;
   vtkSmartPointer<vtkTerrainMesh> SurfaceMesh; ///< null until somebody asks for the surface
   vtkSmartPointer<vtkActor> SurfaceActor;
+  vtkSmartPointer<vtkTexture> SurfacePicture; ///< a draped picture, once somebody asked
+  vtkMTimeType SurfacePictureTime = 0;
   vtkSmartPointer<vtkActor> Part; ///< in assemblies; null until one asks
 };
 

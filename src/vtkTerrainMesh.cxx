@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkTerrainMesh);
 
@@ -29,6 +30,45 @@ namespace
 {
 /// Part of the error, and of a cell, by which rounding may move what nobody has asked to round.
 constexpr double kUnseenShare = 64.0;
+
+/// A rectangle of a view's samples, as a view of copies of them.
+template <typename T>
+class CutOut
+{
+public:
+  CutOut(const terrain::HeightfieldView<T>& view, const glm::ivec2& first, const glm::ivec2& last)
+  {
+    this->View.Width = last.x - first.x + 1;
+    this->View.Height = last.y - first.y + 1;
+    this->View.HasNoData = view.HasNoData;
+    this->View.NoData = view.NoData;
+    this->View.MaskBits = view.MaskBits;
+    for (int j = first.y; j <= last.y; ++j)
+    {
+      const std::int64_t from = view.Index(first.x, j);
+      const std::int64_t to = view.Index(last.x, j) + 1;
+      this->Samples.insert(this->Samples.end(), view.Samples + from, view.Samples + to);
+      if (view.Mask)
+      {
+        this->Mask.insert(this->Mask.end(), view.Mask + from, view.Mask + to);
+      }
+    }
+    this->View.Samples = this->Samples.data();
+    this->View.Mask = view.Mask ? this->Mask.data() : nullptr;
+  }
+  CutOut(const CutOut&) = delete;
+  CutOut& operator=(const CutOut&) = delete;
+
+  const terrain::HeightfieldView<T>& GetView() const
+  {
+    return this->View;
+  }
+
+private:
+  std::vector<T> Samples;
+  std::vector<unsigned char> Mask;
+  terrain::HeightfieldView<T> View;
+};
 
 /// Builds the mesh; returns its error.
 template <typename T>
@@ -91,6 +131,12 @@ int vtkTerrainMesh::RequestData(
   }
 
   const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(image, this->Exaggeration);
+  const glm::ivec2 highest = glm::ivec2(image->GetDimensions()[0], image->GetDimensions()[1]) - 1;
+  const glm::ivec2 zero(0);
+  const auto kept = [&](const int corner[2])
+  { return glm::clamp(glm::ivec2(corner[0], corner[1]), zero, highest); };
+  const glm::ivec2 first = this->Extracts ? kept(this->First) : zero;
+  const glm::ivec2 last = this->Extracts ? kept(this->Last) : highest;
   bool single = this->OutputPointsPrecision == SINGLE_PRECISION;
   const bool rounds = this->HoldInSinglePrecision || single;
   terrain::GridMesh mesh;
@@ -98,10 +144,24 @@ int vtkTerrainMesh::RequestData(
   terrain::ImageHeights::Dispatch(image,
     [&](const auto& view)
     {
-      this->MeshError = rounds ? BuildRounded(view, geometry, this->MaximumError, mesh, single)
-                               : BuildExact(view, this->MaximumError, mesh);
-      for (const glm::ivec2& vertex : mesh.Vertices)
+      const auto build = [&](const auto& part, const terrain::GridGeometry& place)
       {
+        this->MeshError = rounds ? BuildRounded(part, place, this->MaximumError, mesh, single)
+                                 : BuildExact(part, this->MaximumError, mesh);
+      };
+      if (first == zero && last == highest)
+      {
+        build(view, geometry);
+      }
+      else
+      {
+        terrain::GridGeometry place = geometry;
+        place.Origin = geometry.ToModel(first, 0.0);
+        build(CutOut(view, first, last).GetView(), place);
+      }
+      for (glm::ivec2& vertex : mesh.Vertices)
+      {
+        vertex += first;
         lowest = std::min(lowest, view.At(vertex.x, vertex.y));
       }
     });
@@ -119,8 +179,13 @@ int vtkTerrainMesh::RequestData(
   output.SinglePrecision = single && this->OutputPointsPrecision != DOUBLE_PRECISION;
   output.Normals = this->ComputeNormals;
   output.TextureCoordinates = this->ComputeTextureCoordinates;
+  std::copy_n(this->TextureBounds, 4, output.TextureBounds.begin());
+  output.Slopes = this->ComputeSlopes;
   output.PointArrays = this->PassPointArrays;
   output.Block = this->Block;
+  output.WallsOfHoles = this->WallsOfHoles;
+  output.First = first;
+  output.Last = last;
   output.BlockBase = this->BlockBase;
   vtkPolyData* polys = vtkPolyData::GetData(outputVector);
   terrain::FillMeshOutput(image, mesh, geometry, output, polys);
@@ -130,6 +195,29 @@ int vtkTerrainMesh::RequestData(
   error->InsertNextValue(this->MeshError);
   polys->GetFieldData()->AddArray(error);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMesh::SetExtract(const int first[2], const int last[2])
+{
+  if (!this->Extracts || !std::equal(first, first + 2, this->First) ||
+    !std::equal(last, last + 2, this->Last))
+  {
+    this->Extracts = true;
+    std::copy_n(first, 2, this->First);
+    std::copy_n(last, 2, this->Last);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMesh::ExtractAll()
+{
+  if (this->Extracts)
+  {
+    this->Extracts = false;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -147,10 +235,17 @@ void vtkTerrainMesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumError: " << this->MaximumError << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "Block: " << (this->Block ? "on" : "off") << "\n";
+  os << indent << "WallsOfHoles: " << (this->WallsOfHoles ? "on" : "off") << "\n";
   os << indent << "BlockBase: " << this->BlockBase << "\n";
+  os << indent << "Extracts: " << (this->Extracts ? "on" : "off") << "\n";
+  os << indent << "First: " << this->First[0] << " " << this->First[1] << "\n";
+  os << indent << "Last: " << this->Last[0] << " " << this->Last[1] << "\n";
   os << indent << "ComputeNormals: " << (this->ComputeNormals ? "on" : "off") << "\n";
   os << indent << "ComputeTextureCoordinates: " << (this->ComputeTextureCoordinates ? "on" : "off")
      << "\n";
+  os << indent << "TextureBounds: " << this->TextureBounds[0] << " " << this->TextureBounds[1]
+     << " " << this->TextureBounds[2] << " " << this->TextureBounds[3] << "\n";
+  os << indent << "ComputeSlopes: " << (this->ComputeSlopes ? "on" : "off") << "\n";
   os << indent << "PassPointArrays: " << (this->PassPointArrays ? "on" : "off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "HoldInSinglePrecision: " << (this->HoldInSinglePrecision ? "on" : "off") << "\n";

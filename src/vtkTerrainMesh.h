@@ -17,10 +17,10 @@
  * (ComputeTextureCoordinates): (0, 0) is the outer corner of the south-western sample's cell, that
  * is half a cell outside of the sample, as in pictures that have one pixel a sample; (1, 1) that of
  * the north-eastern;
- *   - point data: the input's arrays at the samples (PassPointArrays);
+ *   - point data: the input's arrays at the samples (PassPointArrays); a floor has its own height;
  *   - field data "MeshError", one float64: GetMeshError().
  *
- * The mesh covers exactly the cells whose four samples have heights. Neighbouring triangles share
+ * The mesh covers exactly the cells whose four samples have heights, or those of them in Extract. Neighbouring triangles share
  * whole edges: there are no cracks. With Block the mesh is closed by walls and a floor; every edge
  * of the block then has two triangles, four where two holes meet in one sample.
  *
@@ -84,10 +84,25 @@ public:
   ///@}
 
   ///@{
+  /// The mesh has the samples first[0] <= i <= last[0], first[1] <= j <= last[1] only, counted from
+  /// the south-west. Default all of them. Normals and texture coordinates stay those of all.
+  void SetExtract(const int first[2], const int last[2]);
+  void ExtractAll();
+  ///@}
+
+  ///@{
   /// Whether the mesh is closed by vertical walls and a floor at BlockBase; default off.
   vtkSetMacro(Block, bool);
   vtkGetMacro(Block, bool);
   vtkBooleanMacro(Block, bool);
+  ///@}
+
+  ///@{
+  /// Whether a block has walls round holes, too, as a closed body needs them; default on. Off for
+  /// what rays draw: walls along the four sides.
+  vtkSetMacro(WallsOfHoles, bool);
+  vtkGetMacro(WallsOfHoles, bool);
+  vtkBooleanMacro(WallsOfHoles, bool);
   ///@}
 
   ///@{
@@ -111,6 +126,23 @@ public:
   vtkSetMacro(ComputeTextureCoordinates, bool);
   vtkGetMacro(ComputeTextureCoordinates, bool);
   vtkBooleanMacro(ComputeTextureCoordinates, bool);
+  ///@}
+
+  ///@{
+  /// West, east, south, north of the picture that texture coordinates are those of: (0, 0) is its
+  /// south-western corner, (1, 1) its north-eastern, in the coordinates of the input. Default all
+  /// 0: those of the class comment.
+  vtkSetVector4Macro(TextureBounds, double);
+  vtkGetVector4Macro(TextureBounds, double);
+  ///@}
+
+  ///@{
+  /// Whether the output has point arrays "Slope", degrees from the horizontal, and "Aspect", the
+  /// direction downhill in degrees clockwise from the grid's north, 0 to 360, NaN where it is level:
+  /// of the surface of "Normals", not exaggerated. Default off.
+  vtkSetMacro(ComputeSlopes, bool);
+  vtkGetMacro(ComputeSlopes, bool);
+  vtkBooleanMacro(ComputeSlopes, bool);
   ///@}
 
   ///@{
@@ -157,9 +189,15 @@ private:
   double MaximumError = 1.0;
   double Exaggeration = 1.0;
   bool Block = false;
+  bool WallsOfHoles = true;
   double BlockBase = 0.0;
+  bool Extracts = false;
+  int First[2] = { 0, 0 };
+  int Last[2] = { 0, 0 };
   bool ComputeNormals = true;
   bool ComputeTextureCoordinates = true;
+  double TextureBounds[4] = { 0.0, 0.0, 0.0, 0.0 };
+  bool ComputeSlopes = false;
   bool PassPointArrays = false;
   int OutputPointsPrecision = DOUBLE_PRECISION;
   bool HoldInSinglePrecision = false;

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Classes of VTK that meet a terrain as they meet any actor; the judge is a plain actor of all samples."""
+import json
 import pathlib
 import unittest
 
@@ -8,8 +9,9 @@ import numpy as np
 import vtkmodules.vtkInteractionStyle
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkTerrainTesting
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTerrain
 from vtkmodules.vtkInteractionWidgets import (
     vtkContourWidget,
@@ -21,7 +23,7 @@ from vtkmodules.vtkInteractionWidgets import (
     vtkPointHandleRepresentation3D,
     vtkTerrainDataPointPlacer,
 )
-from vtkmodules.vtkIOExport import vtkOBJExporter
+from vtkmodules.vtkIOExport import vtkGLTFExporter, vtkOBJExporter, vtkVRMLExporter, vtkX3DExporter
 from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkRenderingAnnotation import vtkCubeAxesActor, vtkLegendBoxActor
 from vtkmodules.vtkRenderingCore import (
@@ -35,7 +37,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from vtkterrain import heights_from_array, vtkTerrainActor, vtkTerrainMesh
+from vtkterrain import heights_from_array, vtkTerrainActor, vtkTerrainLook, vtkTerrainMesh
 
 SIZE = (400, 300)
 CLICKS = ((150, 130), (250, 160))
@@ -156,6 +158,81 @@ class TestProps(unittest.TestCase):
         picture = scene.picture()
         self.assertGreater((picture == (0, 0, 255)).all(axis=2).sum(), 1000)
         self.assertLess((picture != self.expected).any(axis=2).mean(), 0.3)
+
+
+class TestColors(unittest.TestCase):
+    """What consumers see of the colours."""
+
+    def test_exporters_leave_the_range_as_it_is(self):
+        for exporter in (vtkVRMLExporter(), vtkX3DExporter()):
+            table = vtkLookupTable()
+            table.SetRange(2.0, 30.0)
+            table.Build()
+            terrain = make_terrain()
+            terrain.SetLookupTable(table)
+            scene = Scene(terrain)
+            before = scene.picture()
+            exporter.SetRenderWindow(scene.window)
+            exporter.SetFileName(vtkTerrainTesting.output_path("range"))
+            exporter.Write()
+            self.assertEqual(table.GetRange(), (2.0, 30.0))
+            np.testing.assert_array_equal(scene.picture(), before)
+
+    def test_slopes(self):
+        heights = np.add.outer(np.arange(40.0), 2.0 * np.arange(50.0))  # 1 a row, 2 a column
+        terrain = vtkTerrainActor()
+        terrain.SetInputData(heights_from_array(heights, spacing=(2.0, 4.0)))
+        terrain.SetVerticalExaggeration(3.0)
+        mapper, sources = terrain.GetTerrainMapper(), vtkTerrainLook.ColorSources
+        self.assertFalse(terrain.GetSurface().GetPointData().HasArray("Slope"))
+        for source, name, value in ((sources.Slope, "Slope", np.degrees(np.arctan(np.hypot(1.0, 0.25)))),
+                                    (sources.Aspect, "Aspect", np.degrees(np.arctan2(-1.0, -0.25)) + 360.0)):
+            mapper.SetColorSource(source)
+            values = vtk_to_numpy(terrain.GetSurface().GetPointData().GetArray(name))
+            np.testing.assert_allclose(values, value, rtol=1e-5)
+            self.assertEqual(terrain.GetSurfaceActor().GetMapper().GetArrayName(), name)
+
+    def test_slopes_look_as_drawn(self):
+        terrain, table = make_terrain(), vtkLookupTable()
+        table.SetRange(0.0, 60.0)
+        table.Build()
+        terrain.SetLookupTable(table)
+        terrain.SetSurfaceError(0.0)
+        terrain.GetTerrainMapper().SetColorSource(vtkTerrainLook.ColorSources.Slope)
+        self.check_mesh(terrain)
+
+    def check_mesh(self, terrain, share=0.95):
+        """The mesh's picture against that of the rays."""
+        drawn, mesh = Scene(terrain).picture(), Scene(terrain.GetSurfaceActor()).picture()
+        shown = is_drawn(drawn) & is_drawn(mesh)
+        self.assertGreater(len(np.unique(mesh[shown], axis=0)), 100)
+        self.assertGreater((np.abs(drawn - mesh).max(axis=2)[shown] < 40).mean(), share)
+
+    def test_a_drape_is_the_texture(self):
+        picture = vtkImageData()
+        picture.SetDimensions(160, 120, 1)
+        y, x = np.mgrid[0:120, 0:160]
+        texels = np.dstack([x, 2 * y, 100 + 0 * x, np.where((x > 40) & (y > 30), 255, 0)]).astype(np.uint8)
+        picture.GetPointData().SetScalars(numpy_to_vtk(texels.reshape(-1, 4), deep=True))
+        for bounds in ((0.0, 80.0, 0.0, 60.0), (20.0, 110.0, -10.0, 40.0)):
+            terrain = make_terrain()
+            terrain.GetTerrainMapper().SetDrape(picture, bounds)
+            self.check_mesh(terrain)
+            texture = terrain.GetSurfaceActor().GetTexture()
+            self.assertIs(texture, terrain.GetSurfaceActor().GetTexture())  # made once
+            scene = Scene(terrain)
+            path = pathlib.Path(vtkTerrainTesting.output_path("drape.gltf"))
+            exporter = vtkGLTFExporter()
+            exporter.SetRenderWindow(scene.window)
+            exporter.SetFileName(str(path))
+            exporter.InlineDataOn()
+            exporter.Write()
+            document = json.loads(path.read_text())
+            self.assertEqual(len(document["images"]), 1)
+            self.assertIn("TEXCOORD_0", document["meshes"][0]["primitives"][0]["attributes"])
+            terrain.GetTerrainMapper().SetDrape(None)
+            self.assertIsNone(terrain.GetSurfaceActor().GetTexture())
+            self.assertTrue(terrain.GetSurfaceActor().GetMapper().GetScalarVisibility())
 
 
 class TestWidgets(unittest.TestCase):

@@ -12,7 +12,7 @@ import warnings
 import numpy as np
 import vtkTerrainTesting
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkSelectionNode
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkSelectionNode
 from vtkmodules.vtkRenderingCore import (
     vtkAreaPicker,
     vtkAssembly,
@@ -219,6 +219,73 @@ class TestVTK(PicksTest):
         terrain.VisibilityOff()
         self.assertFalse(picker.Pick(150.0, 90.0, 0.0, renderer))
         window.Finalize()
+
+
+class TestCuts(unittest.TestCase):
+    """A mesh has what rays draw of a terrain that is cut."""
+
+    def check(self, cut, bounds, walls=False):
+        terrain, renderer, window = make_scene(hill())
+        cut(terrain.GetTerrainMapper())
+        renderer.ResetCameraClippingRange()
+        window.Render()
+        np.testing.assert_allclose(terrain.GetSurface().GetBounds(), bounds, atol=0.05)
+        np.testing.assert_allclose(terrain.GetBounds(), bounds, atol=0.05)
+        exact, found = exact_picks(renderer, CLICKS), np.full((len(CLICKS), 3), np.nan)
+        picker = vtkCellPicker()
+        picker.SetTolerance(0.0)
+        for k, (x, y) in enumerate(CLICKS):
+            if picker.Pick(x, y, 0.0, renderer):
+                found[k] = picker.GetPickPosition()
+        hits = np.isfinite(exact[:, 0])
+        self.assertGreater(hits.sum(), 80)
+        self.assertGreater((~hits).sum(), 80)
+        self.assertLess((np.isfinite(found[:, 0]) != hits).sum(), LARGEST_SHARE_OF_SILHOUETTES * len(CLICKS))
+        distances = np.linalg.norm(found - exact, axis=1)
+        self.assertLess(np.nanquantile(distances, 0.95), 0.3)
+        self.assertEqual(bool((exact[hits, 2] < EXAGGERATION * hill().min() - 0.1).any()), walls)
+        return terrain
+
+    def test_an_extract(self):
+        part = EXAGGERATION * hill()[8:31, 12:41].astype(float)
+        bounds = (12.0, 40.0, 8.0, 30.0, part.min(), part.max())
+        terrain, _, _ = make_scene(hill())
+        whole = terrain.GetSurface().GetNumberOfPoints()
+        terrain = self.check(lambda mapper: mapper.SetExtract((12, 8), (40, 30)), bounds)
+        points = vtk_to_numpy(terrain.GetSurface().GetPoints().GetData())
+        places = vtk_to_numpy(terrain.GetSurface().GetPointData().GetTCoords())
+        np.testing.assert_allclose(places, (points[:, :2] + 0.5) / (COLUMNS, ROWS), rtol=1e-5)  # of the whole
+        terrain.GetTerrainMapper().ExtractAll()
+        self.assertEqual(terrain.GetSurface().GetNumberOfPoints(), whole)
+
+    def test_a_block(self):
+        def cut(mapper):
+            mapper.SetBlockBase(-3.0)
+            mapper.SetBlock(True)
+
+        whole = EXAGGERATION * hill().astype(float)
+        self.check(cut, (0.0, COLUMNS - 1.0, 0.0, ROWS - 1.0, -3.0 * EXAGGERATION, whole.max()), walls=True)
+
+    def test_a_block_of_an_extract(self):
+        def cut(mapper):
+            mapper.SetExtract((12, 8), (40, 30))
+            mapper.SetBlockBase(-3.0)
+            mapper.SetBlock(True)
+
+        part = EXAGGERATION * hill()[8:31, 12:41].astype(float)
+        self.check(cut, (12.0, 40.0, 8.0, 30.0, -3.0 * EXAGGERATION, part.max()), walls=True)
+
+    def test_clipping_planes_cut_what_is_picked(self):
+        terrain, renderer, window = make_scene(hill())
+        plane = vtkPlane()
+        plane.SetOrigin(25.0, 0.0, 0.0)
+        plane.SetNormal(1.0, 0.0, 0.0)
+        terrain.GetTerrainMapper().AddClippingPlane(plane)
+        window.Render()
+        exact, picker = exact_picks(renderer, CLICKS), vtkCellPicker()
+        picker.SetTolerance(0.0)
+        found = np.array([bool(picker.Pick(x, y, 0.0, renderer)) for x, y in CLICKS])
+        self.assertLess((found != np.isfinite(exact[:, 0])).mean(), LARGEST_SHARE_OF_SILHOUETTES)
 
 
 @unittest.skipIf(pyvista is None, "PyVista is not installed")

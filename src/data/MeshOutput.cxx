@@ -7,6 +7,7 @@
 #include "data/SMPParallelFor.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -19,8 +20,11 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace terrain
@@ -63,8 +67,9 @@ public:
   }
 
   /// Closes the surface. Parts have points of their own if they have normals of their own.
-  void AddBlock(bool sharp)
+  void AddBlock(const MeshOutputOptions& options)
   {
+    const bool sharp = options.Normals;
     const std::vector<glm::ivec2> border = FindBorderEdges(this->Mesh);
     const auto floor = static_cast<std::int32_t>(this->Mesh.Vertices.size());
     for (const glm::ivec2& sample : this->Mesh.Vertices)
@@ -79,6 +84,10 @@ public:
     }
     for (const glm::ivec2& edge : border)
     {
+      if (!options.WallsOfHoles && !this->IsOnSide(edge, options))
+      {
+        continue;
+      }
       std::int32_t top[2] = { edge.x, edge.y };
       std::int32_t bottom[2] = { floor + edge.x, floor + edge.y };
       if (sharp)
@@ -117,6 +126,19 @@ private:
   void AddTriangle(std::int32_t a, std::int32_t b, std::int32_t c)
   {
     this->Mesh.Triangles.insert(this->Mesh.Triangles.end(), { a, b, c });
+  }
+
+  /// True if an edge lies along a side of the rectangle of samples.
+  bool IsOnSide(const glm::ivec2& edge, const MeshOutputOptions& options) const
+  {
+    const glm::ivec2& a = this->Mesh.Vertices[edge.x];
+    const glm::ivec2& b = this->Mesh.Vertices[edge.y];
+    const auto both = [&](const glm::ivec2& corner)
+    {
+      return glm::any(
+        glm::bvec2(a.x == corner.x && b.x == corner.x, a.y == corner.y && b.y == corner.y));
+    };
+    return both(options.First) || both(options.Last);
   }
 
   /// To the right of the edge: away from the surface.
@@ -218,15 +240,60 @@ void AddNormals(const HeightfieldView<T>& view, const MeshParts& parts,
   output->GetPointData()->SetNormals(normals);
 }
 
-void AddTextureCoordinates(vtkImageData* image, const MeshParts& parts, vtkPolyData* output)
+/// Gives the floor of a block its own height in the array of heights, as far as its type has it.
+void SetFloorHeights(const MeshParts& parts, const char* name, double base, vtkPolyData* output)
 {
+  vtkDataArray* heights = name ? output->GetPointData()->GetArray(name) : nullptr;
+  for (std::size_t k = 0; heights && k < parts.NumberOfPoints(); ++k)
+  {
+    if (parts.Point(k).IsOnFloor)
+    {
+      heights->SetComponent(static_cast<vtkIdType>(k), 0,
+        std::clamp(base, heights->GetDataTypeMin(), heights->GetDataTypeMax()));
+    }
+  }
+}
+
+/// Slopes and their directions, see vtkTerrainMesh::SetComputeSlopes().
+template <typename T>
+void AddSlopes(const HeightfieldView<T>& view, const MeshParts& parts, const GridGeometry& geometry,
+  vtkPolyData* output)
+{
+  const vtkSmartPointer<vtkFloatArray> slopes = MakeFloats(parts, "Slope", 1);
+  const vtkSmartPointer<vtkFloatArray> aspects = MakeFloats(parts, "Aspect", 1);
+  constexpr double kLevel = 1e-6; // as where rays are coloured
+  ForEachPoint(parts,
+    [&](std::int64_t k)
+    {
+      const glm::ivec2 sample = parts.Point(k).Sample;
+      const glm::dvec2 down =
+        -glm::dvec2(Slope(view, sample, 0), Slope(view, sample, 1)) / geometry.Spacing;
+      const double steepness = glm::length(down);
+      const double aspect = glm::degrees(std::atan2(down.x, down.y));
+      slopes->SetValue(k, static_cast<float>(glm::degrees(std::atan(steepness))));
+      aspects->SetValue(k,
+        steepness < kLevel ? std::numeric_limits<float>::quiet_NaN()
+                           : static_cast<float>(aspect < 0.0 ? aspect + 360.0 : aspect));
+    });
+  output->GetPointData()->AddArray(slopes);
+  output->GetPointData()->AddArray(aspects);
+}
+
+void AddTextureCoordinates(vtkImageData* image, const MeshParts& parts,
+  const GridGeometry& geometry, const std::array<double, 4>& bounds, vtkPolyData* output)
+{
+  const glm::dvec2 corner(bounds[0], bounds[2]);
+  const glm::dvec2 extent = glm::dvec2(bounds[1], bounds[3]) - corner;
   const glm::dvec2 size(image->GetDimensions()[0], image->GetDimensions()[1]);
   const vtkSmartPointer<vtkFloatArray> coordinates = MakeFloats(parts, "TextureCoordinates", 2);
   float* target = coordinates->GetPointer(0);
   ForEachPoint(parts,
     [&](std::int64_t k)
     {
-      const glm::vec2 place((glm::dvec2(parts.Point(k).Sample) + 0.5) / size);
+      const glm::dvec2 sample(parts.Point(k).Sample);
+      const glm::vec2 place(extent.x > 0.0 && extent.y > 0.0
+          ? (glm::dvec2(geometry.ToModel(sample, 0.0)) - corner) / extent
+          : (sample + 0.5) / size);
       target[2 * k] = place.x;
       target[2 * k + 1] = place.y;
     });
@@ -241,7 +308,7 @@ void FillMeshOutput(vtkImageData* image, GridMesh& mesh, const GridGeometry& geo
   MeshParts parts(mesh, geometry);
   if (options.Block)
   {
-    parts.AddBlock(options.Normals);
+    parts.AddBlock(options);
   }
   vtkNew<vtkPoints> points;
   points->SetDataType(options.SinglePrecision ? VTK_FLOAT : VTK_DOUBLE);
@@ -264,10 +331,14 @@ void FillMeshOutput(vtkImageData* image, GridMesh& mesh, const GridGeometry& geo
       {
         AddNormals(view, parts, geometry, output);
       }
+      if (options.Slopes)
+      {
+        AddSlopes(view, parts, geometry, output);
+      }
     });
   if (options.TextureCoordinates)
   {
-    AddTextureCoordinates(image, parts, output);
+    AddTextureCoordinates(image, parts, geometry, options.TextureBounds, output);
   }
   if (options.PointArrays)
   {
@@ -279,6 +350,8 @@ void FillMeshOutput(vtkImageData* image, GridMesh& mesh, const GridGeometry& geo
         return ImageHeights::PointOfSample(image, sample.x, sample.y);
       },
       output);
+    SetFloorHeights(
+      parts, image->GetPointData()->GetScalars()->GetName(), options.BlockBase, output);
   }
 }
 }

@@ -11,6 +11,7 @@
 #include "core/grid/Coordinates.h"
 #include "core/mesh/GreedyMesh.h"
 
+#include <array>
 #include <vector>
 
 class vtkImageData;
@@ -24,8 +25,15 @@ struct MeshOutputOptions
   bool SinglePrecision = false;
   bool Normals = false;
   bool TextureCoordinates = false;
+  /// West, east, south, north of the picture; all 0 for one pixel a sample.
+  std::array<double, 4> TextureBounds{};
+  bool Slopes = false;
   bool PointArrays = false;
   bool Block = false;
+  /// Walls round holes, too, and not along the sides of the rectangle of samples alone.
+  bool WallsOfHoles = true;
+  glm::ivec2 First{ 0, 0 };
+  glm::ivec2 Last{ 0, 0 };
   /// Height of a block's floor, in height units.
   double BlockBase = 0.0;
 };

@@ -6,6 +6,7 @@
 #include "data/GlobeData.h"
 #include "data/ImageHeights.h"
 #include "parts/AssemblyPart.h"
+#include "parts/DrapePicture.h"
 #include "render/SurfaceScope.h"
 #include "vtkTerrainCoarseMesh.h"
 #include "vtkTerrainHierarchy.h"
@@ -22,8 +23,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkScalarsToColors.h"
+#include "vtkTexture.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 //------------------------------------------------------------------------------
@@ -74,8 +79,32 @@ vtkActor* vtkTerrainActor::GetSurfaceActor()
   this->SurfaceMesh->SetInputConnection(this->TerrainMapper->GetInputConnection(1, 0));
   this->SurfaceMesh->SetExaggeration(this->GetVerticalExaggeration());
   this->SurfaceMesh->SetMaximumError(this->GetUsedSurfaceError());
+  this->CutSurface();
   this->UpdateSurfaceLook(heights);
   return this->SurfaceActor;
+}
+
+//------------------------------------------------------------------------------
+// As rays are cut: by the extract, and by the sides and the floor of a block.
+void vtkTerrainActor::CutSurface()
+{
+  std::array<int, 2> first{};
+  std::array<int, 2> last{};
+  if (this->TerrainMapper->GetExtract(first.data(), last.data()))
+  {
+    this->SurfaceMesh->SetExtract(first.data(), last.data());
+  }
+  else
+  {
+    this->SurfaceMesh->ExtractAll();
+  }
+  std::array<double, 2> range{};
+  this->TerrainMapper->GetHeightRange(range.data());
+  const double base = this->TerrainMapper->GetBlockBase();
+  this->SurfaceMesh->WallsOfHolesOff();
+  this->SurfaceMesh->SetBlock(this->TerrainMapper->GetBlock() && base < range[0] &&
+    this->GetTechnique() == Techniques::Pyramid);
+  this->SurfaceMesh->SetBlockBase(base);
 }
 
 //------------------------------------------------------------------------------
@@ -89,23 +118,76 @@ void vtkTerrainActor::UpdateSurfaceLook(vtkImageData* heights)
   this->SurfaceActor->SetVisibility(this->GetVisibility());
   this->SurfaceActor->SetPickable(this->GetPickable());
   vtkMapper* mapper = this->SurfaceActor->GetMapper();
-  const bool ofHeights =
-    this->TerrainMapper->GetColorSource() == vtkOpenGLTerrainMapper::ColorSources::Height;
+  using Sources = vtkOpenGLTerrainMapper::ColorSources;
+  const Sources source = this->TerrainMapper->GetColorSource();
+  const bool ofHeights = source == Sources::Height;
+  const bool ofSlopes = source == Sources::Slope || source == Sources::Aspect;
+  this->SurfaceMesh->SetComputeSlopes(ofSlopes);
   mapper->SetScalarVisibility(this->TerrainMapper->GetScalarVisibility());
-  mapper->SetLookupTable(this->TerrainMapper->GetLookupTable());
+  vtkScalarsToColors* table = this->TerrainMapper->GetLookupTable();
+  mapper->SetLookupTable(table);
   mapper->SetUseLookupTableScalarRange(this->TerrainMapper->GetUseLookupTableScalarRange());
-  mapper->SetScalarRange(this->TerrainMapper->GetScalarRange());
+  mapper->SetScalarRange(table->GetRange()); // some exporters give the table that of the mapper
   mapper->SetScalarModeToUsePointFieldData();
   const char* named = this->TerrainMapper->GetArrayName();
   const char* name = heights->GetPointData()->GetScalars()->GetName();
-  const bool isNamed = !ofHeights && named && *named;
+  const bool isNamed = !ofHeights && !ofSlopes && named && *named;
   const int mode = this->TerrainMapper->GetColorMode();
   const bool isHeight = !isNamed || (name && std::strcmp(named, name) == 0);
-  mapper->SelectColorArray(isNamed ? named : name);
+  mapper->SelectColorArray(ofSlopes ? (source == Sources::Slope ? "Slope" : "Aspect")
+      : isNamed                     ? named
+                                    : name);
   mapper->SetColorMode(isHeight && mode == VTK_COLOR_MODE_DEFAULT ? VTK_COLOR_MODE_MAP_SCALARS
                                                                   : mode); // no height is a colour
-  mapper->SetArrayComponent(ofHeights ? 0 : this->TerrainMapper->GetArrayComponent());
+  mapper->SetArrayComponent(ofHeights || ofSlopes ? 0 : this->TerrainMapper->GetArrayComponent());
   mapper->SetClippingPlanes(this->TerrainMapper->GetClippingPlanes());
+  this->UpdateSurfacePicture(heights);
+}
+
+//------------------------------------------------------------------------------
+// A draped picture is the mesh's texture, in its own colours.
+void vtkTerrainActor::UpdateSurfacePicture(vtkImageData* heights)
+{
+  vtkImageData* drape = this->TerrainMapper->GetDrape();
+  if (!drape || drape->GetNumberOfPoints() == 0)
+  {
+    this->SurfacePicture = nullptr;
+    this->SurfaceMesh->SetTextureBounds(0.0, 0.0, 0.0, 0.0);
+    return;
+  }
+  using Sources = vtkOpenGLTerrainMapper::ColorSources;
+  const bool isColored =
+    this->ColorByHeight && this->TerrainMapper->GetColorSource() == Sources::Height;
+  vtkScalarsToColors* table = isColored ? this->TerrainMapper->GetLookupTable() : nullptr;
+  const vtkMTimeType time = std::max({ drape->GetMTime(), heights->GetMTime(),
+    this->TerrainMapper->GetLookTime(), table ? table->GetMTime() : 0 });
+  if (!this->SurfacePicture || this->SurfacePictureTime != time)
+  {
+    if (terrain::SurfaceScope::IsOpen())
+    {
+      return; // an assembly asks for the look with each frame
+    }
+    std::array<double, 4> bounds{};
+    this->TerrainMapper->GetLook()->GetDrapeBounds(bounds.data());
+    const auto picture = terrain::MakeDrapePicture(drape, bounds, heights, table);
+    if (!picture)
+    {
+      return; // the mapper says so where it draws
+    }
+    this->SurfacePictureTime = time;
+    this->SurfacePicture = vtkSmartPointer<vtkTexture>::New();
+    this->SurfacePicture->SetInputData(picture);
+    this->SurfacePicture->InterpolateOn();
+    this->SurfacePicture->RepeatOff();
+  }
+  const std::array<double, 4> bounds = terrain::FindSampleBounds(heights);
+  this->SurfaceMesh->SetTextureBounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+  this->SurfaceActor->SetTexture(this->SurfacePicture);
+  this->SurfaceActor->GetMapper()->ScalarVisibilityOff();
+  const vtkNew<vtkProperty> white;
+  white->DeepCopy(this->GetProperty());
+  white->SetColor(1.0, 1.0, 1.0); // which the picture is multiplied with
+  this->SurfaceActor->SetProperty(white);
 }
 
 //------------------------------------------------------------------------------

@@ -110,6 +110,7 @@ bool AssemblyPart::TakeSurface()
 // Assemblies and exporters ask this before they look at anything else, pickers the next.
 vtkTypeBool AssemblyPart::GetVisibility()
 {
+  const SurfaceScope scope; // no picture is made for a frame
   this->TakeSurface();
   return this->Terrain && this->Terrain->GetVisibility();
 }
