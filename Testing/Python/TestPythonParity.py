@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 # SPDX-License-Identifier: BSD-3-Clause
 """add_terrain beside add_mesh: bars, kinds of grids, words, attributes, and what lies on the ground."""
+import pathlib
 import re
 import unittest
 import warnings
 
 import numpy as np
 import vtkTerrainTesting
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkTerrainTesting import hill, look
 
 try:
@@ -47,6 +49,80 @@ class ParityTest(unittest.TestCase):
         plotter = self.plotter()
         terrain = self.add(heights, plotter, **options)
         return look(plotter), terrain
+
+
+class TestSeenByOthers(ParityTest):
+    """What a terrain tells others, and what it refuses, as a mesh of PyVista does."""
+
+    def test_vectors_are_their_magnitude(self):
+        heights = hill()
+        rows, columns = heights.shape
+        y, x = np.mgrid[0:1:rows * 1j, 0:1:columns * 1j]
+        vectors = np.dstack([0.0 * x + 1.0, 20.0 * y, 5.0 * x])
+        for component, values in ((None, np.linalg.norm(vectors, axis=2)), (1, vectors[..., 1]), (2, vectors[..., 2])):
+            drawn, terrain = self.draw(heights, scalars=vectors, component=component, cmap="viridis")
+            expected, _ = self.draw(heights, scalars=values, cmap="viridis")
+            np.testing.assert_allclose(drawn, expected, atol=4)
+            np.testing.assert_allclose(terrain.mapper.scalar_range, (values.min(), values.max()))
+            self.assertGreater(len(np.unique(drawn.reshape(-1, 3), axis=0)), 50)
+
+    def test_exporters_leave_ranges_as_they_are(self):
+        for suffix, export in (("wrl", "export_vrml"), ("gltf", "export_gltf")):
+            plotter = self.plotter()
+            terrain = self.add(plotter=plotter)
+            before, range_before = look(plotter), terrain.mapper.scalar_range
+            getattr(plotter, export)(vtkTerrainTesting.output_path(f"range.{suffix}"))
+            self.assertEqual(terrain.mapper.scalar_range, range_before)
+            np.testing.assert_array_equal(look(plotter), before)
+
+    def test_opacities_are_checked(self):
+        terrain = self.add()
+        for wrong in (-1, 2, 7.0, np.nan, np.inf):
+            with self.assertRaisesRegex(ValueError, "opacity must be a number from 0, not seen, to 1, opaque, not"):
+                self.add(opacity=wrong)
+            with self.assertRaisesRegex(ValueError, "opacity must be a number from 0"):
+                terrain.opacity = wrong
+        terrain.opacity = 0.25
+        self.assertEqual(terrain.opacity, 0.25)
+
+    def test_walls_that_cannot_be_closed(self):
+        heights = hill().astype(float)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.add(heights, block=-3.0)
+            inner = heights.copy()
+            inner[20:25, 20:25] = np.nan
+            self.add(inner, block=-3.0)
+            heights[:8] = np.nan
+            self.add(heights)
+            last = heights.shape[1] - 1, heights.shape[0] - 1
+            self.add(heights, block=-3.0, extract=((0, last[0]), (8, last[1])))
+        with self.assertWarnsRegex(UserWarning, "the block has no wall where there is no height along its sides"):
+            self.add(heights, block=-3.0)
+
+    def test_a_bar_goes_with_the_colors(self):
+        plotter = self.plotter()
+        terrain = self.add(plotter=plotter, show_scalar_bar=True)
+        (bar,) = plotter.scalar_bars.values()
+        terrain.texture = pyvista.Texture(np.full((2, 2, 3), 90, np.uint8))
+        self.assertFalse(bar.GetVisibility())
+        terrain.texture = None
+        self.assertTrue(bar.GetVisibility())
+
+    def test_a_bar_below_a_drape(self):
+        places = pathlib.Path(__file__).parents[2] / "Examples" / "Places"
+        plotter = self.plotter()
+        terrain = self.add(str(places / "heights.tif"), plotter, drape=str(places / "photo.tif"), show_scalar_bar=None)
+        drape, covered = terrain.GetTerrainMapper().GetDrape(), plotting.is_covered(terrain)
+        self.assertEqual(len(plotter.scalar_bars), 0 if covered else 1)
+        opaque = drape.NewInstance()
+        opaque.DeepCopy(drape)
+        vtk_to_numpy(opaque.GetPointData().GetScalars())[:, 3] = 255
+        west, east, south, north = terrain.GetHeights().GetBounds()[:4]
+        terrain.GetTerrainMapper().SetDrape(opaque, (west, east, south, north))
+        self.assertTrue(plotting.is_covered(terrain))
+        terrain.GetTerrainMapper().SetDrape(opaque, (west + (east - west) / 2, east, south, north))
+        self.assertFalse(plotting.is_covered(terrain))
 
 
 class TestBars(ParityTest):
@@ -181,11 +257,11 @@ class TestGrids(ParityTest):
                 ({"x": x}, "41 x 51"), ({"x": 3.0}, "x has 1 numbers"),
                 ({"x": self.x, "spacing": (2.0, 2.0)}, "leave out spacing"),
                 ({"y": self.y, "origin": (0.0, 0.0)}, "leave out origin"),
-                ({"y": self.y, "first_row": "north"}, "leave out first_row")):
+                ({"y": self.y, "first_row": "north"}, "leave out first_row"),
+                ({"x": self.x}, "x needs y: give the coordinates of both"), ({"y": self.y}, "y needs x"),
+                ({"x": self.x, "first_row": "north"}, "x needs y")):
             with self.assertRaisesRegex(ValueError, pattern):
                 self.add(**options)
-        _, terrain = self.draw(x=self.x, first_row="north")
-        np.testing.assert_allclose(terrain.bounds[:4], (10.0, 60.0, 0.0, 40.0))
 
     def test_blanked_points_are_holes(self):
         grid = pyvista.StructuredGrid(*np.meshgrid(self.x, self.y), self.heights.astype(float))

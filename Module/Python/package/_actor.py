@@ -18,6 +18,12 @@ from .vtkTerrain import vtkTerrainActor, vtkTerrainLook
 _WITH_MESH = (vtkTerrainLook.Techniques.Mesh, vtkTerrainLook.Techniques.Strips)
 
 
+def check_opacity(opacity):
+    """Raises a ValueError for what is no opacity of a whole terrain."""
+    if not (isinstance(opacity, numbers.Real) and 0.0 <= opacity <= 1.0):
+        raise ValueError(f"opacity must be a number from 0, not seen, to 1, opaque, not {opacity!r}")
+
+
 def weak_reference(terrain):
     """A reference to the object in VTK, whose wrapper in Python comes and goes with who holds it."""
     reference = vtkWeakReference()
@@ -149,6 +155,7 @@ class Terrain(vtkTerrainActor):
         self._surface = None
         self._file = None
         self._own_color = None  # of the property, while a texture is in place of colours
+        self._bar = None  # of its colours, in the plotter
         prop = TerrainProperty(interpolation="Gouraud", ambient=0.0, diffuse=1.0, specular=0.0)
         prop.watch(self)
         self.SetProperty(prop)
@@ -236,6 +243,7 @@ class Terrain(vtkTerrainActor):
 
     @opacity.setter
     def opacity(self, opacity):
+        check_opacity(opacity)
         self.GetProperty().SetOpacity(opacity)
 
     @property
@@ -281,6 +289,9 @@ class Terrain(vtkTerrainActor):
             self.SetColorByHeight(True)
             self._own_color = None
         self.SetTexture(texture)
+        bar = self._bar and self._bar()
+        if bar is not None:
+            bar.SetVisibility(self.GetColorByHeight())
 
     @property
     def backface_prop(self):
@@ -510,6 +521,7 @@ def _copy_colors(terrain, other):
     mapper, copied = terrain.GetTerrainMapper(), other.GetTerrainMapper()
     copied.SetScalarMode(mapper.GetScalarMode())
     copied.SetColorMode(mapper.GetColorMode())
+    copied.SetArrayComponent(mapper.GetArrayComponent())
     if mapper.GetArrayName():
         copied.SelectColorArray(mapper.GetArrayName())
     copied.SetColorSource(mapper.GetColorSource())

@@ -57,4 +57,5 @@ def add_bar(plotter, terrain, table, title, name, options):
     bar = plotter.add_scalar_bar(**{**options, "title": title, "mapper": terrain.mapper})
     if not bar.GetOrientation() and not title.endswith("\n"):
         bar.SetTitle(title + "\n")  # keeps the title off the numbers
+    terrain._bar = weakref.ref(bar)  # hidden while a texture is in place of the colours
     _remove_with(terrain, plotter, title)

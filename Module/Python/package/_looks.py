@@ -3,6 +3,7 @@
 """How a terrain looks: options of ``add_terrain``, in PyVista's words and a few of its own."""
 import numbers
 import os
+import warnings
 
 import numpy as np
 import pyvista
@@ -10,6 +11,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
+from ._actor import check_opacity
 from ._intake import _run
 from .heights import array_from_heights, to_array
 from .vtkTerrain import vtkTerrainImageWarp, vtkTerrainLook, vtkTerrainValues
@@ -147,6 +149,8 @@ class Scalars:
             self.clim = (0.0, 255.0)
             return
         mapper.SetColorModeToMapScalars()  # bytes are values, too
+        self.is_magnitude = component is None and chosen.GetNumberOfComponents() > 1
+        mapper.SetArrayComponent(-1)  # the table's
         self.component = component
         self.name, self.is_of_points = name, of_cells is None
         self.clim = self._find_range(array if of_cells is None else of_cells, terrain, of_cells is None, component)
@@ -224,6 +228,8 @@ def make_table(terrain, scalars, theme, *, cmap=None, clim=None, n_colors=_NUMBE
     if component is not None:
         table.SetVectorModeToComponent()
         table.SetVectorComponent(component)
+    elif getattr(scalars, "is_magnitude", False):
+        table.SetVectorModeToMagnitude()
     return table
 
 
@@ -274,6 +280,8 @@ def color_terrain(terrain, scalars, theme, color, texture, opacity, options):
     """Sets the colours; returns their table, or None where they are no table's (``scalars`` is None then)."""
     opacity = 1.0 if opacity is None else opacity
     is_number = isinstance(opacity, numbers.Real)
+    if is_number:
+        check_opacity(opacity)
     table = None
     terrain.SetColorByHeight(scalars is not None)
     if scalars is not None:
@@ -344,6 +352,47 @@ def _set_drape(terrain, drape, scene):
     if warp.GetErrorMessage():
         raise ValueError(f"drape {os.fspath(drape)!r}: {warp.GetErrorMessage()}")
     terrain.GetTerrainMapper().SetDrape(warp.GetOutput())
+
+
+def _has_holes(image):
+    """Whether a picture, of bytes, is transparent anywhere."""
+    colors = image and image.GetPointData().GetScalars()
+    return bool(colors) and colors.GetNumberOfComponents() in (2, 4) and bool((vtk_to_numpy(colors)[:, -1] < 255).any())
+
+
+def is_see_through(texture):
+    """Whether a texture is transparent anywhere."""
+    return _has_holes(texture.GetInput())
+
+
+def is_covered(terrain):
+    """Whether a drape hides all colours below it."""
+    look = terrain.GetTerrainMapper().GetLook()
+    drape, heights = look.GetDrape(), terrain.GetHeights()
+    if drape is None or heights is None:
+        return False
+    bounds = [0.0] * 4
+    look.GetDrapeBounds(bounds)
+    west, east, south, north = heights.GetBounds()[:4]
+    across, along = drape.GetSpacing()[:2]  # as much may its border be off
+    return (bounds[0] <= west + across and bounds[1] >= east - across and bounds[2] <= south + along
+            and bounds[3] >= north - along and not _has_holes(drape))
+
+
+def tell_of_open_walls(terrain):
+    """Warns where a block has samples without a height along its sides, where it has no wall."""
+    mapper, heights = terrain.GetTerrainMapper(), terrain.GetHeights()
+    if not mapper.GetBlock() or heights is None:
+        return
+    known = _is_visible(heights)
+    first, last = [0, 0], [0, 0]
+    if mapper.GetExtract(first, last):
+        known = known[max(first[1], 0):last[1] + 1, max(first[0], 0):last[0] + 1]
+    sides = np.concatenate([known[0], known[-1], known[:, 0], known[:, -1]])
+    if not sides.all():
+        warnings.warn("the block has no wall where there is no height along its sides, "
+                      f"{100.0 * (1.0 - sides.mean()):.2g} % of them: extract can leave that border out, strata closes "
+                      "blocks round holes, too", stacklevel=3)
 
 
 def _check_facets(smooth_shading):

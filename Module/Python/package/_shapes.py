@@ -60,12 +60,13 @@ def take_coordinates(place, shape):
         return
     if len(shape) == 2:
         _check_coordinates(x, y, shape, place)
+    if x is None or y is None:
+        given, missing = "yx" if x is None else "xy"
+        raise ValueError(f"{given} needs {missing}: give the coordinates of both columns and rows, or spacing and origin")
     if np.ndim(x) == 2 and np.shape(x) == np.shape(y):
         x, y = lines_of(x, y)
     origin, spacing = [0.0, 0.0], [1.0, 1.0]
     for k, (values, what) in enumerate(((x, "x"), (y, "y"))):
-        if values is None:
-            continue
         first, step = even_step(values, what)
         if k == 0 and step < 0:
             raise ValueError("x must rise: turn the columns round")

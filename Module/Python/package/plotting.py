@@ -24,7 +24,7 @@ from ._actor import Terrain
 from ._bars import add_bar
 from ._ground import add_clip_plane, add_places, add_track, track_on  # noqa: F401
 from ._intake import _run, join_as_it_is, knows_its_place, lay_on_globe, lay_out, make_reader, read, tell_of_apart
-from ._looks import Scalars, color_terrain
+from ._looks import Scalars, color_terrain, is_covered, is_see_through, tell_of_open_walls
 from ._looks import apply as apply_look
 from ._shapes import check_plotter, take_coordinates, to_heights
 from ._strata import add_strata
@@ -176,10 +176,12 @@ def _open(actor, path):
 
 def _to_texture(texture):
     if isinstance(texture, (str, os.PathLike)):
+        picture = pyvista.read_texture(texture)
         if knows_its_place(os.fspath(texture)):
+            hides = ", which is not seen where the picture is transparent," if is_see_through(picture) else ""
             warnings.warn(f"texture '{os.fspath(texture)}' knows its place, but is drawn from border to border of the "
-                          f"terrain: drape={os.fspath(texture)!r} lays it where it belongs", stacklevel=3)
-        return pyvista.read_texture(texture)
+                          f"terrain{hides}: drape={os.fspath(texture)!r} lays it where it belongs", stacklevel=3)
+        return picture
     if isinstance(texture, pyvista.Texture):
         return texture
     picture = np.asarray(texture)
@@ -283,7 +285,8 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         as in ``add_mesh``; an array of the heights' shape, or the name of one of the image's arrays, is
         that of each sample, 0 to 1.
     show_scalar_bar : bool, optional
-        Whether to show a bar of the colours; the theme's setting by default. The bar is this terrain's
+        Whether to show a bar of the colours; the theme's setting by default, and not where a drape hides
+        them all. The bar is this terrain's
         alone and goes with it. Where its title is taken, it has the terrain's name or a number beside it.
     scalar_bar_args : dict, optional
         Options of ``pyvista.Plotter.add_scalar_bar``.
@@ -379,10 +382,12 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     _follow_theme(plotter.theme, technique, options)
     strata = options.pop("strata", None)
     apply_look(actor, scene, **options)
+    if strata is None:
+        tell_of_open_walls(actor)
     table = color_terrain(actor, shown, plotter.theme, color, texture, opacity, colors)
     plotter.add_actor(actor, name=name, reset_camera=reset_camera, pickable=pickable, render=False)
     if show_scalar_bar is None:
-        show_scalar_bar = plotter.theme.show_scalar_bar
+        show_scalar_bar = plotter.theme.show_scalar_bar and not is_covered(actor)
     if table is not None and show_scalar_bar and not shown.is_color:
         add_bar(plotter, actor, table, shown.title, name, scalar_bar_args)
     plotter.mapper = actor.mapper
