@@ -37,6 +37,12 @@ mv /usr/lib/x86_64-linux-gnu/lib{EGL,OSMesa}.so* hidden/ 2>/dev/null || true
 says 1 "libegl1 libgl1-mesa-dri" venv/bin/python -W error -c 'import vtkterrain'
 says 1 "vtkterrain: .*libegl1 libgl1-mesa-dri" venv/bin/python -m vtkterrain --no-browser "$heights"
 mv hidden/* /usr/lib/x86_64-linux-gnu/
+
+# libEGL without a driver.
+mv /usr/lib/x86_64-linux-gnu/libEGL_mesa.so* /usr/lib/x86_64-linux-gnu/dri hidden/
+says 1 "libEGL finds no driver" venv/bin/python -W error -c 'from vtkterrain import vtkTerrainActor'
+says 1 "vtkterrain: libEGL finds no driver" venv/bin/python -m vtkterrain --no-browser "$heights"
+mv hidden/* /usr/lib/x86_64-linux-gnu/
 rmdir hidden
 
 # Somebody who may write neither to the packages nor to a home.

@@ -26,4 +26,19 @@ __all__ += [name for name, member in vars(_wrapped).items()
 
 _supply.offer_gdal(vtkTerrainRasterReader)  # noqa: F405
 _supply.find_geoids()
-_supply.warn_without_opengl()
+_supply.warn_without_opengl(with_driver=False)
+
+# What draws is given when it is asked for: only who draws waits until a driver of OpenGL has been tried.
+_DRAWING = {name: globals().pop(name) for name in __all__ if name.endswith(("Actor", "Mapper"))}
+
+
+def __getattr__(name):
+    if name not in _DRAWING:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    _supply.warn_without_opengl()
+    globals().update(_DRAWING)
+    return _DRAWING[name]
+
+
+def __dir__():
+    return sorted({*globals(), *_DRAWING})

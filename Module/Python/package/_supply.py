@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the package takes from where it runs: VTK, GDAL, OpenGL. Versions are told apart here alone."""
 import ctypes
+import functools
 import glob
 import importlib.util
 import os
+import subprocess
 import sys
 import warnings
 
@@ -13,7 +15,25 @@ from . import _built_with
 # Packages that bring GDAL, and a module of each that is linked to it.
 _BRINGERS_OF_GDAL = {"rasterio": "_base", "pyogrio": "_ogr", "osgeo": "_gdal"}
 # What VTK's windows open; any of them will do.
-_OPENGL_WITHOUT_A_DISPLAY = ("libEGL.so.1", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so")
+_EGL, _OSMESA = "libEGL.so.1", ("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so")
+_REMEDY = "VTK ends the process when it is to draw: install libEGL and a driver (Debian: libegl1 libgl1-mesa-dri)"
+# Tries EGL's devices in a process of its own: what a driver loads and opens there is gone with it.
+_TRY_EGL = """
+import ctypes
+pointer, number = ctypes.c_void_p, ctypes.c_int
+egl = ctypes.CDLL("libEGL.so.1")
+egl.eglGetProcAddress.restype = pointer
+def function(name, result, *arguments):
+    return ctypes.CFUNCTYPE(result, *arguments)(egl.eglGetProcAddress(name))
+devices, count = (pointer * 64)(), number()
+function(b"eglQueryDevicesEXT", number, number, pointer, pointer)(64, devices, ctypes.byref(count))
+display = function(b"eglGetPlatformDisplayEXT", pointer, number, pointer, pointer)
+initialize = function(b"eglInitialize", number, pointer, pointer, pointer)
+EGL_PLATFORM_DEVICE_EXT = 0x313F
+works = any(initialize(display(EGL_PLATFORM_DEVICE_EXT, device, None), None, None) for device in devices[:count.value])
+print("works" if works else "no device")
+"""
+_LONGEST_TRY = 30  # seconds
 
 
 def check_vtk():
@@ -64,16 +84,31 @@ def _can_load(library):
     return True
 
 
-def why_no_opengl():
-    """Why VTK could draw nothing here, in a sentence that names the remedy; empty if it can."""
-    if os.environ.get("DISPLAY") or any(map(_can_load, _OPENGL_WITHOUT_A_DISPLAY)):
+@functools.lru_cache(maxsize=None)
+def _why_no_driver():
+    """Why none of EGL's devices works; empty if one does, or if that cannot be tried."""
+    try:
+        tried = subprocess.run([sys.executable, "-S", "-I", "-c", _TRY_EGL], capture_output=True, text=True,
+                               stdin=subprocess.DEVNULL, check=False, timeout=_LONGEST_TRY)
+    except (OSError, subprocess.SubprocessError, ValueError):
         return ""
-    return ("there is neither a display nor libEGL nor OSMesa, and VTK ends the process when it is to draw: "
-            "install libEGL and a driver (Debian: libegl1 libgl1-mesa-dri)")
+    return f"libEGL finds no driver of OpenGL, and {_REMEDY}" if tried.stdout == "no device\n" else ""
 
 
-def warn_without_opengl():
-    """Says so at import, before VTK's own window can end the process."""
-    reason = why_no_opengl()
+def why_no_opengl(with_driver=True):
+    """Why VTK could draw nothing here, in a sentence that names the remedy; empty if it can.
+
+    ``with_driver`` also tries the driver, once in a process, which takes a tenth of a second.
+    """
+    if os.environ.get("DISPLAY") or any(map(_can_load, _OSMESA)):
+        return ""
+    if not _can_load(_EGL):
+        return f"there is neither a display nor libEGL nor OSMesa, and {_REMEDY}"
+    return _why_no_driver() if with_driver else ""
+
+
+def warn_without_opengl(with_driver=True, stacklevel=3):
+    """Says so before VTK's own window can end the process."""
+    reason = why_no_opengl(with_driver)
     if reason:
-        warnings.warn(reason, RuntimeWarning, stacklevel=3)
+        warnings.warn(reason, RuntimeWarning, stacklevel=stacklevel)

@@ -20,6 +20,7 @@ import numpy as np
 import pyvista
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData
 
+from . import _supply
 from ._actor import Terrain
 from ._bars import add_bar
 from ._ground import add_clip_plane, add_places, add_track, track_on  # noqa: F401
@@ -325,6 +326,7 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
     """
     given = dict(locals())
     check_plotter(plotter)
+    _supply.warn_without_opengl()
     _check_words(scalar_bar_args, name, sun_angle, sky_light, scene)
     actor = Terrain()
     techniques = {key.lower(): value for key, value in vars(type(actor.GetTechnique())).items()
