@@ -10,6 +10,9 @@ from vtkterrain import vtkTerrainActor, vtkTerrainRasterReader
 
 heights = vtkTerrainRasterReader()  # or vtkTerrainSource, or vtkterrain.heights_from_array(array)
 heights.SetFileName(sys.argv[1])
+heights.Update()
+if heights.GetErrorMessage():
+    sys.exit(1)  # VTK has printed it
 
 terrain = vtkTerrainActor()
 terrain.SetInputConnection(heights.GetOutputPort())

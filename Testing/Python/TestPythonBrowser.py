@@ -165,7 +165,7 @@ class TestFingers(unittest.TestCase):
 
         self.viewer = Viewer(read_heights(str(HEIGHTS)))
         self.told = []
-        self.window = RemoteWindow(self.viewer, self.told.append, self.told.append, lambda: True)
+        self.window = RemoteWindow(self.viewer, self.told.append, lambda: True)
         self.viewer.draw()
         self.camera = self.viewer.renderer.GetActiveCamera()
 
@@ -178,6 +178,26 @@ class TestFingers(unittest.TestCase):
                 for value in values[1:]:
                     self.window.process_interaction_event({"type": kind, key: value})
             self.window.process_interaction_event({"type": f"End{kind}", key: values[-1]})
+
+    def test_a_view_of_all_is_of_all_beside_the_panel(self):
+        from vtkmodules.vtkRenderingCore import vtkCoordinate
+
+        for size, covered in (((1000, 700), 266), ((400, 640), 0), ((1600, 500), 266), ((360, 640), 266)):
+            self.viewer.cover(covered)
+            self.viewer.resize(*size)
+            self.viewer.cover(covered)
+            self.viewer.draw()
+            corner = vtkCoordinate()
+            corner.SetCoordinateSystemToWorld()
+            bounds = np.reshape(self.viewer.terrain.GetBounds(), (3, 2))
+            places = []
+            for point in np.stack(np.meshgrid(*bounds), axis=-1).reshape(-1, 3):
+                corner.SetValue(*point)
+                places.append(corner.GetComputedDoubleDisplayValue(self.viewer.renderer))
+            free = size[0] - (covered if covered < size[0] / 2 else 0)
+            low, high = np.min(places, axis=0), np.max(places, axis=0)
+            self.assertTrue((low > 0).all() and high[0] < free and high[1] < size[1], (size, low, high))
+            self.assertGreater(max((high[0] - low[0]) / free, (high[1] - low[1]) / size[1]), 0.7)
 
     def test_pinch_zooms_by_its_factor(self):
         for factor in (2.0, 0.25):
@@ -225,6 +245,17 @@ class TestRefusals(unittest.TestCase):
             taken.listen()
             port = taken.getsockname()[1]
             self.assertRegex(self.refusal(HEIGHTS, "--port", port), rf"port {port} .*--port 0")
+
+    def test_a_port_that_is_none(self):
+        for port in (99999, -1, "x"):
+            self.assertIn("0 to 65535", self.refusal(HEIGHTS, f"--port={port}"))
+
+    def test_a_host_that_is_none(self):
+        for host in ("nohost.invalid", "192.0.2.1"):
+            self.assertRegex(self.refusal(HEIGHTS, "--host", host), f"host {host} is no address .*127.0.0.1")
+
+    def test_a_band_that_is_none(self):
+        self.assertIn("band", self.refusal(HEIGHTS, "--band", 7))
 
     def test_heights_without_a_surface(self):
         path = vtkTerrainTesting.output_path("line.asc")
@@ -290,6 +321,34 @@ class TestChromium(unittest.TestCase):
             seen[name] = now
         self.page.set_viewport_size({"width": 760, "height": 680})
         self.assertGreater((np.abs(self.picture("resized") - seen["heights"]).max(axis=2) > 10).mean(), 0.02)
+
+    def test_keys_are_heard_from_the_start_and_after_controls(self):
+        last = self.picture("fresh")
+        for name, act in (("c", lambda: self.page.keyboard.press("c")),
+                          ("arrow", lambda: self.page.keyboard.press("ArrowLeft")),
+                          ("arrow-after-button", lambda: (self.page.click("#reset"),
+                                                          self.page.keyboard.press("ArrowLeft"),
+                                                          self.page.keyboard.press("ArrowLeft"))),
+                          ("c-after-switch", lambda: (self.page.get_by_label("Contours").click(),
+                                                      self.page.keyboard.press("ArrowRight")))):
+            act()
+            now = self.picture(name)
+            self.assertGreater((np.abs(now - last).max(axis=2) > 10).mean(), 0.002, name)
+            last = now
+
+    def test_the_panel_folds_and_is_folded_on_a_narrow_page(self):
+        self.assertTrue(self.page.is_visible("#reset"))
+        self.page.click("#fold")
+        self.page.wait_for_selector("#reset", state="hidden")
+        self.page.click("#help")
+        self.wait_for_text("t technique")
+        page = self.browser.new_page()
+        page.set_viewport_size({"width": 360, "height": 640})
+        page.goto(self.address)
+        page.wait_for_selector("img", timeout=60_000)
+        page.wait_for_selector("#reset", state="hidden")
+        time.sleep(2)
+        page.screenshot(path=vtkTerrainTesting.output_path("browser-narrow.png"))
 
     def test_a_click_tells_the_place(self):
         self.page.mouse.click(480, 450)

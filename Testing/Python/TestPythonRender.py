@@ -37,6 +37,15 @@ class TestRender(unittest.TestCase):
         subprocess.run([program, path, from_cxx], check=True)
         np.testing.assert_array_equal(picture, vtkTerrainTesting.read_picture(from_cxx))
 
+    def test_example_leaves_no_picture_of_what_cannot_be_read(self):
+        picture = pathlib.Path(vtkTerrainTesting.output_path("nothing.png"))
+        picture.unlink(missing_ok=True)
+        result = subprocess.run([sys.executable, EXAMPLE, "/nowhere.tif", picture], check=False, capture_output=True,
+                                text=True)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("'/nowhere.tif'", result.stderr)
+        self.assertFalse(picture.exists())
+
     def test_window_without_a_display(self):
         from vtkmodules.vtkCommonCore import vtkVersion
         from vtkmodules.vtkRenderingCore import vtkRenderWindow

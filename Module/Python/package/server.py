@@ -6,6 +6,7 @@ Only who has the token of the address gets an answer, and no page of another ori
 request names a file: what is served is the page, trame's own scripts, and pictures of the terrain.
 """
 import asyncio
+import errno
 import hmac
 import logging
 import secrets
@@ -23,21 +24,25 @@ from trame_rca.utils import RcaEncoder, RcaViewAdapter
 from .viewer import COLORS, TECHNIQUES, Viewer
 
 _HELP = ("Drag turns, right or Shift drag moves, wheel zooms, click tells the place. Two fingers move, turn, zoom. "
-         "Keys: arrows + - r c t")
+         "Keys: arrows turn, + - zoom, c contours, t technique, r whole terrain.")
 _KEYS = {"ArrowLeft": (-5.0, 0.0), "ArrowRight": (5.0, 0.0), "ArrowUp": (0.0, 5.0), "ArrowDown": (0.0, -5.0)}
+_PANEL = 266  # pixels from the right border that the panel covers
+# What is done in the browser: the panel is folded on a narrow page, and keys are heard from the start on.
+_ON_SHOW = "folded = $event.el.clientWidth < 600; $event.el.focus()"
+_KEY_AND_ROLE = ("[$event.ctrlKey || $event.metaKey || $event.altKey ? '' : $event.key, "
+                 "$event.target.getAttribute('role') || '']")
 _SECONDS_OF_REST = 0.17  # until a picture is drawn without haste
 _QUALITY_IN_HASTE, _QUALITY_AT_REST = 65, 92  # of JPEG
 _LARGEST_CLICK = 3  # pixels that the pointer may move between press and release
 
 
 class RemoteWindow:
-    """What trame-rca asks of a window: pictures, and what pointer, fingers and keys do."""
+    """What trame-rca asks of a window: pictures, and what pointer and fingers do."""
 
-    def __init__(self, viewer, on_pick, on_key, is_touched=lambda: False):
+    def __init__(self, viewer, on_pick, is_touched=lambda: False):
         self._viewer = viewer
         self._is_touched = is_touched
         self._on_pick = on_pick
-        self._on_key = on_key
         self._button = None
         self._pressed_at = self._last = (0, 0)
         self._gesture = {}
@@ -54,7 +59,7 @@ class RemoteWindow:
         self._viewer.resize(width, height)
 
     def process_interaction_event(self, event):
-        """A pointer, a wheel, a gesture of fingers, or a key."""
+        """A pointer, a wheel, or a gesture of fingers."""
         kind = event.get("type", "")
         if kind.endswith(("ButtonPress", "ButtonRelease")):
             self._press_or_release(kind, event)
@@ -70,8 +75,6 @@ class RemoteWindow:
             self._pan(kind, event)
         elif kind == "Tap":
             self._tell(event.get("position", {}))
-        elif kind.lower() == "keydown":
-            self._key(str(event.get("key", "")))
 
     def _press_or_release(self, kind, event):
         here = (event["x"], event["y"])
@@ -117,14 +120,6 @@ class RemoteWindow:
     def _tell(self, place):
         if "x" in place and "y" in place:
             self._on_pick(self._viewer.describe(place["x"], place["y"]) or "sky")
-
-    def _key(self, key):
-        if key in _KEYS:
-            self._viewer.turn(*_KEYS[key])
-        elif key in ("+", "=", "-"):
-            self._viewer.zoom(1 / 1.15 if key == "-" else 1.15)
-        else:
-            self._on_key(key)
 
 
 class Scheduler:
@@ -210,7 +205,8 @@ def guard(token, cookie):
             answer.set_cookie(cookie, token, httponly=True, samesite="Strict")
             raise answer
         if not is_token(request.cookies.get(cookie, "")):
-            return web.Response(status=403, text="The token is missing: open the address that was printed.\n")
+            fault = "of another run" if "token" in request.query or cookie in request.cookies else "missing"
+            return web.Response(status=403, text=f"The token is {fault}: open the address that was printed.\n")
         return await handler(request)
 
     return only_with_token
@@ -224,6 +220,9 @@ def free_port(host, port):
         try:
             tried.bind((host, port))
         except OSError as error:
+            if isinstance(error, socket.gaierror) or error.errno == errno.EADDRNOTAVAIL:
+                raise OSError(f"host {host} is no address of this machine ({error.strerror}): take 127.0.0.1, or "
+                              "0.0.0.0 for all that it has") from error
             raise OSError(f"port {port} of {host} cannot be used ({error.strerror}): "
                           "take another, or --port 0 for any that is free") from error
         return tried.getsockname()[1]
@@ -252,14 +251,15 @@ class Page:
         state = self.server.state
         state.trame__title = title
         state.update({"exaggeration": 1.0, "technique": TECHNIQUES[0], "colors": COLORS[0], "contours": False,
-                      "azimuth": 315, "altitude": 45, "picked": _HELP, "pointer": "mouse"})
-        window = RemoteWindow(self.viewer, self._picked, self._key, lambda: state.pointer == "touch")
+                      "azimuth": 315, "altitude": 45, "picked": _HELP, "pointer": "mouse", "folded": False})
+        window = RemoteWindow(self.viewer, self._picked, lambda: state.pointer == "touch")
         self._build(title, window)
         for names, setter in ((("exaggeration",), self.viewer.set_exaggeration),
                               (("technique",), self.viewer.set_technique),
                               (("colors",), self.viewer.set_colors),
                               (("contours",), self.viewer.set_contours),
-                              (("azimuth", "altitude"), self.viewer.set_sun)):
+                              (("azimuth", "altitude"), self.viewer.set_sun),
+                              (("folded",), lambda folded: self.viewer.cover(0 if folded else _PANEL))):
             state.change(*names)(self._applying(names, setter))
 
     def _applying(self, names, setter):
@@ -273,14 +273,24 @@ class Page:
         with self.server.state as state:
             state.picked = text
 
-    def _key(self, key):
+    def _key(self, key, role):
+        """A key, and the role of the control that it went to."""
+        if key in (*_KEYS, "+", "=", "-") and role in ("slider", "combobox"):
+            return
         with self.server.state as state:
-            if key == "r":
+            if key in _KEYS:
+                self.viewer.turn(*_KEYS[key])
+            elif key in ("+", "=", "-"):
+                self.viewer.zoom(1 / 1.15 if key == "-" else 1.15)
+            elif key == "r":
                 self.viewer.reset_view()
             elif key == "c":
                 state.contours = not state.contours
             elif key == "t":
                 state.technique = TECHNIQUES[(TECHNIQUES.index(state.technique) + 1) % len(TECHNIQUES)]
+            else:
+                return
+        self._handler.schedule_render()
 
     def _reset(self):
         self.viewer.reset_view()
@@ -288,10 +298,13 @@ class Page:
 
     def _build(self, title, window):
         with VAppLayout(self.server) as layout, layout.root:
-            client.Style("html, body { overflow: hidden; margin: 0 } .v-field__input { padding-top: 14px }")
+            client.Style("html, body { overflow: hidden; margin: 0 } .v-field__input { padding-top: 14px } "
+                         ".v-container:focus { outline: none }")
             with vuetify.VContainer(fluid=True, classes="pa-0 fill-height", style="height: 100vh; position: relative",
-                                    pointerdown="pointer = $event.pointerType",
-                                    __events=[("pointerdown", "pointerdown.capture")]):
+                                    tabindex=0, pointerdown="pointer = $event.pointerType",
+                                    keydown=(self._key, _KEY_AND_ROLE), mounted=_ON_SHOW,
+                                    __events=[("pointerdown", "pointerdown.capture"), ("mounted", "vue:mounted"),
+                                              "keydown"]):
                 self._area = rca.RemoteControlledArea(
                     name="terrain", display="image", send_mouse_move=False, event_throttle_ms=20,
                     image_style=("{ width: '100%', height: '100%' }",),
@@ -301,24 +314,33 @@ class Page:
         self._area.add_view_handler(self._handler)
 
     def _controls(self, title):
-        with vuetify.VCard(classes="pa-3", width=250, variant="elevated", title=title,
-                           style="position: absolute; top: 8px; right: 8px; opacity: 0.92"):
-            vuetify.VSlider(v_model=("exaggeration",), min=0.5, max=5, step=0.1, label="Heights x",
-                            thumb_label=True, hide_details=True, density="compact")
-            vuetify.VSlider(v_model=("azimuth",), min=0, max=360, step=5, label="Sun from", thumb_label=True,
-                            hide_details=True, density="compact")
-            vuetify.VSlider(v_model=("altitude",), min=5, max=90, step=5, label="Sun above", thumb_label=True,
-                            hide_details=True, density="compact")
-            vuetify.VSelect(v_model=("technique",), items=("techniques", list(TECHNIQUES)), label="Technique",
-                            hide_details=True, density="compact", classes="mt-2")
-            vuetify.VSelect(v_model=("colors",), items=("palettes", list(COLORS)), label="Colours",
-                            hide_details=True, density="compact", classes="mt-2")
-            vuetify.VSwitch(v_model=("contours",), label="Contours", hide_details=True, density="compact",
-                            color="primary")
-            vuetify.VBtn("Whole terrain", click=self._reset, block=True, size="small", id="reset")
+        with vuetify.VCard(classes="pa-3", width=("folded ? 'auto' : 250",), variant="elevated", id="panel",
+                           style="position: absolute; top: 8px; right: 8px; opacity: 0.92; overflow-y: auto; "
+                                 "max-width: calc(100vw - 16px); max-height: calc(100vh - 16px)"):
+            with html.Div(style="display: flex; align-items: center; gap: 8px"):
+                html.Div(title, classes="text-subtitle-1 text-truncate", style="flex: 1 1 0", v_show="!folded")
+                vuetify.VBtn("?", click=(self._picked, repr([_HELP])), size="x-small", id="help", title="Help")
+                vuetify.VBtn("{{ folded ? 'Settings' : 'Fold' }}", click="folded = !folded", size="x-small", id="fold")
+            with html.Div(v_show="!folded", classes="mt-2"):
+                self._sliders()
+                vuetify.VSelect(v_model=("technique",), items=("techniques", list(TECHNIQUES)), label="Technique",
+                                hide_details=True, density="compact", classes="mt-2")
+                vuetify.VSelect(v_model=("colors",), items=("palettes", list(COLORS)), label="Colours",
+                                hide_details=True, density="compact", classes="mt-2")
+                vuetify.VSwitch(v_model=("contours",), label="Contours", hide_details=True, density="compact",
+                                color="primary", classes="ml-1")
+                vuetify.VBtn("Whole terrain", click=self._reset, block=True, size="small", id="reset")
         with vuetify.VSheet(classes="px-3 py-1 text-body-2", id="picked",
                             style="position: absolute; left: 8px; bottom: 8px; opacity: 0.9; max-width: 70%"):
             html.Div("{{ picked }}", style="white-space: pre-line")
+
+    @staticmethod
+    def _sliders():
+        for name, words, low, high, step in (("exaggeration", "Heights x {{ exaggeration }}", 0.5, 5, 0.1),
+                                             ("azimuth", "Sun from {{ azimuth }}\N{DEGREE SIGN}", 0, 360, 5),
+                                             ("altitude", "Sun above {{ altitude }}\N{DEGREE SIGN}", 5, 90, 5)):
+            html.Div(words, classes="text-body-2")
+            vuetify.VSlider(v_model=(name,), min=low, max=high, step=step, hide_details=True, density="compact")
 
     def start(self, host="127.0.0.1", port=0, open_browser=True, on_ready=print):
         """Serves until it is interrupted; ``on_ready`` gets the address once there is an answer."""

@@ -15,8 +15,9 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from . import _supply
+from ._intake import _run, make_reader
 from .places import Placement
-from .vtkTerrain import vtkTerrainActor, vtkTerrainPicker, vtkTerrainRasterReader
+from .vtkTerrain import vtkTerrainActor, vtkTerrainPicker
 
 TECHNIQUES = ("Pyramid", "Linear", "Exponential", "Equidistant", "Mesh")
 COLORS = ("relief", "grey", "heat", "plain")
@@ -24,16 +25,14 @@ _STOPS = {"grey": ((0.1, 0.1, 0.1), (1.0, 1.0, 1.0)),
           "heat": ((0.1, 0.0, 0.2), (0.7, 0.1, 0.4), (1.0, 0.6, 0.1), (1.0, 1.0, 0.8))}
 _SECONDS_OF_A_HASTY_PICTURE = 0.045
 _SMALLEST_SHARE = 0.35  # of the width, in a hasty picture
+_WHOLE = 0.92  # of the free part of a picture: how far a view of all reaches
 _STEEPEST, _FLATTEST = 89.0, -10.0  # degrees of the camera above the horizon
 
 
-def read_heights(path):
-    """The heights of a file. Raises OSError with a sentence."""
-    reader = vtkTerrainRasterReader()
-    reader.GlobalWarningDisplayOff()
-    reader.SetFileName(path)
-    reader.Update()
-    reader.GlobalWarningDisplayOn()
+def read_heights(path, **place):
+    """The heights of a file; ``place`` are options of ``make_reader``. Raises OSError with a sentence."""
+    reader = make_reader(path, **place)
+    _run(reader, reader.Update)
     if reader.GetErrorMessage():
         raise OSError(reader.GetErrorMessage())
     return reader.GetOutput()
@@ -84,6 +83,8 @@ class Viewer:
         self._capture.ReadFrontBufferOff()
         self._capture.ShouldRerenderOff()
         self._size = (800, 600)
+        self._covered = 0
+        self._is_whole = True
         self._share = 1.0
         self.set_sun(315.0, 45.0)
         self.reset_view()
@@ -126,11 +127,32 @@ class Viewer:
     def reset_view(self):
         """Looks at all of it from the south, from 35 degrees above."""
         camera = self.renderer.GetActiveCamera()
-        camera.SetFocalPoint(0.0, 0.0, 0.0)
-        camera.SetPosition(0.0, -math.cos(math.radians(35.0)), math.sin(math.radians(35.0)))
+        bounds = np.reshape(self.terrain.GetBounds(), (3, 2))
+        middle = bounds.mean(axis=1)
+        corners = np.stack(np.meshgrid(*bounds), axis=-1).reshape(-1, 3) - middle
+        back = np.array([0.0, -math.cos(math.radians(35.0)), math.sin(math.radians(35.0))])
+        width, height = self._size
+        half = math.tan(math.radians(camera.GetViewAngle()) / 2.0)
+        seen = np.abs([corners @ (1.0, 0.0, 0.0) * height / (width - self._covered), corners @ (0.0, -back[2], back[1])])
+        distance = (corners @ back + seen.max(axis=0) / (half * _WHOLE)).max()
+        camera.SetFocalPoint(middle)
+        camera.SetPosition(middle + distance * back)
         camera.SetViewUp(0.0, 0.0, 1.0)
-        self.renderer.ResetCamera()
-        camera.Dolly(1.5)
+        camera.SetWindowCenter(self._covered / width, 0.0)
+        self._is_whole = True
+
+    def cover(self, pixels):
+        """How much of the picture, from its right border, something lies on."""
+        self._covered = pixels
+        self._fit()
+
+    def _fit(self):
+        if self._covered > 0.5 * self._size[0]:
+            self._covered = 0
+        if self._is_whole:
+            self.reset_view()
+        else:
+            self.renderer.GetActiveCamera().SetWindowCenter(self._covered / self._size[0], 0.0)
 
     def _move(self, x, y, z):
         camera = self.renderer.GetActiveCamera()
@@ -140,6 +162,7 @@ class Viewer:
 
     def turn(self, right, up):
         """Turns the camera round the middle of the view, by degrees; the horizon stays level."""
+        self._is_whole = False
         camera = self.renderer.GetActiveCamera()
         camera.Azimuth(-right)
         focus, eye = np.array(camera.GetFocalPoint()), np.array(camera.GetPosition())
@@ -150,6 +173,7 @@ class Viewer:
 
     def pan(self, right, up):
         """Moves the terrain with the pointer, in parts of the picture's height."""
+        self._is_whole = False
         camera = self.renderer.GetActiveCamera()
         focus, eye = np.array(camera.GetFocalPoint()), np.array(camera.GetPosition())
         scale = 2.0 * np.linalg.norm(eye - focus) * math.tan(math.radians(camera.GetViewAngle()) / 2.0)
@@ -159,11 +183,13 @@ class Viewer:
 
     def zoom(self, factor):
         """Goes nearer to the middle of the view by a factor above 1, or farther from it."""
+        self._is_whole = False
         self.renderer.GetActiveCamera().Dolly(np.clip(factor, 0.1, 10.0))
 
     def resize(self, width, height):
         """The size of a picture, in pixels."""
         self._size = (int(np.clip(width, 16, 4096)), int(np.clip(height, 16, 4096)))
+        self._fit()
 
     @property
     def size(self):
