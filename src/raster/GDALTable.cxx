@@ -19,9 +19,9 @@ namespace terrain
 {
 namespace
 {
-constexpr const char* kNone = "GDAL, which reads files and coordinate systems, is not found: "
-                              "'pip install rasterio' brings one to Python, Debian's package "
-                              "python3-gdal to the system";
+constexpr const char* kNoGDAL = "GDAL, which reads files and coordinate systems, is not found: "
+                                "'pip install rasterio' brings one to Python, Debian's package "
+                                "python3-gdal to the system";
 // GDAL 3.0 is libgdal.so.26; each release since has the next number.
 constexpr int kFirstRelease = 26;
 constexpr int kLastRelease = 60;
@@ -119,7 +119,7 @@ std::string Find(const std::vector<std::string>& added)
   {
     isFound = IsLoaded("libgdal.so." + std::to_string(release));
   }
-  return isFound ? "" : kNone;
+  return isFound ? "" : kNoGDAL;
 }
 
 /// The data that a package of Python brings beside its GDAL: X.libs/libgdal.so goes with

@@ -124,8 +124,8 @@ double NumberOf(std::string_view field, char separator)
 /// x, y and height of a line; NaN for what it does not hold.
 std::array<double, 3> ReadPoint(std::string_view line, char separator, const PointColumns& columns)
 {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  std::array<double, 3> point{ { kNone, kNone, kNone } };
+  constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+  std::array<double, 3> point{ { kNoNumber, kNoNumber, kNoNumber } };
   line = Trimmed(line);
   for (std::size_t column = 0; !line.empty(); ++column)
   {
@@ -288,22 +288,22 @@ GDALDatasetH MakeRaster(
 //------------------------------------------------------------------------------
 std::optional<PointColumns> FindPointColumns(const std::vector<std::string>& names)
 {
-  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  PointColumns columns{ { kNone, kNone, kNone } };
+  constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
+  PointColumns columns{ { kNoColumn, kNoColumn, kNoColumn } };
   for (std::size_t k = 0; k < names.size(); ++k)
   {
     const int kind = KindOfColumn(names[k]);
     std::size_t* const column = kind > 0 ? &columns[static_cast<std::size_t>(kind - 1)] : nullptr;
-    if (column && *column == kNone)
+    if (column && *column == kNoColumn)
     {
       *column = k;
     }
   }
-  if (columns[0] == kNone || columns[1] == kNone)
+  if (columns[0] == kNoColumn || columns[1] == kNoColumn)
   {
     return std::nullopt;
   }
-  columns[2] = columns[2] == kNone ? std::max(columns[0], columns[1]) + 1 : columns[2];
+  columns[2] = columns[2] == kNoColumn ? std::max(columns[0], columns[1]) + 1 : columns[2];
   return columns[2] < names.size() ? std::optional<PointColumns>(columns) : std::nullopt;
 }
 
