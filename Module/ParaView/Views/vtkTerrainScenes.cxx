@@ -106,9 +106,10 @@ std::string DistanceText(double metres)
     return "far";
   }
   constexpr double kKilometre = 1000.0;
+  constexpr double kManyKilometres = 1e5;
   char text[40];
-  std::snprintf(text, sizeof(text), "%.3g %s", metres < kKilometre ? metres : metres / kKilometre,
-    metres < kKilometre ? "m" : "km");
+  std::snprintf(text, sizeof(text), metres < kManyKilometres ? "%.3g %s" : "%.0f %s",
+    metres < kKilometre ? metres : metres / kKilometre, metres < kKilometre ? "m" : "km");
   return text;
 }
 
