@@ -62,6 +62,12 @@ class TestColors(LooksTest):
             with self.subTest(options):
                 self.assert_alike(self.draw(**options)[0], self.draw_mesh(heights, **options), 0.95)
 
+    def test_a_sun_and_a_first_label(self):
+        with self.assertRaisesRegex(TypeError, "no option sun; a sun is that of hillshade="):
+            self.draw(sun=(300, 20))
+        _, terrain = self.draw(np.linspace(-0.15, 1047.0, 48 * 64).reshape(48, 64), show_scalar_bar=True)
+        self.assertEqual(terrain.mapper.scalar_range[0], 0.0)
+
     def test_an_array_beside_the_heights(self):
         values = np.cos(np.arange(51) / 6.0) + np.arange(41)[:, None] / 20.0
         expected = self.draw_mesh(values, cmap="plasma")

@@ -20,7 +20,7 @@ def add_input_options(parser):
     parser.add_argument("--part", help="part of a file or site of a folder")
     parser.add_argument("--nodata", help='a value that is no height, or "none"')
     parser.add_argument("--height-unit", help="unit of the heights, such as ft, or metres a unit")
-    parser.add_argument("--flip", action="store_true", help="the first row is that in the south, or the other way round")
+    parser.add_argument("--flip", action="store_true", help="the file is upside down")
 
 
 def main():
@@ -29,7 +29,8 @@ def main():
     parser.add_argument("file", help="any raster that GDAL opens, or a directory of tiles")
     parser.add_argument("--host", default="127.0.0.1",
                         help="address to listen at; 127.0.0.1, the default, lets in this machine alone")
-    parser.add_argument("--port", type=port_number, default=0, help="port to listen at; 0, the default, is any that is free")
+    parser.add_argument("--port", type=port_number, default=0,
+                        help="port to listen at; 0, the default, is any that is free")
     parser.add_argument("--no-browser", action="store_true", help="only print the address")
     add_input_options(parser)
     arguments = parser.parse_args()

@@ -406,7 +406,8 @@ def apply(terrain, scene, *, contours=None, contour_index=0, hillshade=None, blo
     _check_facets(smooth_shading)
     unknown = [name for name in properties if name not in _PROPERTY]
     if unknown:
-        raise TypeError(f"add_terrain has no option {', '.join(unknown)}")
+        hint = "; a sun is that of hillshade=(azimuth, altitude) or a light of the plotter" if "sun" in unknown else ""
+        raise TypeError(f"add_terrain has no option {', '.join(unknown)}{hint}")
     mapper = terrain.GetTerrainMapper()
     heights = [0.0, 0.0]
     mapper.GetHeightRange(heights)

@@ -14,6 +14,7 @@ Where PyVista has components of plotters (0.48 and later), importing this module
 import importlib.util
 import numbers
 import os
+import sys
 import warnings
 
 import numpy as np
@@ -446,18 +447,41 @@ class TerrainComponent:
         enable_terrain_picking(self._plotter, callback, **options)
 
 
+def _view_in_browsers():
+    """The view of trame that is brought up to date, and whether the server renders it; (None, False) for none."""
+    frame = sys._getframe(2)
+    while frame is not None:
+        view = frame.f_locals.get("self")
+        if hasattr(view, "update_geometry") or type(view).__name__.endswith("LocalView"):
+            plotter = view._plotter() if hasattr(view, "_plotter") else None
+            key = f"{getattr(plotter, '_id_name', None)}_use_server_rendering"
+            is_update = frame.f_code.co_name == "update_geometry"
+            return view, is_update and bool(view.server.state[key] if view.server.state.has(key) else False)
+        frame = frame.f_back
+    return None, False
+
+
+def _warn_of_browsers(text):
+    """Warns once a view that a browser renders, each time that one is shown."""
+    view, is_of_server = _view_in_browsers()
+    if is_of_server or getattr(view, "_is_told_of_terrain", False):
+        return
+    if view is not None:
+        view._is_told_of_terrain = True
+    # A registry of its own: Python says the same words at the same place once only.
+    warnings.warn_explicit(f"a browser that renders by itself (mode \"client\") cannot show {text}: use the mode "
+                           "\"server\"", RuntimeWarning, __file__, 0, registry={})
+
+
 def _serialize_surface(parent, terrain, terrain_id, context, depth):
     """What a browser that renders by itself (PyVista's mode "client") gets in place of a terrain: a mesh."""
     from trame_vtk.modules.vtk.serializers.registry import SERIALIZERS
 
     surface = terrain.GetSurfaceActor()
     if surface is None:
-        warnings.warn("a browser that renders by itself (mode \"client\") cannot show strips of a prepared file, nor a "
-                      "globe: use the mode \"server\"", RuntimeWarning, stacklevel=2)
+        _warn_of_browsers("strips of a prepared file, nor a globe")
         return None
-    warnings.warn("a browser that renders by itself (mode \"client\") cannot show terrain, only a mesh of it, within "
-                  f"{terrain.GetUsedSurfaceError():.3g} of each height: use the mode \"server\"", RuntimeWarning,
-                  stacklevel=2)
+    _warn_of_browsers(f"terrain, only a mesh of it, within {terrain.GetUsedSurfaceError():.3g} of each height")
     terrain.GetSurface()
     return SERIALIZERS["vtkOpenGLActor"](parent, surface, terrain_id, context, depth)
 

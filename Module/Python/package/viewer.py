@@ -133,7 +133,7 @@ class Viewer:
         back = np.array([0.0, -math.cos(math.radians(35.0)), math.sin(math.radians(35.0))])
         width, height = self._size
         half = math.tan(math.radians(camera.GetViewAngle()) / 2.0)
-        seen = np.abs([corners @ (1.0, 0.0, 0.0) * height / (width - self._covered), corners @ (0.0, -back[2], back[1])])
+        seen = np.abs([corners[:, 0] * height / (width - self._covered), corners @ (0.0, -back[2], back[1])])
         distance = (corners @ back + seen.max(axis=0) / (half * _WHOLE)).max()
         camera.SetFocalPoint(middle)
         camera.SetPosition(middle + distance * back)

@@ -289,7 +289,12 @@ class TerrainAccessor:
         import pyvista
 
         plotter = pyvista.Plotter(off_screen=True if screenshot else None, window_size=window_size)
-        self.add_to(plotter, **options)
+        try:
+            self.add_to(plotter, **options)
+        except TypeError as error:
+            if "has no option" not in str(error):
+                raise
+            raise TypeError(str(error).replace("add_terrain", "plot", 1)) from None
         plotter.view_vector((0.0, -0.82, 0.57), viewup=(0.0, 0.0, 1.0))
         if screenshot:
             plotter.screenshot(screenshot)
