@@ -26,6 +26,7 @@
 #include "vtkProperty.h"
 #include "vtkScalarsToColors.h"
 #include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -155,12 +156,10 @@ void vtkTerrainActor::UpdateSurfacePicture(vtkImageData* heights)
     this->SurfaceMesh->SetTextureBounds(0.0, 0.0, 0.0, 0.0);
     return;
   }
-  using Sources = vtkOpenGLTerrainMapper::ColorSources;
-  const bool isColored =
-    this->ColorByHeight && this->TerrainMapper->GetColorSource() == Sources::Height;
-  vtkScalarsToColors* table = isColored ? this->TerrainMapper->GetLookupTable() : nullptr;
-  const vtkMTimeType time = std::max({ drape->GetMTime(), heights->GetMTime(),
-    this->TerrainMapper->GetLookTime(), table ? table->GetMTime() : 0 });
+  vtkMapper* mapper = this->SurfaceActor->GetMapper();
+  vtkScalarsToColors* table = mapper->GetLookupTable();
+  const vtkMTimeType time = std::max({ drape->GetMTime(), heights->GetMTime(), table->GetMTime(),
+    this->TerrainMapper->GetLookTime(), this->TerrainMapper->GetMTime() });
   if (!this->SurfacePicture || this->SurfacePictureTime != time)
   {
     if (terrain::SurfaceScope::IsOpen())
@@ -169,7 +168,15 @@ void vtkTerrainActor::UpdateSurfacePicture(vtkImageData* heights)
     }
     std::array<double, 4> bounds{};
     this->TerrainMapper->GetLook()->GetDrapeBounds(bounds.data());
-    const auto picture = terrain::MakeDrapePicture(drape, bounds, heights, table);
+    const char* name = mapper->GetArrayName();
+    vtkDataArray* values = name ? heights->GetPointData()->GetArray(name) : nullptr;
+    vtkSmartPointer<vtkUnsignedCharArray> colors;
+    if (values && mapper->GetScalarVisibility())
+    {
+      colors.TakeReference(
+        table->MapScalars(values, mapper->GetColorMode(), mapper->GetArrayComponent()));
+    }
+    const auto picture = terrain::MakeDrapePicture(drape, bounds, heights, colors);
     if (!picture)
     {
       return; // the mapper says so where it draws
@@ -183,7 +190,7 @@ void vtkTerrainActor::UpdateSurfacePicture(vtkImageData* heights)
   const std::array<double, 4> bounds = terrain::FindSampleBounds(heights);
   this->SurfaceMesh->SetTextureBounds(bounds[0], bounds[1], bounds[2], bounds[3]);
   this->SurfaceActor->SetTexture(this->SurfacePicture);
-  this->SurfaceActor->GetMapper()->ScalarVisibilityOff();
+  mapper->ScalarVisibilityOff();
   const vtkNew<vtkProperty> white;
   white->DeepCopy(this->GetProperty());
   white->SetColor(1.0, 1.0, 1.0); // which the picture is multiplied with

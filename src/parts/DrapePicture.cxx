@@ -6,7 +6,6 @@
 #include "data/SMPParallelFor.h"
 
 #include "vtkPointData.h"
-#include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <glm/glm.hpp>
@@ -67,26 +66,21 @@ private:
 };
 
 /// Colours of all samples, three bytes each, from the south.
-std::vector<unsigned char> ColorsOfHeights(vtkImageData* heights, vtkScalarsToColors* table)
+std::vector<unsigned char> ColorsOfSamples(vtkImageData* heights, vtkUnsignedCharArray* ofPoints)
 {
-  const std::size_t count = static_cast<std::size_t>(heights->GetNumberOfPoints());
+  const auto count = static_cast<std::size_t>(heights->GetNumberOfPoints());
   std::vector<unsigned char> colors(3 * count, 255);
-  if (table)
+  const int width = heights->GetDimensions()[0];
+  for (std::size_t k = 0; ofPoints && k < count; ++k)
   {
-    const auto mapped = vtkSmartPointer<vtkUnsignedCharArray>::Take(
-      table->MapScalars(heights->GetPointData()->GetScalars(), VTK_COLOR_MODE_MAP_SCALARS, 0));
-    const int components = mapped->GetNumberOfComponents();
-    const int width = heights->GetDimensions()[0];
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      const vtkIdType point = ImageHeights::PointOfSample(
-        heights, static_cast<vtkIdType>(k) % width, static_cast<vtkIdType>(k) / width);
-      const unsigned char* color = mapped->GetPointer(components * point);
-      const bool isGrey = components < 3;
-      colors[3 * k] = color[0];
-      colors[3 * k + 1] = color[isGrey ? 0 : 1];
-      colors[3 * k + 2] = color[isGrey ? 0 : 2];
-    }
+    const auto sample = static_cast<vtkIdType>(k);
+    const vtkIdType point = ImageHeights::PointOfSample(heights, sample % width, sample / width);
+    const int components = ofPoints->GetNumberOfComponents();
+    const unsigned char* color = ofPoints->GetPointer(components * point);
+    const bool isGrey = components < 3;
+    colors[3 * k] = color[0];
+    colors[3 * k + 1] = color[isGrey ? 0 : 1];
+    colors[3 * k + 2] = color[isGrey ? 0 : 2];
   }
   return colors;
 }
@@ -111,7 +105,7 @@ std::array<double, 4> FindSampleBounds(vtkImageData* heights)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> MakeDrapePicture(vtkImageData* drape,
-  const std::array<double, 4>& drapeBounds, vtkImageData* heights, vtkScalarsToColors* table)
+  const std::array<double, 4>& drapeBounds, vtkImageData* heights, vtkUnsignedCharArray* colors)
 {
   if (!IsPicture(drape))
   {
@@ -123,7 +117,7 @@ vtkSmartPointer<vtkImageData> MakeDrapePicture(vtkImageData* drape,
   const glm::dvec2 extent = glm::dvec2(bounds[1], bounds[3]) - corner;
   const glm::ivec2 size(
     glm::clamp(glm::ceil(extent / reader.PixelSize() - 1e-6), 1.0, 1.0 * kMostDrapePixels));
-  const std::vector<unsigned char> below = ColorsOfHeights(heights, table);
+  const std::vector<unsigned char> below = ColorsOfSamples(heights, colors);
   const glm::ivec2 samples(heights->GetDimensions()[0], heights->GetDimensions()[1]);
 
   auto picture = vtkSmartPointer<vtkImageData>::New();

@@ -13,7 +13,7 @@
 #include <array>
 
 class vtkImageData;
-class vtkScalarsToColors;
+class vtkUnsignedCharArray;
 
 namespace terrain
 {
@@ -25,8 +25,8 @@ std::array<double, 4> FindSampleBounds(vtkImageData* heights);
 
 /// The picture, of these bounds, over the whole terrain, RGB, its pixels as large as its own (larger
 /// beyond kMostDrapePixels a side). Where it has nothing to show there are the colours of the
-/// heights, or white without a table. Null if the picture is none (vtkTerrainLook::SetDrape()).
+/// points of the heights, or white without any. Null if the picture is none (vtkTerrainLook::SetDrape()).
 vtkSmartPointer<vtkImageData> MakeDrapePicture(vtkImageData* drape,
-  const std::array<double, 4>& drapeBounds, vtkImageData* heights, vtkScalarsToColors* table);
+  const std::array<double, 4>& drapeBounds, vtkImageData* heights, vtkUnsignedCharArray* colors);
 }
 #endif

@@ -55,8 +55,6 @@ def add_bar(plotter, terrain, table, title, name, options):
     title = _free_title(plotter, options.pop("title", title), name)
     low, high = table.scalar_range
     options.setdefault("fmt", label_format(low, high))
-    if not table.log_scale and label_format(low, high) % low in ("-0", "-0.0", "-0.00"):
-        table.scalar_range = 0.0, high  # a first label "-0" is the overshoot of a resampling
     bar = plotter.add_scalar_bar(**{**options, "title": title, "mapper": terrain.mapper})
     if not bar.GetOrientation() and not title.endswith("\n"):
         bar.SetTitle(title + "\n")  # keeps the title off the numbers

@@ -12,6 +12,7 @@ from vtkmodules.util.vtkConstants import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._actor import check_opacity
+from ._bars import label_format
 from ._intake import _run
 from .heights import array_from_heights, to_array
 from .vtkTerrain import vtkTerrainImageWarp, vtkTerrainLook, vtkTerrainValues
@@ -188,6 +189,11 @@ def _check_colors(n_colors):
         raise ValueError(f"n_colors must be a whole number from 1 to 65536, not {n_colors!r}")
 
 
+def _tidy_range(low, high):
+    """A range whose first label is not "-0": so far below 0 only the overshoot of a resampling lies."""
+    return (0.0, high) if label_format(low, high) % low in ("-0", "-0.0", "-0.00") else (low, high)
+
+
 def make_table(terrain, scalars, theme, *, cmap=None, clim=None, n_colors=_NUMBER_OF_COLORS, flip_scalars=False,
                log_scale=False, nan_color=None, nan_opacity=1.0, above_color=None, below_color=None, opacity=None,
                categories=False, annotations=None):
@@ -195,7 +201,7 @@ def make_table(terrain, scalars, theme, *, cmap=None, clim=None, n_colors=_NUMBE
 
     A theme whose cmap is not PyVista's own one gives its cmap to heights, too.
     """
-    clim = scalars.clim if clim is None else check_clim(clim)
+    clim = _tidy_range(*scalars.clim) if clim is None else check_clim(clim)
     _check_colors(n_colors)
     if categories:
         n_colors = _number_of_categories(terrain, scalars, categories)
