@@ -170,7 +170,7 @@ names=$(awk '
 circles=$(echo "$cxx" | awk '
   function unit(file) {
     sub(/\.(h|cxx)$/, "", file)
-    if (sub(/Internals$/, "", file)) sub(/.*\//, "src/vtkTerrain", file)
+    if (sub(/Internals$/, "", file)) sub(/.*\//, file ~ /OpenGL/ ? "src/vtk" : "src/vtkTerrain", file)
     return file
   }
   NR == FNR { known[$1] = 1; next }

@@ -51,6 +51,7 @@ set(private_sources
   parts/AssemblyPart
   parts/ColorsOfRaster
   parts/DrapePicture
+  parts/MapperExtract
   parts/RasterReaderLevels
   place/GeoreferencePrepare
   place/GlobeHeights

@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkOpenGLTerrainMapper.h"
+#include "parts/OpenGLTerrainMapperInternals.h"
 
 #include "data/ImageHeights.h"
 #include "render/Driver.h"
-#include "render/Features.h"
-#include "render/Scene.h"
-#include "render/SurfaceProgram.h"
 #include "render/Uniforms.h"
 
 #include "vtkActor.h"
@@ -25,25 +22,7 @@
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
 
-#include <map>
-
 vtkStandardNewMacro(vtkOpenGLTerrainMapper);
-
-class vtkOpenGLTerrainMapper::vtkInternals
-{
-public:
-  vtkInternals(vtkOpenGLTerrainMapper* self)
-    : Scene(self, self->Look)
-  {
-  }
-
-  terrain::Scene Scene;
-  terrain::SurfaceProgram Program;
-  /// What the program of each primitive was built for.
-  std::map<vtkOpenGLHelper*, terrain::Features> BuiltFor;
-  int ShaderBuilds = 0;
-  int BufferBuilds = 0;
-};
 
 //------------------------------------------------------------------------------
 vtkOpenGLTerrainMapper::vtkOpenGLTerrainMapper()
@@ -190,40 +169,6 @@ void vtkOpenGLTerrainMapper::GetHeightRange(double range[2])
     range[0] = codes.ToHeight(0.0);
     range[1] = codes.ToHeight(codes.MaximumCode);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::SetExtract(const int first[2], const int last[2])
-{
-  if (first[0] >= last[0] || first[1] >= last[1])
-  {
-    vtkErrorMacro("An extract must have at least two samples each way");
-    return;
-  }
-  terrain::Cutting& cutting = this->Internals->Scene.Cutting;
-  cutting.Extracts = true;
-  cutting.First = { first[0], first[1] };
-  cutting.Last = { last[0], last[1] };
-  this->PictureModified();
-}
-
-//------------------------------------------------------------------------------
-bool vtkOpenGLTerrainMapper::GetExtract(int first[2], int last[2]) const
-{
-  const terrain::Cutting& cutting = this->Internals->Scene.Cutting;
-  for (int axis = 0; cutting.Extracts && axis < 2; ++axis)
-  {
-    first[axis] = cutting.First[axis];
-    last[axis] = cutting.Last[axis];
-  }
-  return cutting.Extracts;
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLTerrainMapper::ExtractAll()
-{
-  this->Internals->Scene.Cutting.Extracts = false;
-  this->PictureModified();
 }
 
 //------------------------------------------------------------------------------

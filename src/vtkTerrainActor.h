@@ -170,8 +170,9 @@ public:
   /// GetActor() is the terrain. vtkTerrainPicker does without and is exact. The mesh is made when
   /// somebody asks, and again after changes: about 0.2 microseconds a sample. It is cut by the
   /// extract, and has the walls and the floor of a block that lies below all heights; it has no
-  /// detail, and is cut by clipping planes only where its actor is drawn or picked. Null without an image of heights (strips of a prepared file alone) and on a
-  /// globe (vtkTerrainGlobe), where exporters and VTK's pickers find nothing.
+  /// detail, and is cut by clipping planes only where its actor is drawn or picked. Null without an
+  /// image of heights (strips of a prepared file alone) and on a globe (vtkTerrainGlobe), where
+  /// exporters and VTK's pickers find nothing.
   vtkPolyData* GetSurface();
   vtkActor* GetSurfaceActor();
   ///@}

@@ -70,6 +70,50 @@ private:
   terrain::HeightfieldView<T> View;
 };
 
+/// First and last sample of what is meshed.
+struct Part
+{
+  glm::ivec2 First{ 0 };
+  glm::ivec2 Last;
+  bool IsAll = true;
+
+  explicit Part(vtkImageData* image)
+    : Last(glm::ivec2(image->GetDimensions()[0], image->GetDimensions()[1]) - 1)
+  {
+  }
+  Part(vtkImageData* image, const int first[2], const int last[2])
+    : Part(image)
+  {
+    const Part all = *this;
+    this->First = glm::clamp(glm::ivec2(first[0], first[1]), all.First, all.Last);
+    this->Last = glm::clamp(glm::ivec2(last[0], last[1]), all.First, all.Last);
+    this->IsAll = this->First == all.First && this->Last == all.Last;
+  }
+};
+
+/// Calls build(view, geometry) for a part of a view.
+template <typename T, typename Build>
+void BuildPart(const terrain::HeightfieldView<T>& view, const terrain::GridGeometry& geometry,
+  const Part& part, const Build& build)
+{
+  if (part.IsAll)
+  {
+    build(view, geometry);
+    return;
+  }
+  terrain::GridGeometry place = geometry;
+  place.Origin = geometry.ToModel(part.First, 0.0);
+  build(CutOut(view, part.First, part.Last).GetView(), place);
+}
+
+void AddError(vtkPolyData* mesh, double value)
+{
+  vtkNew<vtkDoubleArray> error;
+  error->SetName("MeshError");
+  error->InsertNextValue(value);
+  mesh->GetFieldData()->AddArray(error);
+}
+
 /// Builds the mesh; returns its error.
 template <typename T>
 double BuildExact(
@@ -131,12 +175,7 @@ int vtkTerrainMesh::RequestData(
   }
 
   const terrain::GridGeometry geometry = terrain::ImageHeights::Geometry(image, this->Exaggeration);
-  const glm::ivec2 highest = glm::ivec2(image->GetDimensions()[0], image->GetDimensions()[1]) - 1;
-  const glm::ivec2 zero(0);
-  const auto kept = [&](const int corner[2])
-  { return glm::clamp(glm::ivec2(corner[0], corner[1]), zero, highest); };
-  const glm::ivec2 first = this->Extracts ? kept(this->First) : zero;
-  const glm::ivec2 last = this->Extracts ? kept(this->Last) : highest;
+  const Part part = this->Extracts ? Part(image, this->First, this->Last) : Part(image);
   bool single = this->OutputPointsPrecision == SINGLE_PRECISION;
   const bool rounds = this->HoldInSinglePrecision || single;
   terrain::GridMesh mesh;
@@ -144,24 +183,15 @@ int vtkTerrainMesh::RequestData(
   terrain::ImageHeights::Dispatch(image,
     [&](const auto& view)
     {
-      const auto build = [&](const auto& part, const terrain::GridGeometry& place)
-      {
-        this->MeshError = rounds ? BuildRounded(part, place, this->MaximumError, mesh, single)
-                                 : BuildExact(part, this->MaximumError, mesh);
-      };
-      if (first == zero && last == highest)
-      {
-        build(view, geometry);
-      }
-      else
-      {
-        terrain::GridGeometry place = geometry;
-        place.Origin = geometry.ToModel(first, 0.0);
-        build(CutOut(view, first, last).GetView(), place);
-      }
+      BuildPart(view, geometry, part,
+        [&](const auto& seen, const terrain::GridGeometry& place)
+        {
+          this->MeshError = rounds ? BuildRounded(seen, place, this->MaximumError, mesh, single)
+                                   : BuildExact(seen, this->MaximumError, mesh);
+        });
       for (glm::ivec2& vertex : mesh.Vertices)
       {
-        vertex += first;
+        vertex += part.First;
         lowest = std::min(lowest, view.At(vertex.x, vertex.y));
       }
     });
@@ -184,16 +214,12 @@ int vtkTerrainMesh::RequestData(
   output.PointArrays = this->PassPointArrays;
   output.Block = this->Block;
   output.WallsOfHoles = this->WallsOfHoles;
-  output.First = first;
-  output.Last = last;
+  output.First = part.First;
+  output.Last = part.Last;
   output.BlockBase = this->BlockBase;
   vtkPolyData* polys = vtkPolyData::GetData(outputVector);
   terrain::FillMeshOutput(image, mesh, geometry, output, polys);
-
-  vtkNew<vtkDoubleArray> error;
-  error->SetName("MeshError");
-  error->InsertNextValue(this->MeshError);
-  polys->GetFieldData()->AddArray(error);
+  AddError(polys, this->MeshError);
   return 1;
 }
 

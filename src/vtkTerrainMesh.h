@@ -20,9 +20,10 @@
  *   - point data: the input's arrays at the samples (PassPointArrays); a floor has its own height;
  *   - field data "MeshError", one float64: GetMeshError().
  *
- * The mesh covers exactly the cells whose four samples have heights, or those of them in Extract. Neighbouring triangles share
- * whole edges: there are no cracks. With Block the mesh is closed by walls and a floor; every edge
- * of the block then has two triangles, four where two holes meet in one sample.
+ * The mesh covers exactly the cells whose four samples have heights, or those of them in Extract.
+ * Neighbouring triangles share whole edges: there are no cracks. With Block the mesh is closed by
+ * walls and a floor; every edge of the block then has two triangles, four where two holes meet in
+ * one sample.
  *
  * Method: greedy insertion into a Delaunay triangulation (Garland and Heckbert, "Fast Polygonal
  * Approximation of Terrains and Height Fields", 1995), in tiles that share their
@@ -138,8 +139,8 @@ public:
 
   ///@{
   /// Whether the output has point arrays "Slope", degrees from the horizontal, and "Aspect", the
-  /// direction downhill in degrees clockwise from the grid's north, 0 to 360, NaN where it is level:
-  /// of the surface of "Normals", not exaggerated. Default off.
+  /// direction downhill in degrees clockwise from the grid's north, 0 to 360, NaN where it is
+  /// level: of the surface of "Normals", not exaggerated. Default off.
   vtkSetMacro(ComputeSlopes, bool);
   vtkGetMacro(ComputeSlopes, bool);
   vtkBooleanMacro(ComputeSlopes, bool);

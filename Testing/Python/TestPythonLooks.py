@@ -206,7 +206,8 @@ class TestColors(LooksTest):
                                  ({"scalars": "nothing"}, "nothing"), ({"scalars": np.zeros((3, 3))}, "41 x 51"),
                                  ({"log_scale": True, "clim": (-1, 3)}, "log_scale"), ({"contours": -1}, "contours"),
                                  ({"block": 99.0}, "block"), ({"hillshade": 3}, "hillshade"),
-                                 ({"exaggeration": np.inf}, "exaggeration"), ({"x": np.arange(51.0)**2, "y": np.arange(41.0)}, "x must"),
+                                 ({"exaggeration": np.inf}, "exaggeration"),
+                                 ({"x": np.arange(51.0)**2, "y": np.arange(41.0)}, "x must"),
                                  ({"x": np.arange(51.0)}, "x needs y")):
             with self.assertRaisesRegex(ValueError, pattern):
                 plotting.add_terrain(plotter, hill(), **options)

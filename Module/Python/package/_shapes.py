@@ -62,7 +62,8 @@ def take_coordinates(place, shape):
         _check_coordinates(x, y, shape, place)
     if x is None or y is None:
         given, missing = "yx" if x is None else "xy"
-        raise ValueError(f"{given} needs {missing}: give the coordinates of both columns and rows, or spacing and origin")
+        raise ValueError(f"{given} needs {missing}: give the coordinates of both columns and rows, or spacing and "
+                         "origin")
     if np.ndim(x) == 2 and np.shape(x) == np.shape(y):
         x, y = lines_of(x, y)
     origin, spacing = [0.0, 0.0], [1.0, 1.0]

@@ -84,7 +84,7 @@ def _can_load(library):
     return True
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _why_no_driver():
     """Why none of EGL's devices works; empty if one does, or if that cannot be tried."""
     try:
