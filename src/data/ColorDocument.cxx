@@ -158,14 +158,14 @@ ColorFileResult ReadMap(vtkXMLDataElement* map)
     const std::string name = child->GetName();
     const std::optional<Color> color = ColorOfElement(child);
     const std::optional<double> value = ToNumber(TextOf(child, "x"));
-    if (name == "Point" && (!color || !value))
+    if (name == "Point" && color && value)
+    {
+      scheme.Stops.push_back({ *value, *color });
+    }
+    else if (name == "Point")
     {
       return Refused(
         "point " + std::to_string(k + 1) + " needs x, r, g and b, colours from 0 to 1");
-    }
-    if (name == "Point")
-    {
-      scheme.Stops.push_back({ *value, *color });
     }
     else if (name == "NaN")
     {
