@@ -358,7 +358,7 @@ TEST_F(TileFileTest, RefusesHeadersThatFitNoFile)
   const std::vector<std::function<void(TileFileHeader&)>> changes{
     [](TileFileHeader& header) { header.Width = 1; },
     [](TileFileHeader& header) { header.Height = -45; },
-    [most](TileFileHeader& header) { header.Width = header.Height = most; },
+    [](TileFileHeader& header) { header.Width = header.Height = most; },
     [](TileFileHeader& header) { header.Width = header.Height = 2000000000; },
     [](TileFileHeader& header) { header.TileLevel = 63; },
     [](TileFileHeader& header) { header.TileLevel = -1; },
