@@ -65,10 +65,6 @@ terrain::ColorFileResult ReadByName(const std::string& suffix, const std::string
   {
     return terrain::ReadColorMapDocument(text);
   }
-  if (suffix == ".json")
-  {
-    return terrain::ReadColorMapList(text);
-  }
   if (suffix == ".csv")
   {
     return terrain::ReadClassTable(text);
@@ -125,10 +121,9 @@ bool vtkTerrainColors::ReadFile(const std::string& path)
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(path));
   std::string text;
   if (suffix != ".cpt" && suffix != ".txt" && suffix != ".clr" && suffix != ".qml" &&
-    suffix != ".xml" && suffix != ".json" && suffix != ".csv")
+    suffix != ".xml" && suffix != ".csv")
   {
-    this->ErrorMessage =
-      "'" + path + "' is no colour file: .cpt, .txt, .clr, .qml, .xml, .json or .csv";
+    this->ErrorMessage = "'" + path + "' is no colour file: .cpt, .txt, .clr, .qml, .xml or .csv";
   }
   else if (!ReadText(path, text))
   {

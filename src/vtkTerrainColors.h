@@ -18,7 +18,6 @@
  * | .clr   | a colour map of ESRI or QGIS                                                      |
  * | .qml   | the colour ramp of a single-band raster in a QGIS style                           |
  * | .xml   | a ParaView colour map; its values are shares of the range, as ParaView takes them |
- * | .json  | the same as ParaView exports it, or its classes of values with names              |
  * | .csv   | classes: value, colour and name a line                                            |
  *
  * Colours are mixed in RGB. Where a file has two colours for one value it is a step: the value

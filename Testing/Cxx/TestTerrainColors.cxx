@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkTerrainColors: schemes, files of all kinds, ranges, seas, refusals. gdaldem judges its own.
+// vtkTerrainColors: schemes, files of five kinds, ranges, seas, refusals. gdaldem judges its own.
 #include "vtkTerrainColors.h"
 
 #include "vtkTerrainTesting.h"
@@ -69,7 +69,7 @@ TEST(TerrainColors, RefusesInOneSentence)
   ExpectColor(colors->MakeTable(0.0, 1.0), 1.0, 0.97, 0.97, 0.98);
 }
 
-// Cut at every byte, a file of each kind is read or refused with one line; trees are refused.
+// Cut at every byte, a file of each kind is read or refused with one line, and XML is refused.
 TEST(TerrainColors, FilesCutShortAreReadOrRefused)
 {
   const std::string item = "<item alpha='255' value='10' label='low' color='#ff0000'/>";
@@ -80,12 +80,11 @@ TEST(TerrainColors, FilesCutShortAreReadOrRefused)
     { "cut.csv", "value,colour,name\n1,#ff0000,low\n2,blue,high\n" },
     { "cut.qml",
       "<qgis><colorrampshader colorRampType='DISCRETE'>" + item + "</colorrampshader></qgis>" },
-    { "cut.json", "[{\"RGBPoints\":[0,0,0,1,1,1,0,0],\"NanColor\":[1,1,0]}]" },
     { "cut.xml", "<ColorMap space='RGB'><Point x='0' o='1' r='0' g='0' b='1'/></ColorMap>" },
   };
   for (const auto& [name, text] : files)
   {
-    const bool isTree = text.front() == '<' || text.front() == '[';
+    const bool isXML = text.front() == '<';
     for (std::size_t end = 0; end < text.size(); ++end)
     {
       vtkNew<vtkTerrainColors> colors;
@@ -94,7 +93,7 @@ TEST(TerrainColors, FilesCutShortAreReadOrRefused)
       EXPECT_EQ(isRead, why.empty()) << name << " " << end;
       EXPECT_EQ(why.find('\n'), std::string::npos) << why;
       EXPECT_TRUE(isRead || why.find(name) != std::string::npos) << why;
-      EXPECT_FALSE(isRead && isTree) << name << " " << end;
+      EXPECT_FALSE(isRead && isXML) << name << " " << end;
       EXPECT_TRUE(std::isfinite(ColorAt(colors->MakeTable(0.0, 1.0), 0.5)[0]));
     }
   }
@@ -151,50 +150,6 @@ TEST(TerrainColors, ReadsStylesAndColorMaps)
   ExpectColor(table, 50.0, 0.0, 0.0, 1.0);
   ExpectColor(table, 100.0, 0.5, 0.0, 0.5);
   EXPECT_EQ(table->GetNanColor()[1], 1.0);
-}
-
-// One map as ParaView 5.11 has it in XML and in JSON: its "Cool to Warm".
-TEST(TerrainColors, ReadsParaViewsJSONAsItsXML)
-{
-  vtkNew<vtkTerrainColors> xml;
-  vtkNew<vtkTerrainColors> json;
-  ASSERT_TRUE(xml->ReadFile(WriteText("cool.xml",
-    "<ColorMap name='Cool to Warm' space='Diverging'>"
-    "<Point x='0' o='0' r='0.231373' g='0.298039' b='0.752941'/>"
-    "<Point x='0.5' o='0.5' r='0.865003' g='0.865003' b='0.865003'/>"
-    "<Point x='1' o='1' r='0.705882' g='0.0156863' b='0.14902'/>"
-    "<NaN r='1' g='1' b='0'/></ColorMap>")));
-  const std::string points = "0, 0.231373, 0.298039, 0.752941, 0.5, 0.865003, 0.865003, 0.865003, "
-                             "1, 0.705882, 0.0156863, 0.14902";
-  ASSERT_TRUE(json->ReadFile(WriteText("cool.json",
-    "[ { \"ColorSpace\" : \"Diverging\", \"Creator\" : \"somebody\", \"NanColor\" : [ 1, 1, 0 ],"
-    " \"Name\" : \"Cool to Warm\", \"RGBPoints\" : [ " +
-      points + " ] } ]")))
-    << json->GetErrorMessage();
-  const vtkSmartPointer<vtkColorTransferFunction> expected = xml->MakeTable(-20.0, 380.0);
-  const vtkSmartPointer<vtkColorTransferFunction> table = json->MakeTable(-20.0, 380.0);
-  for (int value = -20; value <= 380; ++value)
-  {
-    EXPECT_EQ(ColorAt(table, value), ColorAt(expected, value)) << value;
-  }
-  EXPECT_EQ(table->GetNanColor()[1], 1.0);
-  EXPECT_EQ(table->GetNanColor()[2], 0.0);
-
-  ASSERT_TRUE(json->ReadFile(WriteText("classes.json",
-    R"([{"Annotations":["3","lake","1","wood"],"IndexedColors":[0,0,1,0,0.5,0],"Name":"cover"}])")))
-    << json->GetErrorMessage();
-  EXPECT_TRUE(json->IsDiscrete());
-  EXPECT_EQ(json->GetCategoryName(0), "lake");
-  ExpectColor(json->MakeTable(0.0, 5.0), 3.0, 0.0, 0.0, 1.0);
-  ExpectColor(json->MakeTable(0.0, 5.0), 1.0, 0.0, 0.5, 0.0);
-  for (const char* text :
-    { "[]", "3", "[{}]", R"([{"RGBPoints":[0,0,0]}])", R"([{"RGBPoints":[0,0,0,2]}])",
-      R"([{"RGBPoints":["a",0,0,1]}])", R"([{"Annotations":["a","b"],"IndexedColors":[0,0,1]}])",
-      R"([{"Annotations":["1","b"],"IndexedColors":[0,0]}])" })
-  {
-    EXPECT_FALSE(json->ReadFile(WriteText("bad.json", text))) << text;
-    EXPECT_NE(json->GetErrorMessage().find("bad.json"), std::string::npos);
-  }
 }
 
 // The value of a step has the upper colour; just below it lies the lower one.

@@ -8,16 +8,12 @@
 #include "vtkNew.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLDataParser.h"
-#include "vtk_jsoncpp.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <sstream>
-#include <vector>
 
 namespace terrain
 {
@@ -135,20 +131,6 @@ ColorFileResult ReadShader(vtkXMLDataElement* shader)
                               : ColorFileResult{ scheme, {} };
 }
 
-/// The end of reading points of a colour map.
-ColorFileResult AlongShares(ColorScheme scheme)
-{
-  if (scheme.Stops.empty())
-  {
-    return Refused("there are no colours in it");
-  }
-  std::stable_sort(scheme.Stops.begin(), scheme.Stops.end(),
-    [](const ColorStop& a, const ColorStop& b) { return a.Value < b.Value; });
-  scheme = Stretched(scheme, 0.0, 1.0);
-  scheme.Along = ColorScheme::Axis::Shares;
-  return { scheme, {} };
-}
-
 ColorFileResult ReadMap(vtkXMLDataElement* map)
 {
   ColorScheme scheme;
@@ -172,83 +154,15 @@ ColorFileResult ReadMap(vtkXMLDataElement* map)
       scheme.None = color;
     }
   }
-  return AlongShares(scheme);
-}
-
-/// Numbers of a list; none if one is no number.
-std::vector<double> NumbersOf(const Json::Value& list)
-{
-  std::vector<double> numbers;
-  for (Json::ArrayIndex k = 0; list.isArray() && k < list.size(); ++k)
-  {
-    if (!list[k].isNumeric())
-    {
-      return {};
-    }
-    numbers.push_back(list[k].asDouble());
-  }
-  return numbers;
-}
-
-/// A colour of numbers from an index on; none if it is no colour.
-std::optional<Color> ColorOfNumbers(const std::vector<double>& numbers, std::size_t first)
-{
-  if (first + 3 > numbers.size())
-  {
-    return std::nullopt;
-  }
-  const Color color{ numbers[first], numbers[first + 1], numbers[first + 2] };
-  return IsColor(color) ? std::optional<Color>(color) : std::nullopt;
-}
-
-/// The colour map without points: classes.
-ColorFileResult ReadIndexedColors(const Json::Value& map)
-{
-  const std::vector<double> colors = NumbersOf(map["IndexedColors"]);
-  const Json::Value& names = map["Annotations"];
-  ColorScheme scheme;
-  scheme.Along = ColorScheme::Axis::Values;
-  for (Json::ArrayIndex k = 0; names.isArray() && k + 1 < names.size(); k += 2)
-  {
-    const std::optional<double> value =
-      ToNumber(names[k].isString() ? names[k].asString() : std::string());
-    // as ParaView has it: colours begin again after the last one
-    const std::size_t count = colors.size() / 3;
-    const std::optional<Color> color =
-      count > 0 ? ColorOfNumbers(colors, 3 * (k / 2 % count)) : std::nullopt;
-    if (!value || !color || !names[k + 1].isString())
-    {
-      return Refused("class " + std::to_string(k / 2 + 1) + " needs a value, a name and a colour");
-    }
-    scheme.Stops.push_back({ *value, *color });
-    scheme.Classes.push_back({ *value, names[k + 1].asString() });
-  }
   if (scheme.Stops.empty())
   {
-    return Refused("there are neither RGBPoints nor IndexedColors with Annotations in it");
+    return Refused("there are no colours in it");
   }
   std::stable_sort(scheme.Stops.begin(), scheme.Stops.end(),
     [](const ColorStop& a, const ColorStop& b) { return a.Value < b.Value; });
-  scheme.Stops = ExactStops(scheme.Stops);
+  scheme = Stretched(scheme, 0.0, 1.0);
+  scheme.Along = ColorScheme::Axis::Shares;
   return { scheme, {} };
-}
-
-ColorFileResult ReadPoints(const Json::Value& map)
-{
-  const std::vector<double> numbers = NumbersOf(map["RGBPoints"]);
-  ColorScheme scheme;
-  for (std::size_t k = 0; k < numbers.size(); k += 4)
-  {
-    const std::optional<Color> color = ColorOfNumbers(numbers, k + 1);
-    if (!color)
-    {
-      return Refused("RGBPoints, point " + std::to_string(k / 4 + 1) +
-        ": a value and red, green and blue from 0 to 1 are expected");
-    }
-    scheme.Stops.push_back({ numbers[k], *color });
-  }
-  scheme.None = ColorOfNumbers(NumbersOf(map["NanColor"]), 0);
-  return AlongShares(scheme);
 }
 }
 
@@ -261,24 +175,5 @@ ColorFileResult ReadStyle(const std::string& text)
 ColorFileResult ReadColorMapDocument(const std::string& text)
 {
   return WithElement(text, "ColorMap", ReadMap);
-}
-
-//------------------------------------------------------------------------------
-ColorFileResult ReadColorMapList(const std::string& text)
-{
-  const Json::CharReaderBuilder builder;
-  const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
-  Json::Value root;
-  std::string errors;
-  if (!reader->parse(text.data(), text.data() + text.size(), &root, &errors))
-  {
-    return Refused("it is no complete JSON");
-  }
-  const Json::Value map = root.isArray() && !root.empty() ? root[0] : root;
-  if (!map.isObject())
-  {
-    return Refused("a list of colour maps as ParaView exports it is expected");
-  }
-  return map.isMember("RGBPoints") ? ReadPoints(map) : ReadIndexedColors(map);
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Colour files that are XML or JSON. Private to the module.
+ * Colour files that are XML. Private to the module.
  */
 #ifndef vtkTerrain_data_ColorDocument_h
 #define vtkTerrain_data_ColorDocument_h
@@ -18,10 +18,6 @@ ColorFileResult ReadStyle(const std::string& text);
 
 /// A ParaView colour map: the points of the first one, its colour of no data, values as shares.
 ColorFileResult ReadColorMapDocument(const std::string& text);
-
-/// The same of ParaView's JSON: a list of objects with RGBPoints (value, red, green, blue, and so
-/// on) and NanColor; or with IndexedColors and Annotations (value, name, and so on): classes.
-ColorFileResult ReadColorMapList(const std::string& text);
 }
 
 #endif
