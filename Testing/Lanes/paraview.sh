@@ -4,7 +4,7 @@
 # There ParaView can be installed beside VTK's headers. Changes the system that it runs in: for lanes alone.
 set -eu
 cd "$(dirname "$0")/../.."
-sh Module/packages.sh openmpi-bin xvfb paraview-dev python3-gdal python3-paraview
+sh Module/packages.sh openmpi-bin xvfb paraview-dev python3-paraview
 # ParaView's CMake files name its Python modules without the tag that Debian's have.
 find /usr/lib/python3/dist-packages/paraview -name '*.cpython-*.so' | while read -r module; do
   [ -e "${module%%.cpython*}.so" ] || ln -s "$(basename "$module")" "${module%%.cpython*}.so"
