@@ -89,6 +89,7 @@ class TestSeenByOthers(ParityTest):
         heights = hill().astype(float)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
+            warnings.simplefilter("ignore", DeprecationWarning)  # of others
             self.add(heights, block=-3.0)
             inner = heights.copy()
             inner[20:25, 20:25] = np.nan
