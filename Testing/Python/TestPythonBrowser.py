@@ -442,7 +442,9 @@ class TestClient(unittest.TestCase):
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
-        address = process.stdout.readline().strip()
+        # trame prints "update_geometry is missing" before it where the page is not yet there
+        address = next((line.strip() for line in process.stdout if line.startswith("http")), None)
+        self.assertIsNotNone(address, said.read_text(encoding="utf-8"))
         with sync_playwright() as play:
             browser = play.chromium.launch(executable_path=CHROMIUM, args=[
                 "--no-sandbox", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"])
