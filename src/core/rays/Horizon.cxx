@@ -15,6 +15,34 @@ namespace
 {
 /// An error of slopes that is left to float: 0.001 degrees.
 constexpr double kLeastSlope = 2e-5;
+
+/// Largest |sw - se - nw + ne| of the cells; infinite if a sample of theirs is without data.
+double FindLargestTwist(const LaneGrid<float>& grid, const ParallelFor& parallelFor)
+{
+  double largest = 0.0;
+  std::mutex mutex;
+  parallelFor(grid.Height - 1,
+    [&](std::int64_t begin, std::int64_t end)
+    {
+      float most = 0.0F;
+      bool hasHoles = false;
+      for (std::int64_t row = begin; row < end; ++row)
+      {
+        const float* south = grid.Samples + grid.Stride * row;
+        const float* north = south + grid.Stride;
+        for (std::int64_t i = 0; i + 1 < grid.Width; ++i)
+        {
+          const float twist = std::abs((south[i] - south[i + 1]) - (north[i] - north[i + 1]));
+          most = twist > most ? twist : most;
+          hasHoles |= !(twist == twist);
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      largest = std::max(largest, hasHoles ? kInfinity : static_cast<double>(most));
+    });
+  // the twist of doubles, or in another order of sums, may be a little more
+  return largest * (1.0 + 1e-5);
+}
 } // namespace
 
 HorizonGrid::HorizonGrid(
@@ -45,6 +73,7 @@ HorizonGrid::HorizonGrid(
   this->Rounding = rounding;
   this->Single = std::make_unique<PreparedGrid<float>>(
     PaddedGrid<float>(width, height, read, parallelFor), parallelFor);
+  this->LargestTwist = FindLargestTwist(this->Single->View, parallelFor) + 4.0 * rounding;
   if (rounding > 0.0)
   {
     this->Double = std::make_unique<PreparedGrid<double>>(
@@ -61,7 +90,9 @@ void HorizonGrid::CastRows(const PreparedGrid<Real>& prepared, HorizonKernel<Rea
 {
   const glm::i64vec2 size(this->Width, this->Height);
   const HorizonPath path(azimuth, options.Spacing, size);
-  const HorizonWay<Real> way(path, options.Drop, prepared.View.Stride, lanes, size);
+  HorizonWay<Real> way(path, options.Drop, prepared.View.Stride, lanes, size);
+  way.View.LargestCurvature =
+    static_cast<Real>(options.Drop + std::abs(way.View.Twist) * this->LargestTwist);
   parallelFor(rows.End - rows.First,
     [&](std::int64_t begin, std::int64_t end)
     {

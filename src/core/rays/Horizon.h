@@ -119,6 +119,8 @@ private:
   std::int64_t Width;
   std::int64_t Height;
   double Rounding = 0.0; ///< largest error of a height as float
+  /// Largest |sw - se - nw + ne| of a cell; infinite if samples are without data.
+  double LargestTwist = 0.0;
   std::unique_ptr<PreparedGrid<float>> Single;
   std::unique_ptr<PreparedGrid<double>> Double; ///< if Rounding is above 0
 };

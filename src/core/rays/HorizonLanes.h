@@ -117,8 +117,14 @@ struct HorizonLanes
     const Value exit = this->RiseAtExit(step);
     const Value curvature = this->CurvatureOf(step);
     const Value deficit = DeficitOf(step, curvature, enter, exit);
+    const Value enterSlope = enter * (k > 0 ? (&step)[-1].Inverse : Real(0));
+    const Value exitSlope = exit * step.Inverse;
     const Mask within =
-      (deficit > curvature * step.EnterEnter) & (deficit < curvature * step.ExitExit);
+      this->RisesWithin(step, curvature, deficit, enterSlope > exitSlope ? enterSlope : exitSlope);
+    if (!L::Any(within))
+    {
+      return;
+    }
     const Value root = L::Root(within ? deficit * step.Inverse : Value{}) -
       L::Root(within ? curvature * step.Exit : Value{});
     const Value summit = exit * step.Inverse + root * root;
@@ -159,6 +165,51 @@ struct HorizonLanes
     }
   }
 
+  /// The same of a leaf but the first, of a grid without holes: there a cell has a surface where its
+  /// exit has, and only the few that could rise enough with the largest curvature are looked into.
+  TERRAIN_LANES_INLINE void VisitFarLeaf(int leaf)
+  {
+    const int first = leaf * LeafSteps;
+    const int end = first + LeafSteps < this->End ? first + LeafSteps : this->End;
+    const WayStep<Real>* step = this->Way.Steps + first;
+    Value enterSlope = this->RiseAtExit(step[-1]) * step[-1].Inverse;
+    Value bounds[LeafSteps]; // of the tangents within the cells
+    Value highest = this->Best;
+    for (int k = first; k < end; ++k, ++step)
+    {
+      const Value exitSlope = this->RiseAtExit(*step) * step->Inverse;
+      const Value border = enterSlope > exitSlope ? enterSlope : exitSlope;
+      bounds[k - first] = border + this->Way.LargestCurvature * step->Bulge;
+      this->Best = exitSlope > this->Best ? exitSlope : this->Best;
+      highest = L::Maximum(bounds[k - first], highest);
+      enterSlope = exitSlope;
+    }
+    if (!L::Any(highest > this->Best))
+    {
+      return;
+    }
+    for (int k = first; k < end; ++k)
+    {
+      if (L::Any(bounds[k - first] > this->Best))
+      {
+        this->RaiseWithin(k);
+      }
+    }
+  }
+
+  /// Raises the horizons by the cells of a leaf but the first.
+  TERRAIN_LANES_INLINE void VisitLater(int leaf)
+  {
+    if (this->Way.LargestCurvature < Real(__builtin_huge_valf()))
+    {
+      this->VisitFarLeaf(leaf);
+    }
+    else
+    {
+      this->VisitLeaf(leaf);
+    }
+  }
+
   /// The slope of the surface at the samples themselves, which eyes on the ground see; else none.
   TERRAIN_LANES_INLINE Value FirstSlope() const
   {
@@ -188,7 +239,7 @@ struct HorizonLanes
     this->VisitLeaf(0);
     if (guess > 0 && guess * LeafSteps < this->End)
     {
-      this->VisitLeaf(guess);
+      this->VisitLater(guess);
     }
     const int leaves = (this->End + LeafSteps - 1) / LeafSteps;
     int leaf = 1;
@@ -207,7 +258,7 @@ struct HorizonLanes
       else
       {
         const Value before = this->Best;
-        this->VisitLeaf(leaf);
+        this->VisitLater(leaf);
         guess = L::Any(this->Best > before) ? leaf : guess;
         ++leaf;
       }

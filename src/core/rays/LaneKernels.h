@@ -95,6 +95,8 @@ struct LaneWay
   /// The parabola over a cell has a = Twist * (sw - se - nw + ne) - Drop.
   Real Twist = 0;
   Real Drop = 0;
+  /// -a is nowhere more than this; infinite if samples of the grid are without data.
+  Real LargestCurvature = 0;
 };
 
 /// Horizons in degrees of a row of samples (Horizon.h).
