@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rays on one core beside those of Embree 3, whose grid geometry has two triangles a cell, in turns,
-// as processor time.
+// Rays on one core beside those of Embree 3, whose grid has two triangles a cell, in turns, as
+// processor time.
 //
 //   BenchmarkEmbree rays [SAMPLES [FRAMES]]
 //     640 x 480 primary rays, hits and unit normals, of the four views of BenchmarkTechniques over

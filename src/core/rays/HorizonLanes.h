@@ -165,8 +165,9 @@ struct HorizonLanes
     }
   }
 
-  /// The same of a leaf but the first, of a grid without holes: there a cell has a surface where its
-  /// exit has, and only the few that could rise enough with the largest curvature are looked into.
+  /// The same of a leaf but the first, of a grid without holes: there a cell has a surface where
+  /// its exit has, and only the few that could rise enough with the largest curvature are looked
+  /// into.
   TERRAIN_LANES_INLINE void VisitFarLeaf(int leaf)
   {
     const int first = leaf * LeafSteps;
