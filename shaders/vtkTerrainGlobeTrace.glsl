@@ -4,7 +4,7 @@
 // Exact ray casting at a globe. Needs vtkTerrainGlobeLines.glsl and vtkTerrainPyramid.glsl.
 //
 // Twins in src/core/: globe/GlobeTraversal.h, step for step, which documents the method;
-// globe/GlobePixels.h.
+// globe/GlobeRoot.h, globe/GlobePixels.h.
 
 const float terrainGlobeNever = 1e30; // a distance beyond any
 // Metres from a hit to where a ray goes on behind it: more than float rounds of a planet's radius.
@@ -359,10 +359,22 @@ struct TerrainGlobeMeeting
   float length; // t from there to where it leaves
   float a;      // of the parabola a p^2 + b p + c, metres; p: part of the way, 0 to 1
   float b;
+  float c;
   float part;   // its first root, < 0 for none
   bool between; // on the line where the path comes in
   bool front;   // seen from above
 };
+
+// Errors of distances in metres, and as a part of them: kGlobeFloatError, kGlobeFloatPartError
+// (core/globe/GlobeErrors.h).
+const float terrainGlobeFloatError = 0.01;
+const float terrainGlobeFloatPartError = 1e-5;
+
+// Difference at a root, in metres, that is near enough.
+float terrainGlobeEnoughAt(float t)
+{
+  return terrainGlobeFloatError + terrainGlobeFloatPartError * abs(t);
+}
 
 // The meeting of a path with the cell at at.node, from at.t to end; side: the sign of the
 // difference where the path left the cell before, 0 if not known.
@@ -387,24 +399,46 @@ TerrainGlobeMeeting terrainGlobeMeetCell(
   float t = between ? 0.0 : terrainFirstRoot(values[0], values[2], a);
   bool above = side != 0.0 ? side > 0.0 : values[0] > 0.0 || (values[0] == 0.0 && b <= 0.0);
   side = valid ? sign(values[2]) : 0.0;
-  return TerrainGlobeMeeting(at.t, length, a, b, valid ? t : -1.0, between, above);
+  return TerrainGlobeMeeting(at.t, length, a, b, values[0], valid ? t : -1.0, between, above);
 }
 
-// The hit where a path meets a cell, its root, 0 or more, refined.
+// Differences that are looked at for a root at most.
+const int terrainGlobeSteps = 16;
+
+// The hit where a path meets a cell, its root, 0 or more, refined: twice by the parabola, then,
+// where meridians are close to each other, by secants between two parts on different sides. None
+// where only the parabola dips through the surface; then t is where the path leaves the cell.
 TerrainGlobeHit terrainGlobeRefine(TerrainGlobePath path, ivec2 cell, TerrainGlobeMeeting meeting)
 {
   vec4 codes = terrainCellCodes(cell) - terrainGlobeHeights.z;
   vec2 fraction;
   float t = meeting.part;
-  for (int i = 0; i < 3; ++i)
+  bool isCrossed = meeting.c * (meeting.a + meeting.b + meeting.c) < 0.0;
+  vec2 bracket = vec2(0.0, 1.0); // between them the difference changes sign then
+  vec2 last = vec2(0.0);         // the part before, and the difference there
+  bool found = true;
+  bool ended = false;
+  for (int i = 0; i < terrainGlobeSteps && !ended; ++i)
   {
-    float slope = meeting.b + 2.0 * meeting.a * t;
-    float off =
-      terrainGlobeDifference(path, cell, codes, meeting.begin + t * meeting.length, fraction);
-    t = i < 2 && !meeting.between && abs(slope) > abs(off) ? clamp(t - off / slope, 0.0, 1.0) : t;
+    float at = meeting.begin + t * meeting.length;
+    float off = terrainGlobeDifference(path, cell, codes, at, fraction);
+    bool isBelow = off * meeting.c <= 0.0;
+    isCrossed = isCrossed || isBelow;
+    bracket = isBelow ? vec2(t > bracket.x ? bracket.x : 0.0, min(bracket.y, t))
+                      : vec2(t < bracket.y ? max(bracket.x, t) : bracket.x, bracket.y);
+    float slope = i < 2 ? meeting.b + 2.0 * meeting.a * t : (off - last.y) / (t - last.x);
+    float move = abs(slope) > 0.0 ? -off / slope : 2.0; // 2: out of the cell
+    bool isInside = t + move > bracket.x && t + move < bracket.y;
+    found = meeting.between || isCrossed || abs(off) <= terrainGlobeEnoughAt(at);
+    bool isNear = abs(off) <= terrainGlobeEnoughAt(at) ||
+      abs(move) * meeting.length <= 4.7683716e-7 * abs(at); // 4 ulps
+    ended = meeting.between || !(isInside || isCrossed) || (isNear && (i >= 2 || !isInside)) ||
+      i == terrainGlobeSteps - 1;
+    last = vec2(t, off);
+    t = ended ? t : isInside ? t + move : 0.5 * (bracket.x + bracket.y);
   }
-  return TerrainGlobeHit(
-    true, meeting.begin + t * meeting.length, cell, fraction, meeting.front, 0);
+  return TerrainGlobeHit(found, meeting.begin + (found ? t : 1.0) * meeting.length, cell, fraction,
+    meeting.front, 0);
 }
 
 // True for nodes, and for what lies outside of a partial raster: what is passed as a whole.
@@ -414,8 +448,8 @@ bool terrainGlobeIsWide(TerrainGlobeStep at)
 }
 
 // The first point of the surface on a path between path.begin and path.end, all of it within the
-// shells. Two loops in turn, as in terrainTracePyramidWithin(): what a cell takes is not done for
-// each node.
+// shells. Where there is none, t is 0, or beyond path.begin where the path is to go on. Two loops
+// in turn, as in terrainTracePyramidWithin(): what a cell takes is not done for each node.
 TerrainGlobeHit terrainGlobeTracePart(TerrainGlobePath path)
 {
   TerrainGlobeHit hit = TerrainGlobeHit(false, 0.0, ivec2(0), vec2(0.0), true, 0);
@@ -493,15 +527,20 @@ TerrainGlobeHit terrainGlobeTrace(vec3 origin, vec3 direction, float begin, floa
   vec2 begins = vec2(max(begin, outer.x), max(max(begin, outer.x), inner.y));
   vec2 ends = vec2(min(end, dives ? inner.x : outer.y), min(end, outer.y));
   int crossings = 0;
-  for (int part = 0; part < 2; ++part)
+  int part = 0;
+  path.begin = begins[0];
+  for (int i = 0; i < terrainGlobeSteps && part < 2; ++i)
   {
-    path.begin = begins[part];
     path.end = ends[part];
-    if (!hit.found && (part == 0 || dives) && path.begin < path.end)
+    bool goesOn = false;
+    if (path.begin < path.end)
     {
       hit = terrainGlobeTracePart(path);
       crossings += hit.crossings;
+      goesOn = !hit.found && hit.t > path.begin;
     }
+    part += goesOn ? 0 : hit.found || !dives ? 2 : 1;
+    path.begin = goesOn ? hit.t : begins[1];
   }
   hit.crossings = crossings;
   return hit;

@@ -53,22 +53,6 @@ glm::dvec3 PointOf(FuzzInput& input, const terrain::GlobeGrid& grid)
   return grid.Body.ToPosition({ grid.West + column * grid.Step, grid.LatitudeOf(row), height });
 }
 
-/// By how much a height may be off at a hit: kGlobeError, and what a way of that length changes
-/// along the steepest line of the cell.
-double ErrorAt(const terrain::World<std::uint16_t>& world, const glm::ivec2& cell, double latitude)
-{
-  double low = terrain::kInfinity;
-  double high = -low;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const double height = world.Height(cell.x + (corner & 1), cell.y + (corner >> 1));
-    low = std::min(low, height);
-    high = std::max(high, height);
-  }
-  const double side = world.Grid.Step * world.Grid.Body.Polar * std::abs(std::cos(latitude));
-  return terrain::kGlobeError * (1.0 + (high - low) / side);
-}
-
 /// True where cells are so narrow that heights of any kind in them have no bound of their slope.
 bool IsAtPole(const terrain::GlobeGrid& grid)
 {
@@ -88,24 +72,25 @@ void Check(const terrain::World<std::uint16_t>& world, const terrain::GlobeRefer
     glm::dvec2 fraction;
     const glm::dvec3 position = ray.Origin + t * ray.Direction;
     const double height = reference.Above(position, cell, fraction, given);
-    error = std::isnan(height) ? 0.0 : ErrorAt(world, cell, world.Grid.Body.ToPlace(position).y);
+    error = std::isnan(height)
+      ? 0.0
+      : terrain::HeightErrorAt(world, cell, world.Grid.Body.ToPlace(position).y);
     return height;
   };
   double error = 0.0;
   Require(!hit.Found ||
     (glm::all(glm::greaterThanEqual(hit.Cell, glm::ivec2(0))) &&
       glm::all(glm::lessThan(hit.Cell, world.Grid.Cells()))));
-  if (IsAtPole(world.Grid))
-  {
-    return;
-  }
-  if (hit.Found)
+  // on the axis itself samples of a polar row are at one place
+  const glm::dvec3 met = ray.Origin + hit.T * ray.Direction;
+  if (hit.Found && glm::length(glm::dvec2(met)) > 1.0)
   {
     const double height = above(hit.T, hit.Cell, true, error);
     Require(std::abs(height) <= error);
   }
   const double end = hit.Found ? hit.T : ray.End;
-  if (expected.Found && end > expected.T + 1.0) // metres: what grazes is met anywhere about there
+  if (!IsAtPole(world.Grid) && expected.Found &&
+    end > expected.T + 1.0) // metres: what grazes is met anywhere about there
   {
     // as deep as anywhere in the cell where the reference meets the surface
     above(expected.T, expected.Cell, true, error);

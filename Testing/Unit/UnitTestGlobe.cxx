@@ -242,6 +242,41 @@ TEST(Globe, PicksPlacesToAMillimetre)
   EXPECT_LT(farthest, terrain::kGlobePickError);
 }
 
+// Where meridians meet, longitude changes fast along a ray, and heights of the last row with it.
+TEST(Globe, HitsLieOnTheSurfaceAtThePoles)
+{
+  for (const double step : { 1.0, 0.25, 1.0 / 120.0 })
+  {
+    const int rows = 6;
+    const terrain::TestGlobe globe{ "spokes",
+      terrain::MakeGrid(terrain::Ellipsoid{}, 20.0, step, 24,
+        terrain::Parallels(90.0 - step * (rows - 1), step, rows)),
+      [](int i, int j) { return 16.0 * ((i * 97 + j * 31) % 256); } };
+    const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
+    const terrain::GlobeReference reference = world.Reference();
+    GlobeRays rays(globe, 5);
+    int found = 0;
+    for (int i = 0; i < 20000; ++i)
+    {
+      const terrain::GlobeReferenceRay ray =
+        rays.Make(i % 2 == 0 ? GlobeRays::Space : GlobeRays::Grazing);
+      const terrain::WorldTracer<double, std::uint16_t> tracer(world, ray.Origin);
+      terrain::GlobeHit<double> hit = tracer.Trace(ray);
+      if (hit.Found)
+      {
+        glm::dvec2 fraction;
+        const glm::dvec3 position = ray.Origin + hit.T * ray.Direction;
+        const double error =
+          terrain::HeightErrorAt(world, hit.Cell, world.Grid.Body.ToPlace(position).y);
+        EXPECT_NEAR(reference.Above(position, hit.Cell, fraction, true), 0.0, error)
+          << step << " " << i << " " << hit.Cell.x << " " << hit.Cell.y;
+        ++found;
+      }
+    }
+    EXPECT_GT(found, 1000);
+  }
+}
+
 // A ray that begins on the axis is on all meridians there: of a raster that does not go round, it
 // goes on over the one where it goes.
 TEST(Globe, LooksFromItsPole)

@@ -76,6 +76,23 @@ struct WorldTracer
   }
 };
 
+/// By how much a height may be off at a hit: kGlobeError, and what a way of that length changes
+/// along the steepest line of the cell.
+inline double HeightErrorAt(
+  const World<std::uint16_t>& world, const glm::ivec2& cell, double latitude)
+{
+  double low = kInfinity;
+  double high = -low;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double height = world.Height(cell.x + (corner & 1), cell.y + (corner >> 1));
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  const double side = world.Grid.Step * world.Grid.Body.Polar * std::abs(std::cos(latitude));
+  return kGlobeError * (1.0 + (high - low) / side);
+}
+
 /// From south to north, degrees.
 inline std::vector<double> Parallels(double south, double step, int count)
 {

@@ -26,8 +26,8 @@
 #ifndef terrain_GlobeTraversal_h
 #define terrain_GlobeTraversal_h
 
-#include "core/globe/GlobeErrors.h"
 #include "core/globe/GlobeLines.h"
+#include "core/globe/GlobeRoot.h"
 #include "core/rays/PyramidTraversal.h"
 
 #include <glm/glm.hpp>
@@ -45,19 +45,6 @@ Real GlobeAngle(Real x)
 {
   return std::atan(x);
 }
-
-/// How a path meets a cell: the first root of a parabola through its differences in height.
-template <typename Real>
-struct GlobeMeeting
-{
-  Real Begin = 0;       ///< t where the path comes into the cell
-  Real Length = 0;      ///< t from there to where it leaves
-  Real A = 0;           ///< of the parabola A p^2 + B p + C, metres; p: part of the way, 0 to 1
-  Real B = 0;           ///< likewise
-  Real Part = -1;       ///< its first root, < 0 for none
-  bool Between = false; ///< on the line where the path comes in
-  bool Front = true;    ///< seen from above
-};
 
 template <typename Real, typename Texel>
 struct GlobeTraversal
@@ -138,9 +125,11 @@ struct GlobeTraversal
     const Path& path, glm::ivec2 cell, const glm::vec4& codes, Real t, Vec2& fraction) const;
   /// side: the sign of the difference where the path left the cell before, 0 if not known.
   Meeting MeetCell(const Path& path, const Step& at, Real end, Real& side) const;
-  /// The hit where a path meets a cell, its root refined.
+  /// The hit where a path meets a cell, its root refined. None where only the parabola dips
+  /// through the surface; then T is where the path leaves the cell.
   Hit Refine(const Path& path, glm::ivec2 cell, const Meeting& meeting) const;
-  /// The first point of the surface on a part of a ray that is within the shells.
+  /// The first point of the surface on a part of a ray that is within the shells. Where there is
+  /// none, T is 0, or beyond Begin where the path is to go on.
   Hit TracePart(const Path& path) const;
   /// The first point of the surface on a ray.
   Hit Trace(const GlobeRay<Real>& ray) const;
@@ -451,22 +440,6 @@ Real GlobeTraversal<Real, Texel>::Difference(
     this->codeScale * (south * (1 - fraction.y) + northern * fraction.y);
 }
 
-/// FirstRoot() of PyramidTraversal.h for any type.
-template <typename Real>
-Real FirstGlobeRoot(Real c, Real e, Real a)
-{
-  const Real side = c < 0 ? Real(-1) : Real(1);
-  c *= side;
-  e *= side;
-  a *= side;
-  const Real b = e - c - a;
-  const Real discriminant = b * b - 4 * a * c;
-  const bool dips = b < 0 && b > -2 * a && discriminant >= 0;
-  const Real root = std::sqrt(std::max(discriminant, Real(0)));
-  const Real t = b <= 0 ? 2 * c / (root - b) : (b + root) / (-2 * a);
-  return c == 0 || e <= 0 || dips ? (c > 0 ? std::clamp(t, Real(0), Real(1)) : Real(0)) : Real(-1);
-}
-
 template <typename Real, typename Texel>
 GlobeMeeting<Real> GlobeTraversal<Real, Texel>::MeetCell(
   const Path& path, const Step& at, Real end, Real& side) const
@@ -490,6 +463,7 @@ GlobeMeeting<Real> GlobeTraversal<Real, Texel>::MeetCell(
   meeting.Between = side * first < 0;
   meeting.A = 2 * (first + last - 2 * middle);
   meeting.B = last - first - meeting.A;
+  meeting.C = first;
   meeting.Front = side != 0 ? side > 0 : first > 0 || (first == 0 && meeting.B <= 0);
   meeting.Part = meeting.Between ? Real(0) : FirstGlobeRoot(first, last, meeting.A);
   side = last > 0 ? Real(1) : (last < 0 ? Real(-1) : Real(0));
@@ -502,19 +476,12 @@ GlobeHit<Real> GlobeTraversal<Real, Texel>::Refine(
 {
   const glm::vec4 codes = this->heights.CellCodes(cell) - this->anchorCode;
   Hit hit;
-  Real t = meeting.Part;
-  for (int i = 0; i < 2 && !meeting.Between; ++i)
-  {
-    const Real slope = meeting.B + 2 * meeting.A * t;
-    const Real off =
-      this->Difference(path, cell, codes, meeting.Begin + t * meeting.Length, hit.Fraction);
-    t = std::clamp(std::abs(slope) > std::abs(off) ? t - off / slope : t, Real(0), Real(1));
-  }
-  hit.Found = true;
-  hit.T = meeting.Begin + t * meeting.Length;
+  const Real t = RefineGlobeRoot(
+    meeting, [&](Real at) { return this->Difference(path, cell, codes, at, hit.Fraction); });
+  hit.Found = t >= 0;
+  hit.T = meeting.Begin + (hit.Found ? t : Real(1)) * meeting.Length;
   hit.Cell = cell;
   hit.Front = meeting.Front;
-  this->Difference(path, cell, codes, hit.T, hit.Fraction);
   return hit;
 }
 
@@ -551,7 +518,7 @@ GlobeHit<Real> GlobeTraversal<Real, Texel>::TracePart(const Path& path) const
       const Meeting meeting = this->MeetCell(path, at, span.T, side);
       hit = meeting.Part >= 0 ? this->Refine(path, at.Node, meeting) : Hit();
     }
-    ended = hit.Found || (span.Ends && !down);
+    ended = hit.Found || hit.T > path.Begin || (span.Ends && !down);
     at = down ? this->Down(path, at, from) : this->Across(path, at, span, fence);
   }
   hit.Crossings = crossings;
@@ -571,21 +538,26 @@ GlobeHit<Real> GlobeTraversal<Real, Texel>::Trace(const GlobeRay<Real>& ray) con
   // heights are convex: what lies deeper than the lowest is one part of the ray
   const Vec2 inner = this->MeetShell(whole, this->lines->Inner);
   const bool dives = inner.x < inner.y;
-  Path part = whole;
-  part.Begin = std::max(whole.Begin, outer.x);
-  part.End = std::min(whole.End, dives ? inner.x : outer.y);
-  if (part.Begin < part.End)
+  const Real first = std::max(whole.Begin, outer.x);
+  const Real second = std::max(first, inner.y);
+  Path path = whole;
+  path.Begin = first;
+  int crossings = 0;
+  int part = 0;
+  for (int i = 0; i < kGlobeSteps && part < 2; ++i)
   {
-    hit = this->TracePart(part);
+    path.End = std::min(whole.End, part == 0 && dives ? inner.x : outer.y);
+    bool goesOn = false;
+    if (path.Begin < path.End)
+    {
+      hit = this->TracePart(path);
+      crossings += hit.Crossings;
+      goesOn = !hit.Found && hit.T > path.Begin;
+    }
+    part += goesOn ? 0 : (hit.Found || !dives ? 2 : 1);
+    path.Begin = goesOn ? hit.T : second;
   }
-  part.Begin = std::max(std::max(whole.Begin, outer.x), inner.y);
-  part.End = std::min(whole.End, outer.y);
-  if (!hit.Found && dives && part.Begin < part.End)
-  {
-    const int before = hit.Crossings;
-    hit = this->TracePart(part);
-    hit.Crossings += before;
-  }
+  hit.Crossings = crossings;
   return hit;
 }
 }
