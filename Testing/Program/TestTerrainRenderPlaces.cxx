@@ -333,6 +333,21 @@ TEST_F(TerrainRenderPlaces, PartOfAGlobeFillsThePicture)
   }
 }
 
+// So does a cap around a pole, in degrees of all longitudes.
+TEST_F(TerrainRenderPlaces, CapOfAGlobeFillsThePicture)
+{
+  RasterDescription cap;
+  cap.Width = 361;
+  cap.Height = 21;
+  cap.CoordinateSystem = "EPSG:4326";
+  cap.Sample = [](int i, int j) { return 100.0 * (i % 9) + 10.0 * j; };
+  for (const double north : { 90.25, -79.75 })
+  {
+    cap.GeoTransform = { -180.5, 1.0, 0.0, north, 0.0, -0.5 };
+    this->ExpectDrawn(this->Draw(this->WriteRaster("cap.tif", cap)), 5000);
+  }
+}
+
 TEST_F(TerrainRenderPlaces, CoordinateSystemOfTheCommandLine)
 {
   // rows of 30 m in no system at all

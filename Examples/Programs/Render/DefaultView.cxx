@@ -172,16 +172,37 @@ std::vector<Vector> OutlineOnGlobe(const PlacedHeights& heights)
   return points;
 }
 
-/// Degrees of a planet over which heights reach, 0 to 360; those round a pole reach all round.
-double ReachOf(const std::array<double, 4>& degrees)
+/// Degrees from which on heights lie around a pole that they have.
+constexpr double kAround = 180.0;
+
+/// The pole that heights have, -90 or 90; 0 for none.
+double PoleOf(const std::array<double, 4>& degrees)
 {
   constexpr double kPole = 89.0;
+  return degrees[3] > kPole ? 90.0 : (degrees[2] < -kPole ? -90.0 : 0.0);
+}
+
+/// Degrees of a planet over which heights reach, 0 to 360; a cap around a pole from side to side.
+double ReachOf(const std::array<double, 4>& degrees)
+{
   const double south = degrees[2];
   const double north = degrees[3];
+  const double width = degrees[1] - degrees[0];
+  if (PoleOf(degrees) != 0.0)
+  {
+    const double reach = 90.0 - (PoleOf(degrees) > 0.0 ? south : -north);
+    return width > kAround ? 2.0 * reach : std::max(width, reach);
+  }
   const double nearest = std::clamp(0.0, south, north);
-  const double across = (degrees[1] - degrees[0]) * std::cos(vtkMath::RadiansFromDegrees(nearest));
-  const bool hasPole = std::max(std::abs(south), std::abs(north)) > kPole;
-  return hasPole ? degrees[1] - degrees[0] : std::max(across, north - south);
+  return std::max(width * std::cos(vtkMath::RadiansFromDegrees(nearest)), north - south);
+}
+
+/// The longitude and latitude in the middle of heights.
+Vector MiddleOf(const std::array<double, 4>& degrees)
+{
+  const bool isCap = degrees[1] - degrees[0] > kAround && PoleOf(degrees) != 0.0;
+  return { 0.5 * (degrees[0] + degrees[1]),
+    isCap ? PoleOf(degrees) : 0.5 * (degrees[2] + degrees[3]), 0.0 };
 }
 
 /// What lies before an eye on a globe: from the shell of the heights to the highest's horizon.
@@ -216,12 +237,13 @@ void LookAtAll(vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights
     return;
   }
   const std::array<double, 4> degrees = DegreesOf(heights);
-  const Vector middle{ 0.5 * (degrees[0] + degrees[1]), 0.5 * (degrees[2] + degrees[3]), 0.0 };
+  Vector middle = MiddleOf(degrees);
   Vector centre{};
   const double reach = ReachOf(degrees);
   constexpr double kPlanet = 120.0;
   if (reach > kPlanet)
   {
+    middle[1] = 0.5 * (degrees[2] + degrees[3]);
     const Vector highest{ 0.0, 0.0, std::max(DrawnRange(heights)[1], 0.0) };
     heights.Georeference->PlacesToScene(highest.data(), centre.data(), 1);
     LookAtPlanet(camera, vtkMath::Norm(centre.data()), middle, aspect);
