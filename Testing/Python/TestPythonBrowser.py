@@ -8,6 +8,7 @@ import asyncio
 import contextlib
 import http.client
 import importlib.util
+import itertools
 import logging
 import pathlib
 import shutil
@@ -199,6 +200,17 @@ class TestFingers(unittest.TestCase):
             self.assertTrue((low > 0).all() and high[0] < free and high[1] < size[1], (size, low, high))
             self.assertGreater(max((high[0] - low[0]) / free, (high[1] - low[1]) / size[1]), 0.7)
 
+    def test_colors_by_their_names(self):
+        pictures = []
+        for name in ("relief", "grey", "plain", "oleron", "batlow_r"):
+            self.viewer.set_colors(name)
+            pictures.append(self.viewer.draw().astype(int))
+        for one, other in itertools.combinations(pictures, 2):
+            self.assertGreater((np.abs(one - other).max(axis=2) > 10).mean(), 0.1)
+        self.viewer.set_colors("oleron")  # has its sea below 0, and none here
+        color = self.viewer.terrain.GetLookupTable().GetColor(500.0)
+        self.assertGreater(color[1], color[2])
+
     def test_pinch_zooms_by_its_factor(self):
         for factor in (2.0, 0.25):
             before = self.camera.GetDistance()
@@ -224,7 +236,7 @@ class TestFingers(unittest.TestCase):
         self.assertEqual(self.told, [])
         width, height = self.viewer.size
         self.window.process_interaction_event({"type": "Tap", "position": {"x": width / 2, "y": height / 2}})
-        self.assertRegex(self.told[0], r"^6\d\.\d+N")
+        self.assertRegex(self.told[0], r"^Height \d+\.\d m  Place 6\d\.\d+N .* UTM 27n .* MGRS 27W")
 
 
 @unittest.skipUnless(HAS_TRAME, "trame, trame-rca, trame-vuetify and pillow are not installed")
@@ -257,6 +269,9 @@ class TestRefusals(unittest.TestCase):
     def test_a_band_that_is_none(self):
         self.assertIn("band", self.refusal(HEIGHTS, "--band", 7))
 
+    def test_colors_that_are_none(self):
+        self.assertRegex(self.refusal(HEIGHTS, "--colors", "olerom"), "no colour map 'olerom', but 'oleron'")
+
     def test_heights_without_a_surface(self):
         path = vtkTerrainTesting.output_path("line.asc")
         vtkTerrainTesting.write_ascii_grid(path, np.zeros((1, 5)))
@@ -277,6 +292,8 @@ class TestChromium(unittest.TestCase):
         self.running.callback(browser.close)
         self.browser = browser.new_context(viewport={"width": 1000, "height": 700}, has_touch=True)
         self.page = self.browser.new_page()
+        self.errors = []
+        self.page.on("console", lambda said: said.type == "error" and self.errors.append(said.text))
         self.page.goto(self.address)
         self.page.wait_for_selector("img", timeout=60_000)
 
@@ -350,9 +367,15 @@ class TestChromium(unittest.TestCase):
         time.sleep(2)
         page.screenshot(path=vtkTerrainTesting.output_path("browser-narrow.png"))
 
+    def test_nothing_fails_while_the_page_loads(self):
+        self.page.reload()
+        self.page.wait_for_selector("img", timeout=60_000)
+        self.picture("loaded")
+        self.assertEqual(self.errors, [])
+
     def test_a_click_tells_the_place(self):
         self.page.mouse.click(480, 450)
-        self.wait_for_text(r"\d+\.\d+.*\d")
+        self.wait_for_text(r"^Height \d+\.\d m  Place \S+ \S+  UTM .* MGRS ")
         self.page.mouse.click(20, 20)
         self.wait_for_text("sky")
 
@@ -385,7 +408,7 @@ class TestChromium(unittest.TestCase):
             last = now
         self.assertEqual(self.page.inner_text("#picked"), help_text)
         self.page.touchscreen.tap(400, 450)
-        self.wait_for_text(r"^6\d\.\d+N")
+        self.wait_for_text(r"^Height \d+\.\d m  Place 6\d\.\d+N")
         self.page.click("#reset")
         self.assertLess((np.abs(self.picture("whole") - first).max(axis=2) > 10).mean(), 0.01)
 

@@ -92,7 +92,7 @@ class TestFeatures(unittest.TestCase):
         placement = places.Placement(self.terrain.GetHeights())
         text = placement.describe(WEST + 300.0, SOUTH + 300.0, 115.0)
         self.assertRegex(text, r"86\.79|86°47")
-        self.assertIn("115", text)
+        self.assertRegex(text, r"^Height 115\.0 m  Place 27\.\d+N 86\.\d+E  UTM 45n \d+ \d+  MGRS 45R\w+$")
         alone = places.Placement(xarrays.heights_from_dataarray(heights(system=None)))
         self.assertFalse(alone.is_on_earth)
         self.assertEqual(alone.describe(1.0, 2.0, 3.0), "x 1  y 2  height 3.00")

@@ -1,8 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Options of add_terrain and attributes of the actor, against PyVista's own add_mesh where it has them."""
+import importlib.machinery
 import pathlib
+import sys
+import types
 import unittest
+import unittest.mock
 import warnings
 
 import numpy as np
@@ -11,6 +15,7 @@ from vtkTerrainTesting import hill, look
 
 try:
     import pyvista
+    from matplotlib.colors import ListedColormap
 
     from vtkterrain import plotting
 except ImportError:
@@ -67,6 +72,50 @@ class TestColors(LooksTest):
             self.draw(sun=(300, 20))
         _, terrain = self.draw(np.linspace(-0.15, 1047.0, 48 * 64).reshape(48, 64), show_scalar_bar=True)
         self.assertEqual(terrain.mapper.scalar_range[0], 0.0)
+
+    def test_no_label_is_zero_with_a_sign(self):
+        for low, high in ((-0.15, 1047.0), (-0.9996, 0.9993), (-0.33334, 1.0), (-0.5002, 0.5), (-3.00003, 1.0),
+                          (-1.0, -0.0001)):
+            heights = np.linspace(low, high, 48 * 64).reshape(48, 64)
+            plotter = self.plotter()
+            terrain = plotting.add_terrain(plotter, heights, show_scalar_bar=True)
+            bar = next(iter(plotter.scalar_bars.values()))
+            labels = [bar.GetLabelFormat() % value for value in np.linspace(*terrain.mapper.scalar_range, 5)]
+            self.assertEqual(bar.GetNumberOfLabels(), 5)
+            self.assertFalse([label for label in labels if label[0] == "-" and float(label) == 0.0], labels)
+            self.assertLess(np.abs(np.subtract(terrain.mapper.scalar_range, (low, high))).max(), 0.01 * (high - low))
+
+    def test_color_maps_by_name(self):
+        import matplotlib
+
+        table = {name: self.draw(cmap=name)[1].mapper.lookup_table.values for name in (
+            "viridis", "viridis_r", "oleron", "oleron_r", "relief")}
+        expected = np.rint(255 * np.array(matplotlib.colormaps["viridis"](np.arange(256)))).astype(int)
+        self.assertLessEqual(np.abs(table["viridis"].astype(int) - expected).max(), 1)
+        for name in ("viridis", "oleron"):
+            self.assertTrue((table[name] == table[f"{name}_r"][::-1]).all())
+        self.assertGreater(int(table["oleron"][100, 2]), int(table["oleron"][100, 0]))  # its sea
+        self.assertTrue((table["relief"] == self.draw()[1].mapper.lookup_table.values).all())
+        for name, words in (("virdis", "colour map 'virdis', but 'viridis'"), ("no such", "colour map 'no such'")):
+            self.assertRaisesRegex(ValueError, words, self.draw, cmap=name)
+
+    def test_color_maps_of_packages(self):
+        """Packages that have what is looked up in theirs stand in for them, installed or not."""
+        red_and_lime = ListedColormap(["red", "lime"])
+        for package, part, names in (("cmocean", "cmap_d", ("topo", "cmocean.topo", "cmo.topo")),
+                                     ("cmcrameri", "cmaps", ("hawaii", "cmc.hawaii"))):
+            stand_in = types.ModuleType(package)
+            stand_in.__spec__ = importlib.machinery.ModuleSpec(package, None)
+            stand_in.cm = types.SimpleNamespace(**{part: {names[0]: red_and_lime}})
+            with unittest.mock.patch.dict(sys.modules, {package: stand_in}):
+                for name in names:
+                    values = self.draw(cmap=name)[1].mapper.lookup_table.values
+                    self.assertEqual(values[[0, -1], :3].tolist(), [[255, 0, 0], [0, 255, 0]], name)
+
+    def test_packages_that_are_not_there_are_named(self):
+        with (unittest.mock.patch("importlib.util.find_spec", lambda name: name == "matplotlib"),
+              self.assertRaisesRegex(ValueError, "pip install colorcet cmocean cmcrameri$")):
+            self.draw(cmap="topo")
 
     def test_an_array_beside_the_heights(self):
         values = np.cos(np.arange(51) / 6.0) + np.arange(41)[:, None] / 20.0

@@ -5,7 +5,9 @@ import importlib.util
 import pathlib
 import subprocess
 import sys
+import types
 import unittest
+import warnings
 
 import numpy as np
 import vtkTerrainTesting
@@ -194,6 +196,33 @@ class TestPyVista(unittest.TestCase):
         self.assertEqual(count, terrain.surface.n_points)
         self.assertGreater(count, 100)
         self.assertAlmostEqual(terrain.surface.bounds[5], 24.0, delta=1.0)
+
+    def test_each_view_of_a_browser_is_told_once(self):
+        """What stands in for trame's views, which Debian's VTK cannot make: the words that are asked of them."""
+
+        class State(dict):
+            has = dict.__contains__
+
+        class View:
+            def __init__(self, is_of_server):
+                plotter = types.SimpleNamespace(_id_name="P_1")
+                self._plotter = lambda: plotter
+                self.server = types.SimpleNamespace(state=State(P_1_use_server_rendering=is_of_server))
+
+            def update_geometry(self):
+                plotting._warn_of_browsers("terrain")
+
+        def told(view):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("default")
+                view.update_geometry()
+            return [str(one.message) for one in caught]
+
+        first, second, of_server = View(False), View(False), View(True)
+        for view in (first, second):  # the same words of each, not only of the first in a process
+            self.assertRegex(told(view)[0], 'mode "client".* cannot show terrain: use the mode "server"')
+            self.assertEqual(told(view), [])
+        self.assertEqual(told(of_server), [])
 
     def test_refusals(self):
         plotter = pyvista.Plotter(off_screen=True)

@@ -32,6 +32,9 @@ def main():
     parser.add_argument("--port", type=port_number, default=0,
                         help="port to listen at; 0, the default, is any that is free")
     parser.add_argument("--no-browser", action="store_true", help="only print the address")
+    parser.add_argument("--colors", default="relief",
+                        help="first colours: a scheme (oleron, batlow, ...) or a colour map of matplotlib, colorcet, "
+                             "cmocean or cmcrameri, where Python has them")
     add_input_options(parser)
     arguments = parser.parse_args()
     sys.argv = sys.argv[:1]  # trame reads them too
@@ -45,7 +48,7 @@ def main():
             from .server import Page
         except ImportError as error:
             sys.exit(f"vtkterrain: the browser needs more packages ({error}): pip install 'vtkterrain[browser]'")
-        page = Page(heights, os.path.basename(os.path.normpath(arguments.file)))
+        page = Page(heights, os.path.basename(os.path.normpath(arguments.file)), arguments.colors)
         page.start(arguments.host, arguments.port, not arguments.no_browser,
                    lambda address: print(address, flush=True))
     except (OSError, RuntimeError, ValueError) as error:

@@ -18,6 +18,11 @@ def label_format(low, high):
     return f"%.{min(max(decimals if high - low < 40.0 else 0, 0), 9)}f"
 
 
+def has_minus_zero(label):
+    """Whether a label is that of 0 with a sign, as in "-0.00"."""
+    return label.startswith("-") and float(label) == 0.0
+
+
 def _free_title(plotter, title, name):
     """The title itself, or one that tells this terrain's bar from another's, which has it."""
     of_others = plotter.scalar_bars.keys()

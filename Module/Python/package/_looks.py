@@ -7,12 +7,14 @@ import warnings
 
 import numpy as np
 import pyvista
+from matplotlib.colors import ListedColormap
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._actor import check_opacity
-from ._bars import label_format
+from ._bars import has_minus_zero, label_format
+from ._colors import find_color_map, sample_colors
 from ._intake import _run
 from .heights import array_from_heights, to_array
 from .vtkTerrain import vtkTerrainImageWarp, vtkTerrainLook, vtkTerrainValues
@@ -189,9 +191,28 @@ def _check_colors(n_colors):
         raise ValueError(f"n_colors must be a whole number from 1 to 65536, not {n_colors!r}")
 
 
-def _tidy_range(low, high):
-    """A range whose first label is not "-0": so far below 0 only the overshoot of a resampling lies."""
-    return (0.0, high) if label_format(low, high) % low in ("-0", "-0.0", "-0.00") else (low, high)
+def _tidy_range(low, high, labels=5):
+    """A range none of whose labels is "-0": what is rounded to 0 becomes 0, by less than a label tells.
+
+    So far below 0 there is the overshoot of a resampling, or the middle of values that are as far below 0 as above.
+    """
+    text = label_format(low, high)
+    for share in np.linspace(0.0, 1.0, labels):
+        if not has_minus_zero(text % (low + share * (high - low))):
+            continue
+        if share == 1.0:
+            return low, 0.0
+        # The lowest value moves; a trifle more, for VTK's own sum of the same is not to end below 0 again.
+        return -high * share / (1.0 - share) * (1.0 - 1e-12), high
+    return low, high
+
+
+def _to_color_map(cmap):
+    """What PyVista takes for a cmap, of the name of any that is known here."""
+    if not isinstance(cmap, str):
+        return cmap
+    found = find_color_map(cmap)
+    return ListedColormap(sample_colors(cmap), name=cmap) if found is None else found
 
 
 def make_table(terrain, scalars, theme, *, cmap=None, clim=None, n_colors=_NUMBER_OF_COLORS, flip_scalars=False,
@@ -205,7 +226,9 @@ def make_table(terrain, scalars, theme, *, cmap=None, clim=None, n_colors=_NUMBE
     _check_colors(n_colors)
     if categories:
         n_colors = _number_of_categories(terrain, scalars, categories)
-    if cmap is None and theme.cmap != type(pyvista.global_theme)().cmap:
+    if cmap == "relief" and scalars.title == "Elevation":
+        cmap = None
+    elif cmap is None and theme.cmap != type(pyvista.global_theme)().cmap:
         cmap = theme.cmap
     if log_scale and not clim[0] > 0.0:
         raise ValueError(f"log_scale needs values above 0, these begin at {clim[0]:g}: give clim")
@@ -217,7 +240,7 @@ def make_table(terrain, scalars, theme, *, cmap=None, clim=None, n_colors=_NUMBE
         if flip_scalars:
             table.values = table.values[::-1]
     else:
-        table = pyvista.LookupTable(theme.cmap if cmap is None else cmap, n_values=n_colors,
+        table = pyvista.LookupTable(theme.cmap if cmap is None else _to_color_map(cmap), n_values=n_colors,
                                     flip=flip_scalars)
     table.scalar_range = clim
     table.log_scale = bool(log_scale)

@@ -6,7 +6,6 @@ import functools
 import glob
 import importlib.util
 import os
-import subprocess
 import sys
 import warnings
 
@@ -87,6 +86,8 @@ def _can_load(library):
 @functools.cache
 def _why_no_driver():
     """Why none of EGL's devices works; empty if one does, or if that cannot be tried."""
+    import subprocess  # takes its time, and few need it
+
     try:
         tried = subprocess.run([sys.executable, "-S", "-I", "-c", _TRY_EGL], capture_output=True, text=True,
                                stdin=subprocess.DEVNULL, check=False, timeout=_LONGEST_TRY)

@@ -93,9 +93,15 @@ class Placement:
         return self.from_places(np.column_stack([points.x, points.y]))
 
     def describe(self, x, y, height):
-        """A point of the image in words: longitude, latitude, height, UTM and MGRS, or x, y, height."""
+        """A point of the image in words, each with its name: height, place, UTM and MGRS, or x, y, height.
+
+        Heights are in metres, the place is in degrees; UTM tells zone and hemisphere, then metres east and north.
+        x, y and height of heights without a coordinate system have the units of the data.
+        """
         coordinates = self.to_coordinates([x, y])
         point = np.array([*coordinates, height], dtype=float)
         if self.is_on_earth and self._georeference.FileToScene(point, point, 1):
-            return self._georeference.GetReadout(point)
+            place, *others = self._georeference.GetReadout(point).split("  ")
+            texts = zip(("Height", "Place", "UTM", "MGRS"), (*others[:1], place, *others[1:]))
+            return "  ".join(f"{name} {text}" for name, text in texts)
         return f"x {coordinates[0]:.9g}  y {coordinates[1]:.9g}  height {height:.2f}"

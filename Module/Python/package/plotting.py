@@ -270,7 +270,9 @@ def add_terrain(plotter, heights, *, technique="pyramid", exaggeration=1.0, scal
         are colours as they are; all others are mapped by cmap, single bytes and bools, too.
     cmap : str, list or matplotlib colormap, optional
         Colours of the heights; those of a relief map by default, from the lowest to the highest, or
-        those of a theme that has another cmap than PyVista's own. For other scalars the theme's.
+        those of a theme that has another cmap than PyVista's own. For other scalars the theme's. A name is
+        one of matplotlib, of colorcet, cmocean or cmcrameri where they are installed ("topo", "cmocean.topo"),
+        or of ``vtkTerrainColors`` ("oleron", "bukavu", "batlow", ...); "_r" behind it turns it round.
     clim : (float, float) or float, optional
         Values of the first and last colour; the lowest and the highest that are seen by default.
     n_colors, flip_scalars, log_scale, nan_color, nan_opacity, above_color, below_color, component, rgb, \

@@ -14,6 +14,7 @@ import warnings
 import numpy as np
 import pyvista
 
+from ._colors import sample_colors
 from ._strata import add_strata
 from .plotting import add_terrain, terrain_scene
 from .vtkTerrain import vtkTerrainViewpoint
@@ -79,9 +80,9 @@ def _colors(scene, left):
     words = {}
     if scene.get("colors", "relief") != "relief":
         try:
-            pyvista.LookupTable(scene["colors"])
+            sample_colors(scene["colors"])
             words["cmap"] = scene["colors"]
-        except (ValueError, ImportError):
+        except ValueError:
             left.append(f"colors={scene['colors']}")
     if "range" in scene:
         words["clim"] = _numbers(scene, "range", (2,))

@@ -21,6 +21,7 @@ from trame.widgets import client, html, rca
 from trame.widgets import vuetify3 as vuetify
 from trame_rca.utils import RcaEncoder, RcaViewAdapter
 
+from ._colors import scheme_names
 from .viewer import COLORS, TECHNIQUES, Viewer
 
 _HELP = ("Drag turns, right or Shift drag moves, wheel zooms, click tells the place. Two fingers move, turn, zoom. "
@@ -33,6 +34,7 @@ _KEY_AND_ROLE = ("[$event.ctrlKey || $event.metaKey || $event.altKey ? '' : $eve
                  "$event.target.getAttribute('role') || '']")
 _SECONDS_OF_REST = 0.17  # until a picture is drawn without haste
 _QUALITY_IN_HASTE, _QUALITY_AT_REST = 65, 92  # of JPEG
+_SESSION_PATH = "/paraview/"  # where trame's page asks for the address of its session, if it is not told
 _LARGEST_CLICK = 3  # pixels that the pointer may move between press and release
 
 
@@ -207,6 +209,8 @@ def guard(token, cookie):
         if not is_token(request.cookies.get(cookie, "")):
             fault = "of another run" if "token" in request.query or cookie in request.cookies else "missing"
             return web.Response(status=403, text=f"The token is {fault}: open the address that was printed.\n")
+        if (request.method, request.path) == ("POST", _SESSION_PATH) and "Origin" in request.headers:
+            return web.json_response({"sessionURL": request.headers["Origin"].replace("http", "ws", 1) + "/ws"})
         return await handler(request)
 
     return only_with_token
@@ -240,17 +244,18 @@ def hush_lost_connections():
 
 
 class Page:
-    """The page of one terrain."""
+    """The page of one terrain; ``colors`` are the first ones, of ``Viewer.set_colors``."""
 
-    def __init__(self, heights, title="vtkTerrain"):
+    def __init__(self, heights, title="vtkTerrain", colors=COLORS[0]):
         self.viewer = Viewer(heights)
+        self.viewer.set_colors(colors)
         self.server = get_server(f"vtkterrain-{secrets.token_hex(4)}", client_type="vue3")
         self.token = secrets.token_urlsafe(24)
         self._area = None
         self._handler = None
         state = self.server.state
         state.trame__title = title
-        state.update({"exaggeration": 1.0, "technique": TECHNIQUES[0], "colors": COLORS[0], "contours": False,
+        state.update({"exaggeration": 1.0, "technique": TECHNIQUES[0], "colors": colors, "contours": False,
                       "azimuth": 315, "altitude": 45, "picked": _HELP, "pointer": "mouse", "folded": False})
         window = RemoteWindow(self.viewer, self._picked, lambda: state.pointer == "touch")
         self._build(title, window)
@@ -325,14 +330,16 @@ class Page:
                 self._sliders()
                 vuetify.VSelect(v_model=("technique",), items=("techniques", list(TECHNIQUES)), label="Technique",
                                 hide_details=True, density="compact", classes="mt-2")
-                vuetify.VSelect(v_model=("colors",), items=("palettes", list(COLORS)), label="Colours",
+                palettes = dict.fromkeys((*COLORS, *scheme_names(), self.server.state.colors))
+                vuetify.VSelect(v_model=("colors",), items=("palettes", list(palettes)), label="Colours",
                                 hide_details=True, density="compact", classes="mt-2")
                 vuetify.VSwitch(v_model=("contours",), label="Contours", hide_details=True, density="compact",
                                 color="primary", classes="ml-1")
                 vuetify.VBtn("Whole terrain", click=self._reset, block=True, size="small", id="reset")
         with vuetify.VSheet(classes="px-3 py-1 text-body-2", id="picked",
-                            style="position: absolute; left: 8px; bottom: 8px; opacity: 0.9; max-width: 70%"):
-            html.Div("{{ picked }}", style="white-space: pre-line")
+                            style="position: absolute; left: 8px; bottom: 8px; opacity: 0.9; "
+                                  "max-width: calc(100% - 16px)"):
+            html.Div("{{ picked }}", style="white-space: pre-wrap")
 
     @staticmethod
     def _sliders():

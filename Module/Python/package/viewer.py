@@ -15,9 +15,10 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from . import _supply
+from ._colors import sample_colors, scheme_names
 from ._intake import _run, make_reader
 from .places import Placement
-from .vtkTerrain import vtkTerrainActor, vtkTerrainPicker
+from .vtkTerrain import vtkTerrainActor, vtkTerrainColors, vtkTerrainPicker
 
 TECHNIQUES = ("Pyramid", "Linear", "Exponential", "Equidistant", "Mesh")
 COLORS = ("relief", "grey", "heat", "plain")
@@ -102,16 +103,23 @@ class Viewer:
         self.terrain.SetTechnique(getattr(type(self.terrain.GetTechnique()), name))
 
     def set_colors(self, name):
-        """One of COLORS: "plain" is one colour for all heights."""
-        self.terrain.SetColorByHeight(name != "plain")
-        if name in _STOPS:
-            table = vtkColorTransferFunction()
-            stops = _STOPS[name]
+        """One of COLORS ("plain" is one colour for all heights), or any that ``sample_colors`` knows.
+
+        Land of a scheme with a sea begins at 0, as in terrain-render.
+        """
+        table = vtkColorTransferFunction()
+        schemes = vtkTerrainColors()
+        if name in ("relief", "plain"):
+            table = self._relief
+        elif name not in COLORS and name in scheme_names():
+            schemes.SetScheme(name)
+            schemes.FillTable(table, *self._range)
+        else:
+            stops = _STOPS[name] if name in _STOPS else sample_colors(name)
             for place, color in zip(np.linspace(*self._range, len(stops)), stops):
                 table.AddRGBPoint(place, *color)
-            self.terrain.SetLookupTable(table)
-        else:
-            self.terrain.SetLookupTable(self._relief)
+        self.terrain.SetColorByHeight(name != "plain")
+        self.terrain.SetLookupTable(table)
 
     def set_contours(self, show):
         """Whether contour lines are drawn, as far apart as fits the heights."""
