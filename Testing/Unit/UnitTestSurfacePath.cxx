@@ -124,6 +124,22 @@ TEST(SurfacePath, DegenerateGrids)
   EXPECT_EQ(Walk(terrain::HeightfieldView<double>(), { 0.0, 0.0 }, { 1.0, 1.0 }).size(), 1u);
 }
 
+// Numbers so large that their neighbours are further than a cell away.
+TEST(SurfacePath, FarBeyondTheGrid)
+{
+  const PathField field = Random(4, 4, 5);
+  for (const double far : { 1e17, -1e17, 1e300, -1e300 })
+  {
+    const auto point = Walk(field.View, { far, 1.5 }, { far, 1.5 });
+    ASSERT_EQ(point.size(), 1u);
+    EXPECT_FALSE(point[0].HasSurface);
+    EXPECT_FALSE(Walk(field.View, { 1.5, far }, { 1.5, far })[0].HasSurface);
+  }
+  const auto across = Walk(field.View, { 1.5, 1.5 }, { 1.5, 1e17 });
+  EXPECT_TRUE(across.front().HasSurface);
+  EXPECT_FALSE(across.back().HasSurface);
+}
+
 TEST(SurfacePath, HighestOfParabolas)
 {
   const terrain::Highest top = terrain::HighestOf(0.0, 1.0, -1.0, 0.0, 1.0);

@@ -75,17 +75,17 @@ template <typename Heights>
 glm::i64vec2 FindCellWithSurface(const Heights& heights, const glm::dvec2& position)
 {
   constexpr double kOnLine = 1e-9;
-  const glm::dvec2 low = glm::floor(position - kOnLine);
-  const glm::dvec2 high = glm::floor(position + kOnLine);
+  // within the grid, for numbers far beyond it are too coarse to be counted by 1
+  const glm::dvec2 last(
+    static_cast<double>(heights.Width - 2), static_cast<double>(heights.Height - 2));
+  const glm::dvec2 low = glm::max(glm::floor(position - kOnLine), 0.0);
+  const glm::dvec2 high = glm::min(glm::floor(position + kOnLine), last);
   for (double j = high.y; j >= low.y; j -= 1.0)
   {
     for (double i = high.x; i >= low.x; i -= 1.0)
     {
-      const bool inside = i >= 0.0 && j >= 0.0 && i + 1.0 < static_cast<double>(heights.Width) &&
-        j + 1.0 < static_cast<double>(heights.Height);
-      const glm::i64vec2 cell(
-        inside ? static_cast<std::int64_t>(i) : -1, inside ? static_cast<std::int64_t>(j) : -1);
-      if (inside && heights.IsCellValid(cell.x, cell.y))
+      const glm::i64vec2 cell(static_cast<std::int64_t>(i), static_cast<std::int64_t>(j));
+      if (heights.IsCellValid(cell.x, cell.y))
       {
         return cell;
       }
