@@ -126,6 +126,22 @@ TEST_F(TerrainRasterReaderErrors, Directory)
   this->ExpectError(path, "directory");
 }
 
+// Places between which there are few numbers, so that no step leads from the first to the last.
+TEST_F(TerrainRasterReaderErrors, PointsOfDenormalPlaces)
+{
+  const std::string path = TemporaryFile("denormal.xyz");
+  std::string text;
+  for (const char* x : { "4.94e-323", "0", "2e-323", "1e-323", "3e-323" })
+  {
+    text += std::string(x) + " 1 1\n" + x + " 0 2\n";
+  }
+  WriteText(path, text);
+  this->Reader->SetFileName(path);
+  this->Reader->Update();
+  EXPECT_EQ(this->Reader->GetErrorMessage(), "");
+  EXPECT_EQ(this->Reader->GetOutput()->GetDimensions()[0], 6);
+}
+
 TEST_F(TerrainRasterReaderErrors, DirectoryOfTilesThatDoNotFit)
 {
   const std::filesystem::path folder = TemporaryFile("tiles-with-and-without-a-system");

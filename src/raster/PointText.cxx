@@ -236,7 +236,10 @@ std::optional<EvenAxis> FindEvenAxis(std::vector<double> values)
           [&axis](double value)
           {
             const double index = axis.IndexOf(value);
-            return std::abs(index - std::round(index)) <= kLargestSlip;
+            const double place = std::round(index);
+            // a step of few bits may lead beyond the last place
+            return std::abs(index - place) <= kLargestSlip && place >= 0.0 &&
+              place < static_cast<double>(axis.Count);
           }))
     {
       return axis;
