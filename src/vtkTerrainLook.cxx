@@ -160,9 +160,11 @@ void vtkTerrainLook::GetContourColor(double rgba[4]) const
 //------------------------------------------------------------------------------
 void vtkTerrainLook::SetDrape(vtkImageData* picture, const double bounds[4])
 {
-  if (picture && (!(bounds[0] < bounds[1]) || !(bounds[2] < bounds[3])))
+  const auto isInOrder = [](double low, double high)
+  { return low < high && std::isfinite(high - low); };
+  if (picture && !(isInOrder(bounds[0], bounds[1]) && isInOrder(bounds[2], bounds[3])))
   {
-    vtkErrorMacro("A drape must lie between bounds west < east and south < north");
+    vtkErrorMacro("A drape must lie between finite bounds west < east and south < north");
     return;
   }
   this->Values.Drape = picture;

@@ -195,8 +195,12 @@ TEST(TerrainLook, RefusesWhatIsNone)
   refuses([&] { look->SetHillshadeAzimuth(HUGE_VAL); });
   refuses([&] { look->SetHillshadeAltitude(std::nan("")); });
   refuses([&] { look->SetBlockBase(std::nan("")); });
-  const double bounds[4] = { 1.0, 1.0, 0.0, 1.0 };
-  refuses([&] { look->SetDrape(Picture(), bounds); });
+  const double wrongBounds[][4] = { { 1.0, 1.0, 0.0, 1.0 }, { 0.0, 1.0, -HUGE_VAL, 1.0 },
+    { -1e308, 1e308, 0.0, 1.0 }, { 0.0, 1.0, std::nan(""), 1.0 } };
+  for (const auto& bounds : wrongBounds)
+  {
+    refuses([&] { look->SetDrape(Picture(), bounds); });
+  }
   look->SetSteps(-1);
   look->SetPixelTolerance(-2.0);
   look->SetStepLength(-2.0);

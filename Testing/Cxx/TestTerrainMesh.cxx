@@ -388,6 +388,17 @@ TEST(TerrainMesh, RefusesInOneSentence)
 
   const vtkNew<vtkImageData> image = MakeHeights(20, 20, Hills);
   filter->SetInputData(image);
+  for (const double number : { HUGE_VAL, 1e308, std::nan("") })
+  {
+    image->SetOrigin(number, 0.0, 0.0);
+    image->SetSpacing(number, 1.0, 1.0);
+    filter->Update();
+    const std::string reason = std::isnan(number) ? "spacings above 0" : "finite places";
+    EXPECT_NE(observer->GetErrorMessage().find(reason), std::string::npos) << number;
+    observer->Clear();
+  }
+  image->SetOrigin(0.0, 0.0, 0.0);
+  image->SetSpacing(1.0, 1.0, 1.0);
   filter->BlockOn();
   filter->SetBlockBase(1000.0);
   filter->Update();

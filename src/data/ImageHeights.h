@@ -26,6 +26,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -86,6 +87,12 @@ inline bool IsAlongAxes(vtkImageData* image)
   return true;
 }
 
+/// True for numbers without NaN and infinities among them.
+inline bool AreFinite(const double* numbers, std::size_t count)
+{
+  return std::all_of(numbers, numbers + count, [](double number) { return std::isfinite(number); });
+}
+
 /// Empty if the image holds heights (above), else one sentence that says why not.
 inline std::string WhyNotHeights(vtkImageData* image)
 {
@@ -108,6 +115,10 @@ inline std::string WhyNotHeights(vtkImageData* image)
   {
     return "heights must have spacings above 0, this image has " + std::to_string(spacing[0]) +
       " and " + std::to_string(spacing[1]);
+  }
+  if (!AreFinite(image->GetBounds(), 6))
+  {
+    return "heights must lie at finite places, this image has an origin, or spacings, without end";
   }
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!scalars)

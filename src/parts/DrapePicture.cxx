@@ -42,11 +42,13 @@ public:
   /// Colour over another.
   glm::vec3 Over(const glm::dvec2& place, const glm::vec3& below) const
   {
-    const glm::ivec2 at(glm::floor((place - glm::dvec2(this->West, this->South)) / this->Pixel));
-    if (at.x < 0 || at.y < 0 || at.x >= this->Size.x || at.y >= this->Size.y)
+    const glm::dvec2 pixel = (place - glm::dvec2(this->West, this->South)) / this->Pixel;
+    const glm::dvec2 size(this->Size);
+    if (!(pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < size.x && pixel.y < size.y))
     {
-      return below;
+      return below; // also where pixels are too small for a number
     }
+    const glm::ivec2 at(pixel);
     const unsigned char* texel =
       this->Texels + this->Components * (at.x + std::int64_t{ this->Size.x } * at.y);
     const bool isGrey = this->Components < 3;
@@ -115,8 +117,8 @@ vtkSmartPointer<vtkImageData> MakeDrapePicture(vtkImageData* drape,
   const std::array<double, 4> bounds = FindSampleBounds(heights);
   const glm::dvec2 corner(bounds[0], bounds[2]);
   const glm::dvec2 extent = glm::dvec2(bounds[1], bounds[3]) - corner;
-  const glm::ivec2 size(
-    glm::clamp(glm::ceil(extent / reader.PixelSize() - 1e-6), 1.0, 1.0 * kMostDrapePixels));
+  const glm::dvec2 pixels = glm::ceil(extent / reader.PixelSize() - 1e-6);
+  const glm::ivec2 size(glm::min(glm::max(glm::dvec2(1.0), pixels), 1.0 * kMostDrapePixels));
   const std::vector<unsigned char> below = ColorsOfSamples(heights, colors);
   const glm::ivec2 samples(heights->GetDimensions()[0], heights->GetDimensions()[1]);
 
