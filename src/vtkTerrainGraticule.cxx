@@ -225,10 +225,11 @@ vtkSmartPointer<vtkPolyData> vtkTerrainGraticule::MakeLines(const Frame& frame)
   {
     const double first = std::ceil(frame.Low[axis] / this->StepInUse - 1e-9);
     const double last = std::floor(frame.High[axis] / this->StepInUse + 1e-9);
-    for (double k = first; k <= std::min(last, first + kMostLines); k += 1.0)
+    const double count = std::min(last - first, kMostLines);
+    for (double k = 0.0; k <= count; k += 1.0)
     {
       double grid[2];
-      grid[axis] = k * this->StepInUse;
+      grid[axis] = (first + k) * this->StepInUse;
       cells->InsertNextCell(kLinePoints);
       values->InsertNextValue(grid[axis]);
       axes->InsertNextValue(axis);

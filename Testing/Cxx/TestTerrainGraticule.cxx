@@ -121,6 +121,23 @@ TEST(TerrainGraticule, AcrossTheAntimeridian)
   EXPECT_NE(std::find(labels.begin(), labels.end(), "179\u00b055'W"), labels.end());
 }
 
+// Multiples of a step that are larger than what a number tells from its neighbour.
+TEST(TerrainGraticule, StepsTooSmallForTheirPlacesEnd)
+{
+  vtkNew<vtkTerrainGeoreference> reference;
+  Define(reference, 86.9, 28.0);
+  const vtkSmartPointer<vtkImageData> small = Plain();
+  small->SetOrigin(0.0, 0.0, 0.0);
+  small->SetSpacing(1e-11, 1e-11, 1.0);
+  vtkNew<vtkTerrainGraticule> graticule;
+  graticule->SetInputData(small);
+  graticule->SetGeoreference(reference);
+  graticule->SetGrid(vtkTerrainGraticule::GridType::UTM);
+  graticule->SetStep(1e-11);
+  graticule->Update();
+  EXPECT_LE(graticule->GetOutput(0)->GetNumberOfLines(), 2 * 10001);
+}
+
 TEST(TerrainGraticule, RefusesWithASentence)
 {
   vtkNew<vtkTerrainGraticule> graticule;

@@ -312,6 +312,17 @@ TEST_F(TerrainRenderAnnotations, LegendsAreReadableOverAnyGround)
   EXPECT_GT(word.First, 2);
 }
 
+// Where a billionth of a metre is lost beside the height.
+TEST_F(TerrainRenderAnnotations, LegendsOfFlatGroundEnd)
+{
+  RasterDescription flat;
+  flat.Width = flat.Height = 8;
+  flat.Sample = [](int, int) { return 9e6; };
+  this->Heights = this->WriteRaster("flat.tif", flat);
+  const RunResult result = this->Draw(this->Heights, { "--legend" });
+  EXPECT_EQ(result.Status, 0) << result.Errors;
+}
+
 // Without a camera, the terrain fills what the panel and the title leave.
 TEST_F(TerrainRenderAnnotations, LegendsAndTitlesCoverNothing)
 {

@@ -45,6 +45,10 @@ double AddLegends(
 /// 1, 2 or 5 times a power of ten, not less than a number above 0.
 double RoundUp(double least);
 
+/// The multiples of a step > 0 between two numbers, or off by a rounding; once each where the step
+/// is too small to tell them apart. O((highest - lowest) / step).
+std::vector<double> Multiples(double step, double lowest, double highest);
+
 /// A number that is a multiple of a round step, with commas between thousands: "1,500", "0.25".
 std::string GroupedNumber(double number, double step);
 

@@ -75,8 +75,7 @@ bool AddHeightScale(
   const double step = RoundUp(range / most);
   FlatShapes lines;
   lines.AddLine(from, to, kLineWidth * scale);
-  for (double height = step * std::ceil(box.Heights[0] / step - 1e-9);
-       height <= box.Heights[1] + 1e-9 * step; height += step)
+  for (const double height : Multiples(step, box.Heights[0], box.Heights[1]))
   {
     const double t = (height - box.Heights[0]) / range;
     const std::array<double, 3> point = { low[0], low[1], low[2] + t * (high[2] - low[2]) };

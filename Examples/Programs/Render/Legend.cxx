@@ -268,8 +268,7 @@ private:
     const double range = highest - lowest;
     const double step = RoundUp(range / std::min(kMostLabels, this->Length / (1.5 * this->Size)));
     const double gap = kGap * this->Unit;
-    for (double number = step * std::ceil(lowest / step - 1e-9); number <= highest + 1e-9 * step;
-         number += step)
+    for (const double number : Multiples(step, lowest, highest))
     {
       const double y = this->Low + this->Length * (number - lowest) / range;
       this->Shapes.Add(this->Left - gap, y - 0.5, this->Left, y + 0.5, {});
@@ -366,6 +365,24 @@ double RoundUp(double least)
     }
   }
   return 10.0 * power;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> Multiples(double step, double lowest, double highest)
+{
+  // counted, for a step may be lost beside a large number
+  const double first = std::ceil(lowest / step - 1e-9);
+  const double count = std::floor(highest / step + 1e-9) - first;
+  std::vector<double> numbers;
+  for (double k = 0.0; k <= count; k += 1.0)
+  {
+    const double number = step * (first + k);
+    if (numbers.empty() || number > numbers.back())
+    {
+      numbers.push_back(number);
+    }
+  }
+  return numbers;
 }
 
 //------------------------------------------------------------------------------
