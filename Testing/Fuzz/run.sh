@@ -7,8 +7,8 @@ set -eu
 cd "$(dirname "$0")/../.."
 seconds=${1:-5}
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- FuzzColors FuzzDocuments FuzzGlobe FuzzHeights FuzzHierarchy FuzzHierarchyFile FuzzMeshes \
-  FuzzNumbers FuzzObservers FuzzPlaces FuzzRays FuzzScene FuzzTiles
+[ $# -gt 0 ] || set -- FuzzColors FuzzDocuments FuzzDrapes FuzzGeoreference FuzzGlobe FuzzHeights FuzzHierarchy \
+  FuzzHierarchyFile FuzzMeshes FuzzNumbers FuzzObservers FuzzPlaces FuzzPoints FuzzRays FuzzScene FuzzTiles FuzzVectors
 sh Module/packages.sh clang-16 libclang-rt-16-dev
 folder=${VTKTERRAIN_FUZZ_DIR:-${VTKTERRAIN_BUILD_DIR:-build}/fuzz}
 cmake -G Ninja -S Testing/Fuzz -B "$folder" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER=clang++-16 \
