@@ -138,7 +138,7 @@ TEST_F(TerrainRasterReaderErrors, PointsOfDenormalPlaces)
   WriteText(path, text);
   this->Reader->SetFileName(path);
   this->Reader->Update();
-  EXPECT_EQ(this->Reader->GetErrorMessage(), "");
+  EXPECT_EQ(std::string(this->Reader->GetErrorMessage()), "");
   EXPECT_EQ(this->Reader->GetOutput()->GetDimensions()[0], 6);
 }
 
