@@ -125,6 +125,24 @@ bool Contains(const std::string& text, const std::string& part)
 }
 }
 
+TEST(TerrainGeoreference, NumbersWithoutMeasureAreNoPlaces)
+{
+  for (const char* system : { "EPSG:3857", "EPSG:32633", "EPSG:4807", "EPSG:4326" })
+  {
+    const vtkNew<vtkTerrainGeoreference> georeference;
+    georeference->SetCoordinateSystem(system);
+    georeference->SetFrame(vtkTerrainGeoreference::FrameType::Geocentric);
+    for (const double far : { 1e13, -1e308, HUGE_VAL, std::nan("") })
+    {
+      double places[6] = { far, 0.0, 0.0, 0.0, far, 0.0 };
+      ASSERT_TRUE(georeference->FileToPlaces(places, places, 2));
+      EXPECT_TRUE(std::isnan(places[4])) << system << " " << far;
+      const bool isTurned = std::string(system) == "EPSG:4326" && std::isfinite(far);
+      EXPECT_EQ(std::isnan(places[0]), !isTurned) << system << " " << far;
+    }
+  }
+}
+
 TEST(TerrainGeoreference, PlacesAreGDALs)
 {
   for (const NamedExtent& system : kSystems)

@@ -23,6 +23,9 @@ using Reference = std::unique_ptr<void, void (*)(void*)>;
 
 // Points transformed by one call of OGR.
 constexpr std::int64_t kBatch = 1024;
+// No system has coordinates beyond, in any unit. OGR brings those of EPSG:3857 to one turn by
+// taking a turn off at a time, which does not end for large numbers (GDAL 3.6).
+constexpr double kFarthest = 1e12;
 
 Reference NewReference()
 {
@@ -331,6 +334,10 @@ bool CoordinateSystem::Transform(double* points, std::int64_t count, int stride,
     {
       x[i] = batch[i * stride];
       y[i] = batch[i * stride + 1];
+      if (!(std::abs(x[i]) <= kFarthest && std::abs(y[i]) <= kFarthest))
+      {
+        x[i] = y[i] = HUGE_VAL; // which OGR leaves alone
+      }
     }
     OCTTransformEx(
       transformation, static_cast<int>(size), x.data(), y.data(), nullptr, good.data());

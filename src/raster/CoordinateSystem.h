@@ -108,7 +108,7 @@ public:
   }
 
   /// Replaces x and y of count points (stride doubles apart) by longitude and latitude; NaN where
-  /// there is none. False if no transformation exists.
+  /// there is none, as for numbers above 1e12. False if no transformation exists.
   bool ToPlaces(double* points, std::int64_t count, int stride = 3) const;
   /// The inverse. In geographic systems x is the multiple of a turn that is nearest to nearX.
   bool FromPlaces(double* points, std::int64_t count, double nearX = 0.0, int stride = 3) const;
