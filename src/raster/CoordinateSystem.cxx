@@ -103,10 +103,12 @@ bool IsPlanetocentric(OGRSpatialReferenceH reference)
   return Wkt(reference).find("CS[spherical") != std::string::npos;
 }
 
-/// The beginning of a long definition, for messages.
-std::string Shortened(const std::string& text)
+/// The beginning of a long definition, in one line, for messages.
+std::string Shortened(std::string text)
 {
   constexpr std::size_t kLongest = 60;
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
 }
 }
