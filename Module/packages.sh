@@ -18,6 +18,7 @@ needed="
   libgtest-dev
   libvtk9-dev
   ninja-build
+  nlohmann-json3-dev
   python3-numpy
   python3-vtk9
 "

@@ -37,6 +37,7 @@ set(classes
 # Private to the module: one line a file, by rooms.
 set(private_sources
   data/ColorDocument
+  data/ColorPresets
   data/GlobePaths
   data/GlobeSurface
   data/HierarchyHeights
@@ -311,6 +312,7 @@ vtk_module_link(vtkTerrain::Terrain
   PRIVATE
     "$<BUILD_INTERFACE:vtkTerrainWarnings>"
     "$<BUILD_INTERFACE:glm::glm>"
+    "$<BUILD_INTERFACE:nlohmann_json::nlohmann_json>"
     GeographicLib::GeographicLib
     ${CMAKE_DL_LIBS}
     ${window_libraries})

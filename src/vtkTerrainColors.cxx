@@ -65,6 +65,10 @@ terrain::ColorFileResult ReadByName(const std::string& suffix, const std::string
   {
     return terrain::ReadColorMapDocument(text);
   }
+  if (suffix == ".json")
+  {
+    return terrain::ReadColorMapPresets(text);
+  }
   if (suffix == ".csv")
   {
     return terrain::ReadClassTable(text);
@@ -121,9 +125,10 @@ bool vtkTerrainColors::ReadFile(const std::string& path)
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(path));
   std::string text;
   if (suffix != ".cpt" && suffix != ".txt" && suffix != ".clr" && suffix != ".qml" &&
-    suffix != ".xml" && suffix != ".csv")
+    suffix != ".xml" && suffix != ".json" && suffix != ".csv")
   {
-    this->ErrorMessage = "'" + path + "' is no colour file: .cpt, .txt, .clr, .qml, .xml or .csv";
+    this->ErrorMessage =
+      "'" + path + "' is no colour file: .cpt, .txt, .clr, .qml, .xml, .json or .csv";
   }
   else if (!ReadText(path, text))
   {

@@ -18,11 +18,13 @@
  * | .clr   | a colour map of ESRI or QGIS                                                      |
  * | .qml   | the colour ramp of a single-band raster in a QGIS style                           |
  * | .xml   | a ParaView colour map; its values are shares of the range, as ParaView takes them |
+ * | .json  | the same, or its classes (IndexedColors with Annotations): the first of the file  |
  * | .csv   | classes: value, colour and name a line                                            |
  *
- * Colours are mixed in RGB. Where a file has two colours for one value it is a step: the value
- * itself has the upper colour (matplotlib and GMT agree; vtkColorTransferFunction drops one of the
- * two, gdaldem mixes them). Opacities in files are not used.
+ * Colours are mixed in RGB, those of ParaView in the space that the file names. Where a file has
+ * two colours for one value it is a step: the value itself has the upper colour (matplotlib and
+ * GMT agree; vtkColorTransferFunction drops one of the two, gdaldem mixes them). Opacities in
+ * files are not used.
  *
  * MakeTable() lays the colours over a range of data:
  * - a scheme goes from the lowest to the highest value; with a sea (SetSea()) its land begins at 0;

@@ -69,7 +69,7 @@ TEST(TerrainColors, RefusesInOneSentence)
   ExpectColor(colors->MakeTable(0.0, 1.0), 1.0, 0.97, 0.97, 0.98);
 }
 
-// Cut at every byte, a file of each kind is read or refused with one line, and XML is refused.
+// Cut at every byte, a file of each kind is read or refused with one line; documents are refused.
 TEST(TerrainColors, FilesCutShortAreReadOrRefused)
 {
   const std::string item = "<item alpha='255' value='10' label='low' color='#ff0000'/>";
@@ -80,11 +80,12 @@ TEST(TerrainColors, FilesCutShortAreReadOrRefused)
     { "cut.csv", "value,colour,name\n1,#ff0000,low\n2,blue,high\n" },
     { "cut.qml",
       "<qgis><colorrampshader colorRampType='DISCRETE'>" + item + "</colorrampshader></qgis>" },
+    { "cut.json", R"([{"ColorSpace": "Lab", "RGBPoints": [0, 0, 0, 1, 1, 1, 0, 0]}])" },
     { "cut.xml", "<ColorMap space='RGB'><Point x='0' o='1' r='0' g='0' b='1'/></ColorMap>" },
   };
   for (const auto& [name, text] : files)
   {
-    const bool isXML = text.front() == '<';
+    const bool isDocument = text.front() == '<' || text.front() == '[';
     for (std::size_t end = 0; end < text.size(); ++end)
     {
       vtkNew<vtkTerrainColors> colors;
@@ -93,7 +94,7 @@ TEST(TerrainColors, FilesCutShortAreReadOrRefused)
       EXPECT_EQ(isRead, why.empty()) << name << " " << end;
       EXPECT_EQ(why.find('\n'), std::string::npos) << why;
       EXPECT_TRUE(isRead || why.find(name) != std::string::npos) << why;
-      EXPECT_FALSE(isRead && isXML) << name << " " << end;
+      EXPECT_FALSE(isRead && isDocument) << name << " " << end;
       EXPECT_TRUE(std::isfinite(ColorAt(colors->MakeTable(0.0, 1.0), 0.5)[0]));
     }
   }
@@ -150,6 +151,77 @@ TEST(TerrainColors, ReadsStylesAndColorMaps)
   ExpectColor(table, 50.0, 0.0, 0.0, 1.0);
   ExpectColor(table, 100.0, 0.5, 0.0, 0.5);
   EXPECT_EQ(table->GetNanColor()[1], 1.0);
+}
+
+// ParaView's presets mix as VTK does in the space that they name.
+TEST(TerrainColors, ReadsPresetsOfParaView)
+{
+  const std::vector<std::array<double, 4>> points = { { -5.0, 0.2, 0.3, 0.75 },
+    { 5.0, 0.9, 0.85, 0.3 }, { 20.0, 0.7, 0.02, 0.15 } };
+  std::string list;
+  vtkNew<vtkColorTransferFunction> expected;
+  for (const auto& point : points)
+  {
+    for (const double number : point)
+    {
+      list += (list.empty() ? "" : ", ") + std::to_string(number);
+    }
+    expected->AddRGBPoint(point[0], point[1], point[2], point[3]);
+  }
+  vtkNew<vtkTerrainColors> colors;
+  const auto read = [&](const std::string& space)
+  {
+    EXPECT_TRUE(colors->ReadFile(WriteText("map.json",
+      R"([{"Name": "One", "ColorSpace": ")" + space + R"(", "NanColor": [1, 1, 0], )" +
+        R"("UseAboveRangeColor": 1, "AboveRangeColor": [0, 1, 0], "BelowRangeColor": [1, 0, 0], )" +
+        R"("RGBPoints": [)" + list + R"(]}, {"Name": "Two", "RGBPoints": [0, 1, 1, 1]}])")))
+      << colors->GetErrorMessage();
+    const vtkSmartPointer<vtkColorTransferFunction> table = colors->MakeTable(100.0, 350.0);
+    for (int k = 0; k <= 100; ++k)
+    {
+      const std::array<double, 3> color = ColorAt(expected, -5.0 + 0.25 * k);
+      const std::array<double, 3> own = ColorAt(table, 100.0 + 2.5 * k);
+      for (std::size_t part = 0; part < 3; ++part)
+      {
+        EXPECT_NEAR(own[part], color[part], 0.01) << space << " at " << k; // hues have corners
+      }
+    }
+    ExpectColor(table, 351.0, 0.0, 1.0, 0.0);
+    ExpectColor(table, 99.0, points[0][1], points[0][2], points[0][3]); // not in use
+    EXPECT_EQ(table->GetNanColor()[1], 1.0);
+  };
+  read("RGB");
+  expected->SetColorSpaceToLab();
+  read("Lab");
+  expected->SetColorSpaceToDiverging();
+  read("Diverging");
+  expected->SetColorSpaceToHSV();
+  expected->HSVWrapOff();
+  read("HSV");
+}
+
+TEST(TerrainColors, ReadsClassesOfParaView)
+{
+  vtkNew<vtkTerrainColors> colors;
+  ASSERT_TRUE(colors->ReadFile(WriteText("classes.json",
+    R"({"IndexedColors": [1, 0, 0, 0, 0, 1, 0, 1, 0], "Annotations": ["7", "low", "5", "high"]})")))
+    << colors->GetErrorMessage();
+  ASSERT_EQ(colors->GetNumberOfCategories(), 3);
+  EXPECT_EQ(colors->GetCategoryName(0), "low");
+  EXPECT_EQ(colors->GetCategoryValue(0), 7.0);
+  EXPECT_EQ(colors->GetCategoryValue(2), 2.0); // the third has no annotation: its number
+  std::array<double, 3> color{};
+  colors->GetCategoryColor(0, color.data());
+  EXPECT_EQ(color[0], 1.0);
+  for (const char* text : { "", "[]", "{}", "3", "\"x\"", "[[[[", R"({"RGBPoints": []})",
+         R"({"RGBPoints": [0, 0, 0]})", R"({"RGBPoints": [0, 0, 2, 0]})",
+         R"({"RGBPoints": ["a", 0, 0, 0]})", R"({"RGBPoints": [1e999, 0, 0, 0]})",
+         R"([3, {"RGBPoints": [0, 0, 0, 0]}])", R"({"IndexedColors": [0, 0]})" })
+  {
+    EXPECT_FALSE(colors->ReadFile(WriteText("bad.json", text))) << text;
+    EXPECT_NE(colors->GetErrorMessage().find("bad.json"), std::string::npos);
+  }
+  EXPECT_FALSE(colors->ReadFile(WriteText("deep.json", std::string(1000000, '['))));
 }
 
 // The value of a step has the upper colour; just below it lies the lower one.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts as colour files that are XML: styles and colour maps with colours in order, or a sentence.
+// Texts as colour files that are XML or JSON: styles and colour maps with colours in order, or a
+// sentence.
 #include "FuzzInput.h"
 
 #include "data/ColorDocument.h"
@@ -10,7 +11,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  for (const auto& result : { terrain::ReadStyle(text), terrain::ReadColorMapDocument(text) })
+  for (const auto& result : { terrain::ReadStyle(text), terrain::ReadColorMapDocument(text),
+         terrain::ReadColorMapPresets(text) })
   {
     Require(!result.WhyNot.empty() || !result.Scheme.Stops.empty());
     double last = -HUGE_VAL;

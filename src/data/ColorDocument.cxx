@@ -5,6 +5,7 @@
 #include "core/colors/ColorText.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLDataParser.h"
@@ -154,6 +155,66 @@ ColorFileResult ReadMap(vtkXMLDataElement* map)
       scheme.None = color;
     }
   }
+  return MixedIn(scheme, TextOf(map, "space"));
+}
+
+/// How VTK mixes colours in a space of ParaView's; false for RGB.
+bool ChooseSpace(vtkColorTransferFunction* table, const std::string& space)
+{
+  table->HSVWrapOff(); // as ParaView has it
+  if (space == "HSV")
+  {
+    table->SetColorSpaceToHSV();
+  }
+  else if (space == "Lab" || space == "CIELAB")
+  {
+    table->SetColorSpaceToLab();
+  }
+  else if (space == "Lab/CIEDE2000")
+  {
+    table->SetColorSpaceToLabCIEDE2000();
+  }
+  else if (space == "Diverging")
+  {
+    table->SetColorSpaceToDiverging();
+  }
+  else if (space == "Step")
+  {
+    table->SetColorSpaceToStep();
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+/// Stops between those of a table that mixes in another space.
+std::vector<ColorStop> SampledStops(
+  vtkColorTransferFunction* table, const std::vector<ColorStop>& stops)
+{
+  std::vector<ColorStop> sampled;
+  for (std::size_t k = 0; k + 1 < stops.size(); ++k)
+  {
+    sampled.push_back(stops[k]);
+    const double from = stops[k].Value;
+    const double length = stops[k + 1].Value - from;
+    for (int i = 1; length > 0.0 && i < kStopsOfSpace; ++i)
+    {
+      const double value = from + length * i / kStopsOfSpace;
+      Color color;
+      table->GetColor(value, &color[0]);
+      sampled.push_back({ value, glm::clamp(color, 0.0, 1.0) });
+    }
+  }
+  sampled.push_back(stops.back());
+  return sampled;
+}
+}
+
+//------------------------------------------------------------------------------
+ColorFileResult MixedIn(ColorScheme scheme, const std::string& space)
+{
   if (scheme.Stops.empty())
   {
     return Refused("there are no colours in it");
@@ -162,8 +223,17 @@ ColorFileResult ReadMap(vtkXMLDataElement* map)
     [](const ColorStop& a, const ColorStop& b) { return a.Value < b.Value; });
   scheme = Stretched(scheme, 0.0, 1.0);
   scheme.Along = ColorScheme::Axis::Shares;
+  vtkNew<vtkColorTransferFunction> table;
+  table->AllowDuplicateScalarsOn(); // at steps
+  if (ChooseSpace(table, space))
+  {
+    for (const ColorStop& stop : scheme.Stops)
+    {
+      table->AddRGBPoint(stop.Value, stop.Shade.r, stop.Shade.g, stop.Shade.b);
+    }
+    scheme.Stops = SampledStops(table, scheme.Stops);
+  }
   return { scheme, {} };
-}
 }
 
 //------------------------------------------------------------------------------

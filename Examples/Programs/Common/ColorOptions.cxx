@@ -47,7 +47,7 @@ void ColorOptions::Declare(CLI::App& app, bool hasEach)
   app
     .add_option("--colors", this->Colors,
       "colours of heights: " + schemes +
-        "; or a file: .cpt, .txt, .clr, .qml, .xml, .csv (value,colour,name)")
+        "; or a file: .cpt, .txt, .clr, .qml, .xml, .json, .csv (value,colour,name)")
     ->type_name("NAME|FILE")
     ->check(CLI::Validator(WhyNotColors, ""));
   app

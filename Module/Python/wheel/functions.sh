@@ -104,10 +104,10 @@ get_tools()
 # The file system of a Debian 11 with a compiler. All it lacks is brought from outside.
 make_root()
 {
-  [ ! -e root/.complete ] || return 0
+  [ ! -e root/.complete ] || [ ! -e root/usr/include/nlohmann ] || return 0
   rm -rf root
   debootstrap --variant=minbase \
-    --include=g++,ninja-build,libglm-dev,libgeographic-dev,python3-dev,python3-venv,libx11-6 \
+    --include=g++,ninja-build,libglm-dev,libgeographic-dev,nlohmann-json3-dev,python3-dev,python3-venv,libx11-6 \
     bullseye root "$mirror" >debootstrap.log 2>&1 || fail "$(tail -5 debootstrap.log)"
   touch root/.complete
 }
@@ -143,6 +143,7 @@ copy_licences()
   cp source/LICENSE "$1/LICENSE"
   cp root/usr/share/doc/libgeographic-dev/copyright "$1/LICENSE.GeographicLib"
   cp root/usr/share/doc/libglm-dev/copyright "$1/LICENSE.GLM"
+  cp root/usr/share/doc/nlohmann-json3-dev/copyright "$1/LICENSE.nlohmann-json"
   cp sdk/usr/share/doc/libvtk9-dev/copyright "$1/LICENSE.VTK" 2>/dev/null ||
     cp sdk/tools/usr/share/doc/libvtk9-dev/copyright "$1/LICENSE.VTK"
 }
@@ -159,7 +160,7 @@ check_wheel()
   tr '\n' ' ' <show.log | grep -qE 'constrains the platform tag to "manylinux_2_(1[0-9]|2[0-9]|3[01])_x86_64"' ||
     fail "$(cat show.log)"
   names=$(/usr/bin/python3 -m zipfile -l "$wheel")
-  for name in LICENSE LICENSE.GeographicLib LICENSE.VTK LICENSE.GLM; do
+  for name in LICENSE LICENSE.GeographicLib LICENSE.VTK LICENSE.GLM LICENSE.nlohmann-json; do
     grep -q "dist-info/licenses/$name " <<<"$names" || fail "$wheel: no $name"
   done
   rm -rf unpacked
