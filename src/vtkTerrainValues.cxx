@@ -51,6 +51,43 @@ bool HoldsClasses(GDALRasterBandH band)
     (table && GDALRATGetTableType(table) == GRTT_THEMATIC && GDALRATGetRowCount(table) > 0);
 }
 
+/// Number of the band that tells how opaque others are, the last one; 0 for none.
+int FindAlpha(GDALDatasetH file, int number)
+{
+  const int last = GDALGetRasterCount(file);
+  const bool isAlpha = last > 1 && last != number &&
+    GDALGetRasterColorInterpretation(GDALGetRasterBand(file, last)) == GCI_AlphaBand;
+  return isAlpha ? last : 0;
+}
+
+/// True if a mask of the file, which is no band of it, tells where a band has values.
+bool HasMask(GDALRasterBandH band)
+{
+  return (GDALGetMaskFlags(band) & GMF_PER_DATASET) != 0;
+}
+
+/// Classes that the colour table of a band shows as transparent become none.
+void HideTransparent(GDALRasterBandH band, float* values, std::ptrdiff_t count)
+{
+  GDALColorTableH table = GDALGetRasterColorTable(band);
+  const int entries = table ? GDALGetColorEntryCount(table) : 0;
+  std::vector<bool> isHidden(static_cast<std::size_t>(entries));
+  for (int entry = 0; entry < entries; ++entry)
+  {
+    GDALColorEntry color{};
+    isHidden[static_cast<std::size_t>(entry)] =
+      GDALGetColorEntryAsRGB(table, entry, &color) && color.c4 == 0;
+  }
+  std::replace_if(
+    values, values + count,
+    [&](float value)
+    {
+      return value >= 0.0F && value < static_cast<float>(entries) &&
+        isHidden[static_cast<std::size_t>(value)];
+    },
+    std::numeric_limits<float>::quiet_NaN());
+}
+
 /// One band of a raster, warped onto samples or cells of heights.
 class ValueWarp : public PlacedRaster
 {
@@ -128,13 +165,18 @@ GDALWarpOptions* ValueWarp::MakeOptions(GDALDatasetH target, int number, bool ar
   options->panDstBands = static_cast<int*>(CPLMalloc(sizeof(int)));
   *options->panSrcBands = number;
   *options->panDstBands = 1;
+  // What is transparent has no values; the second band tells where any have come to.
+  options->nSrcAlphaBand = FindAlpha(this->File.get(), number);
+  options->nDstAlphaBand = 2;
   int hasNoData = 0;
   const double noData = GDALGetRasterNoDataValue(this->Band, &hasNoData);
-  options->padfSrcNoDataReal = static_cast<double*>(CPLMalloc(sizeof(double)));
-  options->padfDstNoDataReal = static_cast<double*>(CPLMalloc(sizeof(double)));
-  *options->padfSrcNoDataReal = hasNoData ? noData : std::numeric_limits<double>::quiet_NaN();
-  *options->padfDstNoDataReal = std::numeric_limits<double>::quiet_NaN();
-  options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "INIT_DEST", "NO_DATA");
+  const bool isMasked = options->nSrcAlphaBand == 0 && HasMask(this->Band);
+  if (!isMasked) // GDAL takes the mask where no value stands for no data
+  {
+    options->padfSrcNoDataReal = static_cast<double*>(CPLMalloc(sizeof(double)));
+    *options->padfSrcNoDataReal = hasNoData ? noData : std::numeric_limits<double>::quiet_NaN();
+  }
+  options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "INIT_DEST", "0");
   return options;
 }
 
@@ -143,33 +185,43 @@ std::string ValueWarp::WarpValues(int number, bool areClasses, float* values)
 {
   const GDALMessages messages;
   const Dataset target = Own(GDALCreate(
-    GDALGetDriverByName("MEM"), "", this->Size[0], this->Size[1], 1, GDT_Float32, nullptr));
+    GDALGetDriverByName("MEM"), "", this->Size[0], this->Size[1], 2, GDT_Float32, nullptr));
   if (!target)
   {
     return "its values need more memory than there is (" + messages.GetFailure() + ")";
   }
-  // The warper leaves pixels alone that have no part of the raster near them.
-  GDALFillRaster(GDALGetRasterBand(target.get(), 1), std::numeric_limits<double>::quiet_NaN(), 0.0);
   std::string why =
     this->Warp(this->MakeOptions(target.get(), number, areClasses), this->Size[0], this->Size[1]);
   if (!why.empty())
   {
     return why;
   }
-  const CPLErr result = GDALRasterIO(GDALGetRasterBand(target.get(), 1), GF_Read, 0, 0,
-    this->Size[0], this->Size[1], values, this->Size[0], this->Size[1], GDT_Float32, 0, 0);
-  if (result != CE_None)
+  const std::ptrdiff_t count = std::ptrdiff_t{ this->Size[0] } * this->Size[1];
+  std::vector<float> opacities(static_cast<std::size_t>(count));
+  const auto read = [&](int band, float* into)
+  {
+    return GDALRasterIO(GDALGetRasterBand(target.get(), band), GF_Read, 0, 0, this->Size[0],
+             this->Size[1], into, this->Size[0], this->Size[1], GDT_Float32, 0, 0) == CE_None;
+  };
+  if (!read(1, values) || !read(2, opacities.data()))
   {
     return "it cannot be warped (" + messages.GetFailure() + ")";
+  }
+  if (areClasses)
+  {
+    HideTransparent(this->Band, values, count);
   }
   int isScaled = 0;
   int isShifted = 0;
   const double scale = GDALGetRasterScale(this->Band, &isScaled);
   const double offset = GDALGetRasterOffset(this->Band, &isShifted);
-  const std::ptrdiff_t count = std::ptrdiff_t{ this->Size[0] } * this->Size[1];
-  std::transform(values, values + count, values,
-    [&](float value)
-    { return static_cast<float>((isScaled ? scale : 1.0) * value + (isShifted ? offset : 0.0)); });
+  std::transform(values, values + count, opacities.begin(), values,
+    [&](float value, float opacity)
+    {
+      return opacity > 0.0F
+        ? static_cast<float>((isScaled ? scale : 1.0) * value + (isShifted ? offset : 0.0))
+        : std::numeric_limits<float>::quiet_NaN();
+    });
   const bool isEmpty =
     std::none_of(values, values + count, [](float value) { return std::isfinite(value); });
   return isEmpty ? "it has no values on the terrain" : "";

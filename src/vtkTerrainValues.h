@@ -9,7 +9,8 @@
  * opens, such as rain, geology, land cover, or another band of the file of heights.
  *
  * Output: the heights, sharing their samples, with the array "Values" (float): band's value times
- * its scale plus its offset, NaN where the raster has none.
+ * its scale plus its offset, NaN where the raster has none: beside it, at its NoData value, where
+ * its mask or its last band, if that is alpha, is 0, and at classes of a transparent colour.
  *   - Values: an array of the points, resampled bilinearly, averaged where the raster is finer.
  *   - Classes: an array of the cells, the nearest value of each, the most frequent one where the
  *     raster is finer. Numbers between two classes stand for nothing.

@@ -17,6 +17,7 @@
 #include "vtkStringArray.h"
 #include "vtkTestErrorObserver.h"
 
+#include <cpl_conv.h>
 #include <gdal.h>
 #include <ogr_srs_api.h>
 
@@ -321,6 +322,133 @@ TEST(TerrainValues, ClassesHaveTheColorsOfTheirTable)
   EXPECT_FALSE(colors->ReadRaster(path, 3));
   EXPECT_NE(colors->GetErrorMessage().find("no band 3"), std::string::npos);
   EXPECT_FALSE(colors->ReadRaster(vtkTerrainTesting::OutputPath("nowhere.tif")));
+}
+
+// A raster whose western half is 20, and whose eastern half is hidden in some way, and 250.
+namespace
+{
+bool IsShown(double column)
+{
+  return column < 0.5 * kWidth;
+}
+
+std::string WriteHalf(
+  const std::string& name, GDALDataType type, const std::function<void(GDALDatasetH)>& hide)
+{
+  return Write(name,
+    { [](int column, int) { return IsShown(column) ? 20.0 : 250.0; }, type, "EPSG:32645", hide });
+}
+
+// Makes a band of a mask or of opacities 0 in the eastern half.
+void FillWesternHalf(GDALRasterBandH band, double shown)
+{
+  GDALFillRaster(band, 0.0, 0.0);
+  std::vector<double> line(kWidth / 2, shown);
+  for (int row = 0; row < kHeight; ++row)
+  {
+    EXPECT_EQ(GDALRasterIO(band, GF_Write, 0, row, kWidth / 2, 1, line.data(), kWidth / 2, 1,
+                GDT_Float64, 0, 0),
+      CE_None);
+  }
+}
+
+std::string WriteMasked()
+{
+  return WriteHalf("values-mask.tif", GDT_Byte,
+    [](GDALDatasetH file)
+    {
+      CPLSetConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES");
+      GDALCreateDatasetMaskBand(file, GMF_PER_DATASET);
+      CPLSetConfigOption("GDAL_TIFF_INTERNAL_MASK", nullptr);
+      FillWesternHalf(GDALGetMaskBand(GDALGetRasterBand(file, 1)), 255.0);
+    });
+}
+
+std::string WriteAlpha(GDALDataType type)
+{
+  std::string path = WriteHalf("values-alpha.tif", type,
+    [](GDALDatasetH file)
+    { GDALSetRasterColorInterpretation(GDALGetRasterBand(file, 2), GCI_AlphaBand); });
+  GDALDatasetH file = GDALOpen(path.c_str(), GA_Update);
+  FillWesternHalf(GDALGetRasterBand(file, 2), type == GDT_UInt16 ? 65535.0 : 255.0);
+  GDALClose(file);
+  return path;
+}
+
+// A TIFF has no colour that is transparent, a VRT of it has.
+std::string WriteTransparentEntry()
+{
+  std::string path = vtkTerrainTesting::OutputPath("values-entry.vrt");
+  GDALDatasetH file = GDALOpen(WriteHalf("values-entry.tif", GDT_Byte, {}).c_str(), GA_ReadOnly);
+  GDALDatasetH copy = GDALCreateCopy(
+    GDALGetDriverByName("VRT"), path.c_str(), file, FALSE, nullptr, nullptr, nullptr);
+  GDALColorTableH colors = GDALCreateColorTable(GPI_RGB);
+  const GDALColorEntry red = { 200, 10, 20, 255 };
+  const GDALColorEntry none = { 0, 0, 0, 0 };
+  GDALSetColorEntry(colors, 20, &red);
+  GDALSetColorEntry(colors, 250, &none);
+  GDALSetRasterColorTable(GDALGetRasterBand(copy, 1), colors);
+  GDALDestroyColorTable(colors);
+  GDALClose(copy);
+  GDALClose(file);
+  return path;
+}
+
+void ExpectHalfShown(const std::string& path, Kind kind)
+{
+  vtkNew<vtkTerrainReproject> scene;
+  MakeScene(scene, Frame::Plane);
+  const PixelsByGDAL pixels(scene->GetGeoreference());
+  vtkNew<vtkTerrainValues> values;
+  values->SetInputConnection(scene->GetOutputPort());
+  values->SetGeoreference(scene->GetGeoreference());
+  values->SetFileName(path);
+  values->SetKind(kind);
+  values->Update();
+  ASSERT_EQ(values->GetErrorMessage(), "");
+  vtkImageData* image = values->GetOutput();
+  const bool ofPoints = kind == Kind::Values;
+  vtkDataArray* array =
+    ofPoints ? image->GetPointData()->GetArray("Values") : image->GetCellData()->GetArray("Values");
+  int shown = 0;
+  int hidden = 0;
+  for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k)
+  {
+    double bounds[6];
+    image->GetCellBounds(k % image->GetNumberOfCells(), bounds);
+    const double* point = image->GetPoint(k);
+    const std::array<double, 2> pixel = ofPoints
+      ? pixels.At(point[0], point[1])
+      : pixels.At(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]));
+    const double value = array->GetComponent(k, 0);
+    EXPECT_TRUE(std::isnan(value) || std::abs(value - 20.0) < 0.01) << path << " " << value;
+    if (IsInside(pixel, 4.0) && std::abs(pixel[0] - 0.5 * kWidth) > 5.0)
+    {
+      EXPECT_EQ(std::isnan(value), !IsShown(pixel[0])) << path << " at " << pixel[0];
+      ++(IsShown(pixel[0]) ? shown : hidden);
+    }
+  }
+  EXPECT_GT(shown, 500) << path;
+  EXPECT_GT(hidden, 300) << path;
+}
+}
+
+// The number behind what is hidden is no value, alone or mixed with others.
+TEST(TerrainValues, TransparentPixelsHaveNoValues)
+{
+  for (const Kind kind : { Kind::Values, Kind::Classes })
+  {
+    ExpectHalfShown(WriteMasked(), kind);
+    for (const GDALDataType type : { GDT_Byte, GDT_UInt16, GDT_Float32 })
+    {
+      ExpectHalfShown(WriteAlpha(type), kind);
+    }
+    ExpectHalfShown(
+      WriteHalf("values-none.tif", GDT_Byte,
+        [](GDALDatasetH file) { GDALSetRasterNoDataValue(GDALGetRasterBand(file, 1), 250.0); }),
+      kind);
+  }
+  ExpectHalfShown(WriteTransparentEntry(), Kind::Classes);
 }
 
 // Neither names a place on earth: both lie in the same coordinates.
