@@ -8,9 +8,12 @@
 #include <gdal.h>
 #include <ogr_srs_api.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -24,6 +27,22 @@ constexpr int kMany = kWidth * kHeight / 20;
 class TerrainView : public TerrainRenderFixture
 {
 protected:
+  void SetUp() override
+  {
+    TerrainRenderFixture::SetUp();
+    // the user's own state is none of the tests' business
+    ASSERT_EQ(setenv("XDG_STATE_HOME", this->Path("state").c_str(), 1), 0);
+  }
+
+  /// Opens the viewer with words in a window of the usual size; waits for a title.
+  bool Show(std::vector<std::string> words, const std::string& title)
+  {
+    words.insert(words.begin(), TERRAIN_VIEW_PROGRAM);
+    words.insert(
+      words.end(), { "--width", std::to_string(kWidth), "--height", std::to_string(kHeight) });
+    return this->Screen.Start(words, this->Folder, this->Path("stdout.txt"), title);
+  }
+
   /// Opens the viewer on a hill in UTM zone 45 north; skips the test without Xvfb.
   void Open(bool prepared = false)
   {
@@ -366,6 +385,106 @@ TEST_F(TerrainView, ShowsWhatIsDropped)
   ASSERT_TRUE(this->Screen.Find("other.tif"));
   this->Screen.CaptureStill().Write(this->Path("other.png"));
   this->Quit();
+}
+
+// A path is typed where there is no program for a dialog.
+TEST_F(TerrainView, OpensATypedPath)
+{
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", this->Folder.c_str(), 1);
+  OPEN_OR_SKIP();
+  const std::string other = this->WriteHill("other.tif");
+  Screenshot now = this->After('O', this->First);
+  for (const char letter : { 'o', 't', 'x' })
+  {
+    now = this->After(letter, now);
+  }
+  now = this->After('\b', now);
+  now = this->After('\t', now); // the rest of the name
+  now.Write(this->Path("typed.png"));
+  this->Screen.Type('\r', kMiddleX, kMiddleY);
+  EXPECT_TRUE(this->Screen.Find("other.tif"));
+  const Screenshot shown = this->Screen.CaptureStill();
+  // q is a letter while a path is typed, and quits after it was given up
+  const Screenshot typing = this->After('O', shown);
+  const Screenshot letter = this->After('q', typing);
+  EXPECT_LT(letter.CountDifferent(typing), 200);
+  this->After('\x1b', letter);
+  this->Quit();
+  setenv("PATH", path.c_str(), 1);
+}
+
+// A program that stands for the desktop's dialog chooses a file.
+TEST_F(TerrainView, OpensWhatADialogChooses)
+{
+  const std::string other = this->WriteHill("other.tif");
+  const std::string program = this->WriteText("zenity", "#!/bin/sh\necho '" + other + "'\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (this->Folder + ":" + path).c_str(), 1);
+  OPEN_OR_SKIP();
+  this->Screen.Type('O', kMiddleX, kMiddleY);
+  EXPECT_TRUE(this->Screen.Find("other.tif"));
+  this->Screen.CaptureStill();
+  this->Quit();
+  setenv("PATH", path.c_str(), 1);
+}
+
+TEST_F(TerrainView, RemembersWhatItShowedLast)
+{
+  OPEN_OR_SKIP();
+  const Screenshot taller = this->After('+', this->First);
+  const Screenshot lines = this->After('i', taller);
+  this->Quit();
+  ASSERT_TRUE(this->Show({}, "hill.tif"));
+  const Screenshot withoutPosition = this->Screen.CaptureStill();
+  this->Screen.Move(kMiddleX, kMiddleY);
+  const Screenshot again = this->Screen.CaptureChange(withoutPosition);
+  again.Write(this->Path("again.png"));
+  EXPECT_LT(again.CountDifferent(lines), kMany / 4); // the texts at most
+  this->Quit();
+  ASSERT_TRUE(this->Show({ "--no-restore" }, "built-in"));
+  this->Quit();
+  // what is gone is told, and the built-in landscape stands in
+  ASSERT_TRUE(this->Show({ "hill.tif" }, "hill.tif"));
+  this->Quit();
+  std::filesystem::remove(this->Path("hill.tif"));
+  ASSERT_TRUE(this->Show({}, "built-in"));
+  this->Quit();
+}
+
+// Views that keys record become a table that terrain-render flies, and are played.
+TEST_F(TerrainView, RecordsFlights)
+{
+  OPEN_OR_SKIP();
+  Screenshot now = this->After('f', this->First); // a flight of no views is none
+  EXPECT_LT(now.CountDifferent(this->First), kMany);
+  now = this->After('k', now);
+  const auto nearer = [&]
+  {
+    this->Screen.Press(4, kMiddleX, kMiddleY);
+    this->Screen.Release(4, kMiddleX, kMiddleY);
+    now = this->Screen.CaptureChange(now);
+    now = this->After('k', now);
+  };
+  nearer();
+  nearer();
+  nearer();
+  now = this->After('K', now);
+  now = this->After('F', now);
+  this->Screen.Type('f', kMiddleX, kMiddleY);
+  const Screenshot flown = this->Screen.CaptureChange(now);
+  flown.Write(this->Path("flown.png"));
+  this->Quit();
+  const std::string table = this->ReadText("terrain-view-flight.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4) << table;
+  EXPECT_NE(table.find("seconds,lon,lat,height,look_lon,look_lat,look_height"), std::string::npos);
+  EXPECT_NE(table.find("\n8,"), std::string::npos) << table;
+  const RunResult drawn =
+    this->RunCommand({ TERRAIN_RENDER_PROGRAM, "hill.tif", "--exaggeration", "2", "--flight",
+      "terrain-view-flight.csv", "--fps", "1", "--size", "96x64", "--output", "frames" });
+  EXPECT_EQ(drawn.Status, 0) << drawn.Errors;
+  EXPECT_TRUE(std::filesystem::exists(this->Path("frames/frame-00009.png")));
 }
 
 TEST_F(TerrainView, RefusesWhatItCannotShow)

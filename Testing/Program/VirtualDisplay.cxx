@@ -312,7 +312,9 @@ void VirtualDisplay::Release(unsigned int button, int x, int y)
 void VirtualDisplay::Type(char character, int x, int y)
 {
   this->Move(x, y);
-  const KeySym symbol = static_cast<unsigned char>(character); // the symbols of ASCII are its codes
+  // the symbols of ASCII are its codes, those of Backspace, Tab, Return and Escape lie above
+  constexpr KeySym kControls = 0xff00;
+  const KeySym symbol = static_cast<unsigned char>(character) + (character < ' ' ? kControls : 0);
   const KeyCode code = XKeysymToKeycode(this->Display, symbol);
   XEvent event{};
   event.xkey.display = this->Display;

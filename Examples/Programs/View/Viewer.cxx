@@ -91,6 +91,9 @@ const char* Viewer::GetHelp()
          "m      measure: left clicks add points, on the first one an area, right ends\n"
          "p      print the position under the pointer, and what is measured\n"
          "y      copy the place under the pointer\n"
+         "k K    add this view to a flight, take its last one away\n"
+         "f F    play the flight, save it as terrain-view-flight.csv, for terrain-render --flight\n"
+         "O      open a raster or a scene\n"
          "s      save the picture as terrain-view.png\n"
          "S      save the scene as terrain-view.toml, for terrain-render --scene\n"
          "h      this help\n"
@@ -321,6 +324,11 @@ void Viewer::MapKeys()
     this->MeasureChanged();
   };
   this->Keys['y'] = [this] { this->CopyPlace(); };
+  this->Keys['k'] = [this] { this->AddToFlight(); };
+  this->Keys['K'] = [this] { this->DropFromFlight(); };
+  this->Keys['f'] = [this] { this->SwitchFlight(); };
+  this->Keys['F'] = [this] { this->SaveFlight(); };
+  this->Keys['O'] = [this] { this->AskForFile(); };
   this->Keys['s'] = [this] { this->SavePicture(); };
   this->Keys['S'] = [this] { this->SaveScene(); };
   this->Keys['h'] = [this] { this->Help->SetVisibility(!this->Help->GetVisibility()); };
@@ -330,6 +338,11 @@ void Viewer::MapKeys()
 //------------------------------------------------------------------------------
 void Viewer::TypeKey(char key)
 {
+  if (this->Typing.IsOn())
+  {
+    this->TypePath(key);
+    return;
+  }
   const auto found = this->Keys.find(key);
   if (found != this->Keys.end())
   {
@@ -507,7 +520,9 @@ void Viewer::Refresh()
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(), "%s  exaggeration %.2f  colours %s   h: help",
     kTechniqueNames[technique], this->Terrain->GetVerticalExaggeration(), NameOf(this->Colors));
-  this->Status->SetInput((text.data() + this->DescribeShown() + this->Note).c_str());
+  this->Status->SetInput(this->Typing.IsOn()
+      ? this->Typing.GetPrompt().c_str()
+      : (text.data() + this->DescribeShown() + this->Note).c_str());
   this->MatchSites();
   this->ScalarBar->SetLookupTable(this->Terrain->GetLookupTable());
   this->ScalarBar->SetVisibility(
@@ -538,6 +553,8 @@ void Viewer::PointerMoved()
 void Viewer::TimePassed()
 {
   this->Board.Serve();
+  this->PollDialog();
+  this->FlyOn();
   if (!this->PointerHasMoved)
   {
     return;

@@ -9,11 +9,14 @@
 
 #include "BlockWalls.h"
 #include "Clipboard.h"
+#include "FileDialog.h"
 #include "LightOptions.h"
 #include "Measure.h"
 #include "Palettes.h"
 #include "Readout.h"
+#include "RecordedFlight.h"
 #include "TerrainStyle.h"
+#include "TypedPath.h"
 #include "ViewOptions.h"
 
 #include "vtkActor.h"
@@ -99,7 +102,10 @@ public:
     this->SceneInputs = inputs;
   }
 
-  /// What says in one sentence why a file that is dropped cannot be shown; empty if it can.
+  /// Saves the scene for the next time, as what a path names; tells nobody but of failures.
+  void SaveSession(const std::string& path) const;
+
+  /// What says in one sentence why a file that is opened cannot be shown; empty if it can.
   void SetOpener(std::function<std::string(const std::string&)> whyNot)
   {
     this->WhyNotShown = std::move(whyNot);
@@ -111,7 +117,7 @@ public:
     return this->Next;
   }
 
-  /// Shows the window until it is closed, or another file is dropped into it.
+  /// Shows the window until it is closed, or another file is opened.
   void Run();
 
   /// What the keys do, one a line.
@@ -138,6 +144,13 @@ private:
   void PrintPosition();
   void SavePicture();
   void SaveScene();
+  /// The first of NAME.EXTENSION, NAME-2.EXTENSION, ... that does not exist.
+  static std::string FreeName(const std::string& name, const std::string& extension);
+  /// Writes a file that is none of those that are read, and tells of it as `what` it is.
+  void SaveText(const std::string& name, const std::string& text, const std::string& what);
+  /// Longitude, latitude, true height of a point as it is drawn, or its coordinates, with commas;
+  /// empty if its place is not known.
+  std::string DescribePoint(const std::array<double, 3>& drawn, bool asPlace) const;
   void DescribeCamera(SceneValues& values) const;
   void DescribeColors(SceneValues& values) const;
   SceneValues DescribeScene() const;
@@ -146,8 +159,28 @@ private:
   /// The point of the terrain, z as drawn, of a place's text.
   std::array<double, 3> FindPoint(const std::string& option, const std::string& text) const;
   void CopyPlace();
+  /// Asks for a file: by a dialog, or where there is none by a path that is typed.
+  void AskForFile();
+  void OpenFile(const std::string& name);
+  void PollDialog();
+  /// Takes a key while a path is typed.
+  void TypePath(char key);
   void FilesDropped(vtkObject* caller, unsigned long event, void* files);
   void MeasureChanged();
+
+  FlightView GetView() const;
+  void SetView(const FlightView& view);
+  void AddToFlight();
+  void DropFromFlight();
+  /// Notes what is missing if there are no two views.
+  bool HasFlight();
+  /// Plays the flight, or stops it.
+  void SwitchFlight();
+  void EndFlight();
+  void FlyOn();
+  /// The flight as a table that `terrain-render --flight` reads.
+  std::string DescribeFlight() const;
+  void SaveFlight();
 
   /// Brings texts, bar and mesh up to date with the terrain, and draws.
   void Refresh();
@@ -181,6 +214,10 @@ private:
   std::function<std::string(const std::string&, const SceneValues&)> WriteScene;
   std::function<std::string(const std::string&)> WhyNotShown;
   Clipboard Board;
+  FileDialog Dialog;
+  TypedPath Typing;
+  RecordedFlight Flight;
+  int FlightTimer = 0;
   vtkNew<vtkTerrainActor> Terrain;
   vtkNew<vtkTerrainPicker> Picker;
   vtkNew<TerrainStyle> Style;

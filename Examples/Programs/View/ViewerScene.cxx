@@ -20,7 +20,9 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <sstream>
+#include <system_error>
 
 namespace
 {
@@ -48,16 +50,17 @@ std::string ListText(const std::vector<double>& numbers)
   return text;
 }
 
-/// The first of "terrain-view.toml", "terrain-view-2.toml", ... that does not exist.
-std::string FreeName()
-{
-  std::string name = std::string(kSceneFile) + ".toml";
-  for (int number = 2; std::filesystem::exists(name); ++number)
-  {
-    name = std::string(kSceneFile) + "-" + std::to_string(number) + ".toml";
-  }
-  return name;
 }
+
+//------------------------------------------------------------------------------
+std::string Viewer::FreeName(const std::string& name, const std::string& extension)
+{
+  std::string free = name + extension;
+  for (int number = 2; std::filesystem::exists(free); ++number)
+  {
+    free = name + "-" + std::to_string(number) + extension;
+  }
+  return free;
 }
 
 //------------------------------------------------------------------------------
@@ -133,19 +136,22 @@ void Viewer::Look(const ViewOptions& options)
 }
 
 //------------------------------------------------------------------------------
+std::string Viewer::DescribePoint(const std::array<double, 3>& drawn, bool asPlace) const
+{
+  const std::array<double, 3> point = this->ToDrawn(drawn, true);
+  std::array<double, 2> place{};
+  return !asPlace                                      ? ListText({ drawn[0], drawn[1], drawn[2] })
+    : this->Places.ToPlace(point.data(), place.data()) ? ListText({ place[0], place[1], point[2] })
+                                                       : std::string();
+}
+
+//------------------------------------------------------------------------------
 void Viewer::DescribeCamera(SceneValues& values) const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  const auto placeText = [&](const double drawn[3])
-  {
-    const std::array<double, 3> point = this->ToDrawn({ drawn[0], drawn[1], drawn[2] }, true);
-    std::array<double, 2> place{};
-    return this->Places.ToPlace(point.data(), place.data())
-      ? ListText({ place[0], place[1], point[2] })
-      : std::string();
-  };
-  const std::string from = placeText(camera->GetPosition());
-  const std::string at = placeText(camera->GetFocalPoint());
+  const FlightView view = this->GetView();
+  const std::string from = this->DescribePoint(view.Eye, true);
+  const std::string at = this->DescribePoint(view.Focus, true);
   const bool hasPlaces = !from.empty() && !at.empty();
   values["look-from"] = hasPlaces ? std::vector{ from } : std::vector<std::string>();
   values["look-at"] = hasPlaces ? std::vector{ at } : std::vector<std::string>();
@@ -173,10 +179,6 @@ void Viewer::DescribeColors(SceneValues& values) const
       isScheme ? std::vector<std::string>{ NameOf(this->Colors) } : std::vector<std::string>();
     values["range"].clear();
     values["reverse"].clear();
-    if (!isScheme)
-    {
-      Warn(std::string("the colours '") + NameOf(this->Colors) + "' are not those of a scheme");
-    }
   }
 }
 
@@ -211,9 +213,41 @@ Viewer::SceneValues Viewer::DescribeScene() const
 //------------------------------------------------------------------------------
 void Viewer::SaveScene()
 {
-  const std::string name = this->SceneFile.empty() ? FreeName() : this->SceneFile;
-  const std::string text =
-    this->WriteScene ? this->WriteScene(name, this->DescribeScene()) : std::string();
+  const std::string name =
+    this->SceneFile.empty() ? FreeName(kSceneFile, ".toml") : this->SceneFile;
+  if (!this->WriteScene)
+  {
+    return;
+  }
+  const SceneValues values = this->DescribeScene();
+  const auto colors = values.find("colors");
+  if (colors != values.end() && colors->second.empty())
+  {
+    Warn(std::string("the colours '") + NameOf(this->Colors) + "' are not those of a scheme");
+  }
+  this->SaveText(name, this->WriteScene(name, values), "scene");
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SaveSession(const std::string& path) const
+{
+  if (path.empty() || !this->WriteScene)
+  {
+    return;
+  }
+  const std::string text = this->WriteScene(path, this->DescribeScene());
+  std::error_code error; // what follows tells that there is no folder
+  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
+  const vtkNew<vtkTerrainOutputFile> file;
+  if (!(file->Open(path) && file->Write(text.data(), text.size()) && file->Commit()))
+  {
+    Warn("the scene is not kept for the next time: " + file->GetErrorMessage());
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SaveText(const std::string& name, const std::string& text, const std::string& what)
+{
   const vtkNew<vtkTerrainOutputFile> file;
   for (const std::string& input : this->SceneInputs)
   {
@@ -221,8 +255,8 @@ void Viewer::SaveScene()
   }
   if (!(file->Open(name) && file->Write(text.data(), text.size()) && file->Commit()))
   {
-    Warn("the scene is not saved: " + file->GetErrorMessage());
-    this->Note = "  the scene is not saved";
+    Warn("the " + what + " is not saved: " + file->GetErrorMessage());
+    this->Note = "  the " + what + " is not saved";
     return;
   }
   this->Note = "  saved " + name;
@@ -246,12 +280,47 @@ void Viewer::CopyPlace()
 void Viewer::FilesDropped(vtkObject*, unsigned long, void* files)
 {
   auto* names = static_cast<vtkStringArray*>(files);
-  if (!names || names->GetNumberOfValues() == 0 || !this->WhyNotShown)
+  if (!names || names->GetNumberOfValues() == 0)
   {
     return;
   }
-  const std::string name = names->GetValue(0);
-  const std::string why = this->WhyNotShown(name);
+  this->OpenFile(names->GetValue(0));
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AskForFile()
+{
+  if (!this->Dialog.Open())
+  {
+    this->Typing.Begin();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::PollDialog()
+{
+  const std::optional<std::string> chosen = this->Dialog.Poll();
+  if (chosen && !chosen->empty())
+  {
+    this->OpenFile(*chosen);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::TypePath(char key)
+{
+  if (this->Typing.Take(key) == TypedPath::State::Done)
+  {
+    this->OpenFile(this->Typing.GetPath());
+    return;
+  }
+  this->Refresh();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::OpenFile(const std::string& name)
+{
+  const std::string why = this->WhyNotShown ? this->WhyNotShown(name) : "it cannot be shown";
   if (!why.empty())
   {
     Warn(why);

@@ -15,6 +15,7 @@
 #include "Messages.h"
 #include "NotNumbers.h"
 #include "SceneNames.h"
+#include "Session.h"
 #include "SurfaceOptions.h"
 #include "ViewOptions.h"
 #include "Viewer.h"
@@ -39,6 +40,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace
@@ -55,6 +57,8 @@ struct Options
   ExaggerationOption Exaggeration;
   ViewOptions View;
   SceneFile Scene;
+  /// True to show nothing from the last time.
+  bool StartsAnew = false;
   int Width = 1280;
   int Height = 720;
   /// The command line, which scenes are about.
@@ -155,7 +159,8 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
   app
     .add_option("HEIGHTS", options.Heights,
       "any raster that GDAL opens, a folder or an archive (.zip, .tar, .tgz) of them, which is one "
-      "terrain, or a file of terrain-prepare; the built-in landscape without it")
+      "terrain, or a file of terrain-prepare; without it what was shown last, at first a built-in "
+      "landscape")
     ->check(CLI::Validator(HeightOptions::WhyNotFile, ""));
   options.Exaggeration.Declare(app);
   options.Input.Declare(app);
@@ -167,7 +172,10 @@ std::optional<int> ParseCommandLine(int argc, const char* const* argv, Options& 
     ->check(CLI::Range(64, 16384));
   app.add_option("--height", options.Height, "of the window in pixels, default 720")
     ->check(CLI::Range(64, 16384));
+  app.add_flag("--no-restore", options.StartsAnew,
+    "without HEIGHTS the built-in landscape, not what was shown last");
   SceneNames names = NamesOfRenderScenes();
+  names.Others.insert("no-restore");
   names.KeepsUnknown = true;
   options.Scene.Declare(app, names);
   try
@@ -237,6 +245,37 @@ std::string WhyNotShown(const std::string& path)
   return {};
 }
 
+/// True if a command line names nothing that is shown, nor how.
+bool IsBare(const Options& options)
+{
+  const auto isAboutScene = [](const CLI::Option* option)
+  {
+    const std::string name = option->get_name();
+    return option->count() > 0 && name != "--width" && name != "--height";
+  };
+  return options.App->get_options(isAboutScene).empty();
+}
+
+/// Reads what was shown last, where a command line leaves room for it, and tells of it. False if
+/// there is nothing.
+bool Restore(const Options& given, Options& last)
+{
+  const std::string path = GetSessionPath();
+  std::error_code error;
+  if (given.StartsAnew || !IsBare(given) || !std::filesystem::exists(path, error))
+  {
+    return false;
+  }
+  const std::string why = WhyNotShown(path);
+  if (!why.empty())
+  {
+    Warn("what was shown last cannot be shown: " + why);
+    return false;
+  }
+  Tell("what was shown last, from " + path + " (--no-restore leaves it)");
+  return !ParseDropped(path, { given.Width, given.Height }, last);
+}
+
 /// The text of a scene with values as the window shows them.
 std::string WriteScene(Options& options, const std::string& path, const Viewer::SceneValues& values)
 {
@@ -301,6 +340,7 @@ std::string Show(Options& options)
   viewer.SetOpener(WhyNotShown);
   viewer.Run();
   ThrowOnError(name);
+  viewer.SaveSession(GetSessionPath());
   return viewer.GetNext();
 }
 }
@@ -320,7 +360,8 @@ int main(int argc, char* argv[])
     CheckDisplay();
     // No window that nobody would see.
     setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkXOpenGLRenderWindow", 1);
-    for (std::string next = Show(options); !next.empty();)
+    Options last;
+    for (std::string next = Show(Restore(options, last) ? last : options); !next.empty();)
     {
       Options dropped;
       ParseDropped(next, { options.Width, options.Height }, dropped);

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTerrain authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FileDialog.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <initializer_list>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+/// Starts a program with an end of a pipe as stdout; -1 if there is none.
+pid_t Start(Words words, int output)
+{
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (std::string& word : words)
+  {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
+  // toolkits have much to say that is no concern of the terrain
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t process = -1;
+  const int error = posix_spawnp(&process, pointers[0], &files, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  return error == 0 ? process : -1;
+}
+}
+
+//------------------------------------------------------------------------------
+FileDialog::~FileDialog()
+{
+  if (this->IsOpen())
+  {
+    kill(this->Process, SIGTERM);
+    waitpid(this->Process, nullptr, 0);
+    close(this->Output);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool FileDialog::Open()
+{
+  const char* const title = "Open a raster or a scene";
+  std::array<int, 2> ends{ -1, -1 };
+  if (this->IsOpen() || pipe2(ends.data(), O_CLOEXEC) != 0)
+  {
+    return this->IsOpen();
+  }
+  for (const Words& words : { Words{ "zenity", "--file-selection", "--title", title },
+         Words{ "kdialog", "--title", title, "--getopenfilename", "." } })
+  {
+    this->Process = this->IsOpen() ? this->Process : Start(words, ends[1]);
+  }
+  close(ends[1]);
+  if (!this->IsOpen())
+  {
+    close(ends[0]);
+    return false;
+  }
+  fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  this->Output = ends[0];
+  this->Text.clear();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::string> FileDialog::Poll()
+{
+  std::array<char, 4096> part{};
+  while (this->IsOpen())
+  {
+    const ssize_t count = read(this->Output, part.data(), part.size());
+    if (count > 0)
+    {
+      this->Text.append(part.data(), static_cast<std::size_t>(count));
+    }
+    else if (count == 0)
+    {
+      waitpid(this->Process, nullptr, 0);
+      close(this->Output);
+      this->Process = -1;
+      return this->Text.substr(0, this->Text.find('\n'));
+    }
+    else if (errno != EINTR)
+    {
+      break; // nothing yet
+    }
+  }
+  return std::nullopt;
+}
