@@ -176,6 +176,49 @@ TEST_F(TerrainRenderPolygons, FieldsChooseColors)
   EXPECT_GT(Count(legend, IsBluish), 40);
 }
 
+// A square on each of two terrains; from straight above both are as large.
+TEST_F(TerrainRenderPolygons, LieOnAllSitesOfAFolder)
+{
+  std::string features;
+  for (const double site : { 0.0, kAwayOfSites })
+  {
+    const auto point = [site](double x, double y)
+    {
+      return "[" + std::to_string(500000.0 + site + x) + "," +
+        std::to_string(5000000.0 + site - 24.0 + y) + "]";
+    };
+    features += std::string(features.empty() ? "" : ",") +
+      R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[)" +
+      point(6, 6) + "," + point(18, 6) + "," + point(18, 18) + "," + point(6, 18) + "," +
+      point(6, 6) + "]]}}";
+  }
+  const std::string file = this->WriteText("squares.geojson",
+    R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":)"
+    R"("urn:ogc:def:crs:EPSG::32631"}},"features":[)" +
+      features + "]}");
+  const std::string folder = this->WriteSites();
+  for (const std::string part : { "fill", "outline" })
+  {
+    std::array<int, 2> counts{};
+    for (const int site : { 0, 1 })
+    {
+      const double x = 500012.0 + site * kAwayOfSites;
+      const double y = 4999988.0 + site * kAwayOfSites;
+      const std::string eye = std::to_string(x) + "," + std::to_string(y);
+      const std::string ground = site == 0 ? "5" : "105";
+      const RunResult result =
+        this->Run({ folder, "--size", "320x240", "--output", "picture.png", "--colors", "grey",
+          "--hillshade", "--polygons", file, "--polygon-colors", "red", "--polygon-opacity",
+          part == "fill" ? "1" : "0", "--polygon-width", part == "fill" ? "0" : "4", "--camera",
+          eye + (site == 0 ? ",65," : ",165,") + eye + "," + ground + ",0,1,0" });
+      ASSERT_EQ(result.Status, 0) << result.Errors;
+      counts[static_cast<std::size_t>(site)] = Count(this->ReadPicture(), IsRed);
+    }
+    EXPECT_GT(counts[0], 500) << part;
+    EXPECT_NEAR(counts[1], counts[0], 0.1 * counts[0]) << part;
+  }
+}
+
 TEST_F(TerrainRenderPolygons, WhatCannotBeDrawnIsOneSentence)
 {
   const auto refuse =

@@ -40,6 +40,15 @@ vtkSmartPointer<vtkImageData> WarpPicture(
 }
 
 //------------------------------------------------------------------------------
+void DrapePolygons(const Terrain& site, const PolygonLayer& polygons, const Options& options)
+{
+  if (const auto filled = FillPolygons(polygons, site.Actor->GetHeights(), nullptr, options))
+  {
+    site.Actor->GetTerrainMapper()->SetDrape(filled);
+  }
+}
+
+//------------------------------------------------------------------------------
 void DrapePicture(const Terrain& terrain, const PlacedHeights& heights,
   const PolygonLayer& polygons, const Options& options, Statistics& statistics)
 {

@@ -18,4 +18,7 @@ struct Terrain;
 void DrapePicture(const Terrain& terrain, const PlacedHeights& heights,
   const PolygonLayer& polygons, const Options& options, Statistics& statistics);
 
+/// Lays what fills polygons onto another site in the same plane.
+void DrapePolygons(const Terrain& site, const PolygonLayer& polygons, const Options& options);
+
 #endif

@@ -14,17 +14,23 @@
 #include "vtkActor.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkTerrainDrape.h"
+
+#include <vector>
 
 //------------------------------------------------------------------------------
 void ViewMarks::AddOutlines(const PolygonLayer& polygons)
 {
   const PolygonOptions& options = this->Wanted.Polygon;
-  for (std::size_t k = 0; k < polygons.Files.size(); ++k)
+  std::vector<vtkSmartPointer<vtkImageData>> grounds = this->Heights.Sites;
+  grounds.insert(grounds.begin(), this->Heights.Image);
+  for (std::size_t at = 0; at < polygons.Files.size() * grounds.size(); ++at)
   {
+    const std::size_t k = at / grounds.size();
     const vtkNew<vtkTerrainDrape> drape;
     drape->SetInputData(polygons.Files[k]);
-    drape->SetHeightsData(this->Heights.Image);
+    drape->SetHeightsData(grounds[at % grounds.size()]);
     drape->SetGeoreference(this->Heights.Georeference);
     drape->SetExaggeration(this->Heights.Exaggeration);
     drape->Update();

@@ -209,6 +209,10 @@ void Render(Options options)
     heights.Colors, options, *progress, statistics);
   std::vector<Terrain> sites = PrepareSites(read, heights, options, terrain, *progress, statistics);
   const PolygonLayer polygons = ReadPolygonLayer(heights, options, statistics);
+  for (const Terrain& site : sites)
+  {
+    DrapePolygons(site, polygons, options);
+  }
   const std::vector<Terrain> finer = PrepareFiner(heights, options, terrain, *progress, statistics);
   sites.insert(sites.end(), finer.begin(), finer.end());
   DrapePicture(terrain, heights, polygons, options, statistics);
