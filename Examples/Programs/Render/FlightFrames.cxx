@@ -58,9 +58,17 @@ public:
   }
   void Write(std::size_t frame, vtkImageData* picture) override
   {
-    const PendingFile file(this->NameOf(frame));
-    WriteEncoded(EncodePicture(picture, this->Output.Dots, PictureUse::Passing), file);
-    file.Commit();
+    try
+    {
+      const PendingFile file(this->NameOf(frame));
+      WriteEncoded(EncodePicture(picture, this->Output.Dots, PictureUse::Passing), file);
+      file.Commit();
+    }
+    catch (const Failure& failure)
+    {
+      throw Failure(std::string(failure.what()) + "; the frames before it are kept in '" +
+        this->Output.Folder + "', and the same command goes on");
+    }
   }
   void Finish() override
   {
