@@ -459,14 +459,6 @@ TEST_F(TerrainRenderFlights, FullDiskKeepsPartsMade)
   EXPECT_NE(full.Errors.find("File too large"), std::string::npos) << full.Errors;
   EXPECT_NE(full.Errors.find("0 of 48 frames are kept in 'down-frames'"), std::string::npos)
     << full.Errors;
-  // pictures, too
-  const RunResult pictures = this->Run({ this->Hill, "--size", "200x150", "--flight", "down.csv",
-                                         "--fps", "4", "--output", "down", "--contours", "1" },
-    8000);
-  EXPECT_EQ(std::count(pictures.Errors.begin(), pictures.Errors.end(), '\n'), 1);
-  EXPECT_NE(pictures.Errors.find("the frames before it are kept in 'down'"), std::string::npos)
-    << pictures.Errors;
-  EXPECT_TRUE(fs::exists(this->Path("down/frame-00001.png")));
   EXPECT_FALSE(fs::exists(this->Path("down.mp4")));
   EXPECT_TRUE(fs::exists(this->Path("down-frames/frames-00001-00020.mp4")));
   for (const fs::directory_entry& entry : fs::directory_iterator(this->Path("down-frames")))

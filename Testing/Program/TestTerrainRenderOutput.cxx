@@ -573,3 +573,19 @@ TEST_F(TerrainRenderOutput, SoftpipeDrawsNoHoles)
   }
   EXPECT_LE(different, 30);
 }
+
+// A disk that takes small frames alone: those of the sky, before that of the hill.
+TEST_F(TerrainRenderOutput, FramesBeforeAFullDiskAreKept)
+{
+  this->WriteText("down.csv",
+    "seconds,x,y,z,look_x,look_y,look_z\n0,32,-90,60,32,-91,200\n"
+    "6,32,-90,60,32,-91,200\n12,32,-60,40,32,-24,5\n");
+  const RunResult full = this->Run({ this->WriteHill(), "--size", "320x240", "--flight", "down.csv",
+                                     "--fps", "2", "--output", "down", "--contours", "1" },
+    12000);
+  EXPECT_EQ(full.Status, 1);
+  EXPECT_EQ(std::count(full.Errors.begin(), full.Errors.end(), '\n'), 1) << full.Errors;
+  EXPECT_NE(full.Errors.find("the frames before it are kept in 'down'"), std::string::npos)
+    << full.Errors;
+  EXPECT_TRUE(std::filesystem::exists(this->Path("down/frame-00001.png")));
+}

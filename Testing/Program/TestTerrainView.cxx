@@ -408,7 +408,7 @@ TEST_F(TerrainView, OpensATypedPath)
   // q is a letter while a path is typed, and quits after it was given up
   const Screenshot typing = this->After('O', shown);
   const Screenshot letter = this->After('q', typing);
-  EXPECT_LT(letter.CountDifferent(typing), 200);
+  EXPECT_LT(letter.CountDifferent(typing), kMany);
   this->After('\x1b', letter);
   this->Quit();
   setenv("PATH", path.c_str(), 1);
@@ -442,14 +442,6 @@ TEST_F(TerrainView, RemembersWhatItShowedLast)
   const Screenshot again = this->Screen.CaptureChange(withoutPosition);
   again.Write(this->Path("again.png"));
   EXPECT_LT(again.CountDifferent(lines), kMany / 4); // the texts at most
-  this->Quit();
-  ASSERT_TRUE(this->Show({ "--no-restore" }, "built-in"));
-  this->Quit();
-  // what is gone is told, and the built-in landscape stands in
-  ASSERT_TRUE(this->Show({ "hill.tif" }, "hill.tif"));
-  this->Quit();
-  std::filesystem::remove(this->Path("hill.tif"));
-  ASSERT_TRUE(this->Show({}, "built-in"));
   this->Quit();
 }
 
