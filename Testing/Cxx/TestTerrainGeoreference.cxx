@@ -12,6 +12,7 @@
 #include <GeographicLib/Geocentric.hpp>
 #include <GeographicLib/LocalCartesian.hpp>
 
+#include <cpl_vsi.h>
 #include <gdal.h>
 #include <ogr_srs_api.h>
 
@@ -386,6 +387,12 @@ TEST(TerrainGeoreference, SaysWhyNot)
   EXPECT_EQ(WhyNot("", degrees, Frame::Grid), "");
   EXPECT_TRUE(Contains(WhyNot("EPSG:999999", degrees), "not understood"));
   EXPECT_TRUE(Contains(WhyNot("https://example.org/crs", degrees), "not understood"));
+  // GDAL reads definitions from files, those of a network and of its own file systems, too
+  std::string text = "EPSG:4326";
+  VSIFCloseL(VSIFileFromMemBuffer(
+    "/vsimem/crs.txt", reinterpret_cast<GByte*>(text.data()), text.size(), FALSE));
+  EXPECT_TRUE(Contains(WhyNot("/vsimem/crs.txt", degrees), "not understood"));
+  VSIUnlink("/vsimem/crs.txt");
   EXPECT_TRUE(Contains(WhyNot("EPSG:4978", degrees), "neither a map projection"));
   EXPECT_TRUE(Contains(WhyNot("EPSG:5773", degrees), "neither a map projection"));
   const char* mine =

@@ -5,6 +5,7 @@
 #include "core/grid/Constants.h"
 #include "raster/GDALTable.h"
 #include "raster/RasterMessages.h"
+#include "raster/RasterReference.h"
 #include "raster/SystemAxes.h"
 
 #include <algorithm>
@@ -32,16 +33,6 @@ Reference NewReference()
   Reference reference(OSRNewSpatialReference(nullptr), OSRRelease);
   OSRSetAxisMappingStrategy(reference.get(), OAMS_TRADITIONAL_GIS_ORDER);
   return reference;
-}
-
-bool ReadInto(OGRSpatialReferenceH reference, const std::string& definition)
-{
-  // A web address would be fetched.
-  if (definition.find("://") != std::string::npos && definition.find('[') == std::string::npos)
-  {
-    return false;
-  }
-  return OSRSetFromUserInput(reference, definition.c_str()) == OGRERR_NONE;
 }
 
 std::string Wkt(OGRSpatialReferenceH reference)
@@ -192,7 +183,7 @@ std::string CoordinateSystem::Read(const std::string& definition)
 
   const GDALMessages messages;
   const Reference whole = NewReference();
-  if (!ReadInto(whole.get(), definition))
+  if (!DefineReference(whole.get(), definition))
   {
     const std::string& reason = messages.GetFailure();
     return "the coordinate system '" + Shortened(definition) + "' is not understood" +
@@ -406,6 +397,6 @@ std::string CoordinateSystem::ToWkt(const std::string& definition)
   }
   const GDALMessages messages;
   const Reference reference = NewReference();
-  return ReadInto(reference.get(), definition) ? Wkt(reference.get()) : std::string();
+  return DefineReference(reference.get(), definition) ? Wkt(reference.get()) : std::string();
 }
 }

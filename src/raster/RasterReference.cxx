@@ -65,12 +65,22 @@ std::string HorizontalSystem(OGRSpatialReferenceH reference)
 }
 
 //------------------------------------------------------------------------------
+bool DefineReference(OGRSpatialReferenceH reference, const std::string& definition)
+{
+  const auto has = [&definition](const char* part)
+  { return definition.find(part) != std::string::npos; };
+  const bool isWkt = has("[");
+  return !definition.empty() && (isWkt || !(has("://") || has("/vsi"))) &&
+    OSRSetFromUserInput(reference, definition.c_str()) == OGRERR_NONE;
+}
+
+//------------------------------------------------------------------------------
 OGRSpatialReferenceH MakeReference(const std::string& definition)
 {
   const GDALMessages messages;
   OGRSpatialReferenceH reference = OSRNewSpatialReference(nullptr);
   OSRSetAxisMappingStrategy(reference, OAMS_TRADITIONAL_GIS_ORDER);
-  if (definition.empty() || OSRSetFromUserInput(reference, definition.c_str()) != OGRERR_NONE)
+  if (!DefineReference(reference, definition))
   {
     OSRRelease(reference);
     return nullptr;

@@ -28,6 +28,10 @@ bool IsSameSystem(const std::string& one, const std::string& other);
 /// Name of a definition for messages; "no CRS" for an empty one.
 std::string NameOfSystem(const std::string& definition);
 
+/// Makes a CRS of a definition; false if it is not understood, or names a place in a network, which
+/// GDAL would fetch.
+bool DefineReference(OGRSpatialReferenceH reference, const std::string& definition);
+
 /// A CRS from a definition, x first; null if it is not understood. The caller releases it.
 OGRSpatialReferenceH MakeReference(const std::string& definition);
 

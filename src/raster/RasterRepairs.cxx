@@ -5,6 +5,7 @@
 #include "raster/GDALTable.h"
 #include "raster/RasterArray.h"
 #include "raster/RasterMessages.h"
+#include "raster/RasterReference.h"
 #include "raster/Words.h"
 
 #include <algorithm>
@@ -130,7 +131,7 @@ void SetSystem(GDALDatasetH dataset, const std::string& definition)
 {
   OGRSpatialReferenceH reference = OSRNewSpatialReference(nullptr);
   OSRSetAxisMappingStrategy(reference, OAMS_TRADITIONAL_GIS_ORDER);
-  if (OSRSetFromUserInput(reference, definition.c_str()) == OGRERR_NONE)
+  if (DefineReference(reference, definition))
   {
     GDALSetSpatialRef(dataset, reference);
   }
