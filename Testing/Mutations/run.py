@@ -6,14 +6,15 @@
     python3 Testing/Mutations/run.py BUILD_DIR [--only WORD] [--check]
 
 mutations.ini beside this file names the mutations and the tests that have to notice each. Files are changed in
-place and restored, so the tree must be clean; BUILD_DIR is a configured build with tests. Prints a row of a
-table for each mutation. Fails if more than 5 % of them pass unnoticed. --check only looks whether each text
-stands once in its file.
+place and restored, so the tree must be clean; BUILD_DIR is a configured build with tests, which pass there without
+a mutation. Prints a row of a table for each mutation. Fails if more than 5 % of them pass unnoticed. --check only
+looks whether each text stands once in its file.
 """
 
 import argparse
 import configparser
 import pathlib
+import re
 import subprocess
 import sys
 import textwrap
@@ -78,7 +79,7 @@ def run(command, directory, seconds):
 def targets_of(tests, build_dir):
     """Targets that make the tests of a regular expression."""
     listed = run(["ctest", "-N", "-R", tests], build_dir, 60)[1]
-    names = [line.split(": ", 1)[1] for line in listed.splitlines() if line.strip().startswith("Test ")]
+    names = re.findall(r"^ *Test +#\d+: (.*)$", listed, re.MULTILINE)
     return sorted(
         {name.rsplit("-", 1)[0] if name.startswith("Test") else "vtkTerrainUnitTests" for name in names}
     )
@@ -102,6 +103,18 @@ def judge(mutation, build_dir):
         path.write_text(original, encoding="utf-8")
 
 
+def why_not_ready(mutations, build_dir):
+    """Why the mutations cannot be judged: the tests that fail without any; empty if all pass."""
+    if run(["cmake", "--build", str(build_dir), "--target", "vtkTerrainUnitTests"], ROOT, 3600)[0] != 0:
+        return f"The unit tests do not build in {build_dir}: cmake --build {build_dir} tells why"
+    tests = sorted({mutation["tests"] for mutation in mutations})
+    targets = sorted({target for each in tests for target in targets_of(each, build_dir)})
+    if run(["cmake", "--build", str(build_dir), "--target", *targets], ROOT, 3600)[0] != 0:
+        return f"The tests do not build in {build_dir}: cmake --build {build_dir} tells why"
+    status, words = run(["ctest", "-R", "|".join(tests)], build_dir, 3600)
+    return "" if status == 0 else f"Tests fail without any mutation:\n{words}"
+
+
 def main():
     """Runs the mutations that the command line asks for."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
@@ -112,10 +125,14 @@ def main():
     mutations = [mutation for mutation in read_mutations() if options.only in mutation["name"]]
     if options.check:
         lost = [mutation["name"] for mutation in mutations if mutate(mutation) is None]
-        print(*(f"No such text, or several: {name}" for name in lost), sep="\n")
+        for name in lost:
+            print(f"No such text, or several: {name}")
         sys.exit(1 if lost else 0)
     if run(["git", "status", "--porcelain", "src", "shaders"], ROOT, 60)[1]:
         sys.exit("The tree is changed in src/ or shaders/: commit first, for files are changed in place")
+    why = why_not_ready(mutations, options.build_dir.resolve())
+    if why:
+        sys.exit(why)
     print("| mutation | file | tests | result | s |\n| --- | --- | --- | --- | ---: |")
     bad = 0
     for mutation in mutations:
