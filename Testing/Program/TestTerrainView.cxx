@@ -479,6 +479,23 @@ TEST_F(TerrainView, RecordsFlights)
   EXPECT_TRUE(std::filesystem::exists(this->Path("frames/frame-00009.png")));
 }
 
+// Who drops a file goes on moving the mouse: over a window that is about to go.
+TEST_F(TerrainView, GoesOnWhileThePointerMovesOverWhatIsDropped)
+{
+  OPEN_OR_SKIP();
+  const std::string files[2] = { this->WriteHill("one.tif"), this->WriteHill("other.tif") };
+  for (int drop = 0; drop < 6; ++drop)
+  {
+    ASSERT_TRUE(this->Screen.Drop(files[drop % 2]));
+    for (int move = 0; move < 400; ++move)
+    {
+      this->Screen.Move(kMiddleX + move % 40, kMiddleY + move % 30);
+    }
+    ASSERT_TRUE(this->Screen.Find(drop % 2 == 0 ? "one.tif" : "other.tif")) << drop;
+  }
+  this->Quit();
+}
+
 TEST_F(TerrainView, RefusesWhatItCannotShow)
 {
   const std::string hill = this->WriteHill();

@@ -33,6 +33,8 @@ constexpr std::chrono::seconds kLongestWait{ 60 };
 constexpr std::chrono::milliseconds kBetweenLooks{ 50 };
 /// Looks that must agree for a window to be still: longer than the program's own timer.
 constexpr int kStillLooks = 8;
+/// Looks that must find a program at rest: as long as between two of its own looks.
+constexpr int kRestingLooks = 3;
 
 bool WaitUntil(const std::function<bool()>& condition)
 {
@@ -330,6 +332,27 @@ void VirtualDisplay::Type(char character, int x, int y)
   this->Send(&event, KeyPressMask);
   event.xkey.type = KeyRelease;
   this->Send(&event, KeyReleaseMask);
+}
+
+//------------------------------------------------------------------------------
+void VirtualDisplay::Resize(int width, int height)
+{
+  XResizeWindow(this->Display, this->Window, static_cast<unsigned int>(width),
+    static_cast<unsigned int>(height));
+  XSync(this->Display, False);
+}
+
+//------------------------------------------------------------------------------
+bool VirtualDisplay::WaitForRest()
+{
+  int looks = 0;
+  return WaitUntil(
+           [&]
+           {
+             looks = IsAtRest(this->Program) ? looks + 1 : 0;
+             return looks >= kRestingLooks;
+           }) &&
+    kill(this->Program, 0) == 0;
 }
 
 //------------------------------------------------------------------------------

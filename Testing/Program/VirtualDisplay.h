@@ -61,6 +61,11 @@ public:
     const std::string& output, const std::string& title);
   /// Waits for another window of the program, by its title. False if there is none.
   bool Find(const std::string& title);
+  /// The program that was started; -1 for none.
+  pid_t GetProgram() const
+  {
+    return this->Program;
+  }
   /// Exit status of the program, once it ends; -1 if a signal ended it or it does not end.
   int WaitForExit();
 
@@ -72,6 +77,9 @@ public:
   void Type(char character, int x, int y);
   ///@}
 
+  /// Gives the window another size, in pixels, as a window manager does.
+  void Resize(int width, int height);
+
   /// What the clipboard holds, as UTF-8; empty if nobody answers.
   std::string ReadClipboard();
   /// Drops a file into the middle of the window, as file managers do (XDND, version 5); false if
@@ -82,6 +90,8 @@ public:
   Screenshot Capture();
   /// The window once it has stopped changing, and its program computes nothing more.
   Screenshot CaptureStill();
+  /// Waits until the program computes nothing more; false if it goes on, or is gone.
+  bool WaitForRest();
   /// Waits for a picture other than one before; false if there comes none.
   bool WaitForChange(const Screenshot& before);
   /// The window once it differs from a picture, and has stopped changing; that picture if it never

@@ -5,6 +5,7 @@
 #include "BlockWalls.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "WindowEvents.h"
 
 #include "vtkAxesActor.h"
 #include "vtkBoundingBox.h"
@@ -268,9 +269,17 @@ void Viewer::Connect()
   this->Style->KeyTyped = [this](char key) { this->TypeKey(key); };
   this->Interactor->AddObserver(vtkCommand::MouseMoveEvent, this, &Viewer::PointerMoved);
   this->Interactor->AddObserver(vtkCommand::TimerEvent, this, &Viewer::TimePassed);
+  this->Interactor->AddObserver(vtkCommand::ExitEvent, this, &Viewer::Close);
   this->Interactor->AddObserver(vtkCommand::DropFilesEvent, this, &Viewer::FilesDropped);
   this->Measuring = std::make_unique<Measure>(this->Picker, this->Interactor, this->Renderer,
     this->Terrain, this->Places, [this] { this->MeasureChanged(); });
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Close()
+{
+  ForgetEvents(this->Window);
+  this->Interactor->TerminateApp();
 }
 
 //------------------------------------------------------------------------------
@@ -332,7 +341,7 @@ void Viewer::MapKeys()
   this->Keys['s'] = [this] { this->SavePicture(); };
   this->Keys['S'] = [this] { this->SaveScene(); };
   this->Keys['h'] = [this] { this->Help->SetVisibility(!this->Help->GetVisibility()); };
-  this->Keys['q'] = [this] { this->Interactor->TerminateApp(); };
+  this->Keys['q'] = [this] { this->Close(); };
 }
 
 //------------------------------------------------------------------------------

@@ -167,6 +167,7 @@ private:
   void TypePath(char key);
   void FilesDropped(vtkObject* caller, unsigned long event, void* files);
   void MeasureChanged();
+  void Close();
 
   FlightView GetView() const;
   void SetView(const FlightView& view);

@@ -329,7 +329,7 @@ void Viewer::OpenFile(const std::string& name)
     return;
   }
   this->Next = name;
-  this->Interactor->TerminateApp();
+  this->Close();
 }
 
 //------------------------------------------------------------------------------
