@@ -45,6 +45,10 @@ void vtkOpenGLTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Look:\n";
   this->Look->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "WaitForTiles: " << this->WaitForTiles << "\n";
+  os << indent << "HastyTolerance: " << this->HastyTolerance << "\n";
+  os << indent << "HostMemoryBudget: " << this->HostMemoryBudget << "\n";
+  os << indent << "CardMemoryBudget: " << this->CardMemoryBudget << "\n";
 }
 
 //------------------------------------------------------------------------------

@@ -83,6 +83,7 @@ void vtkTerrainActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoarseMesh: " << this->CoarseMesh << "\n";
   os << indent << "Technique: " << static_cast<int>(this->GetTechnique()) << "\n";
   os << indent << "Strips: " << this->Strips << "\n";
+  os << indent << "Hierarchy: " << this->GetHierarchy() << "\n";
   os << indent << "VerticalExaggeration: " << this->GetVerticalExaggeration() << "\n";
   os << indent << "ColorByHeight: " << this->ColorByHeight << "\n";
   os << indent << "SurfaceError: " << this->SurfaceError << "\n";

@@ -560,6 +560,7 @@ void vtkTerrainRasterReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   vtkInternals::PrintSettings(*this, os, indent);
   os << indent << "Level: " << this->Level << "\n"
+     << indent << "WarnOfLevels: " << this->WarnOfLevels << "\n"
      << indent << "WarnOfSites: " << this->WarnOfSites << "\n"
      << indent << "NumberOfSites: " << this->NumberOfSites << "\n"
      << indent << "Site: " << this->Site << "\n"
