@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Colours of the surface, judged by VTK's own mapper on a fine mesh with the same arrays.
+#include "vtkTerrainActor.h"
+#include "vtkTerrainTesting.h"
 #include "vtkTerrainTestingScene.h"
 
+#include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
@@ -475,6 +478,51 @@ TEST(OpenGLTerrainMapperColors, Hillshade)
   Demands demands;
   demands.Parts = 15; // each triangle of the mesh has one colour
   EXPECT_TRUE(DrawsAsThePlainMesh(terrain, mesh, demands));
+}
+
+// A plane at 45 degrees, down to the west, has one shade: that of Horn, Hill Shading and the
+// Reflectance Map, Proc. IEEE 69, 1981, Eq. for a Lambertian surface. Two degrees are 5 of 255.
+TEST(OpenGLTerrainMapperColors, HillshadeOfAPlane)
+{
+  constexpr int side = 9;
+  const auto heights = vtkSmartPointer<vtkImageData>::New();
+  heights->SetDimensions(side, side, 1);
+  heights->AllocateScalars(VTK_FLOAT, 1);
+  for (int k = 0; k < side * side; ++k)
+  {
+    static_cast<float*>(heights->GetScalarPointer())[k] = static_cast<float>(k % side);
+  }
+  const auto scene = vtkTerrainTesting::MakeScene(16, 16);
+  vtkNew<vtkTerrainActor> terrain;
+  terrain->SetInputData(heights);
+  terrain->SetColorByHeight(false);
+  terrain->GetProperty()->LightingOff();
+  terrain->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  scene.Renderer->AddActor(terrain);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(4.0, 4.0, 4.0);
+  camera->SetPosition(4.0, 4.0, 14.0);
+  camera->SetViewAngle(10.0);
+  scene.Renderer->ResetCameraClippingRange();
+  vtkOpenGLTerrainMapper* mapper = terrain->GetTerrainMapper();
+  mapper->SetHillshade(true);
+  for (const double altitude : { 20.0, 45.0, 80.0 })
+  {
+    for (double azimuth = 0.0; azimuth < 360.0; azimuth += 30.0)
+    {
+      mapper->SetHillshadeAzimuth(azimuth);
+      mapper->SetHillshadeAltitude(altitude);
+      const double slope = vtkMath::RadiansFromDegrees(45.0);
+      const double sun = vtkMath::RadiansFromDegrees(altitude);
+      const double turn = vtkMath::RadiansFromDegrees(azimuth - 270.0);
+      const double shade =
+        std::sin(sun) * std::cos(slope) + std::cos(sun) * std::sin(slope) * std::cos(turn);
+      const auto picture = vtkTerrainTesting::Render(scene.Window);
+      EXPECT_NEAR(
+        picture->GetScalarComponentAsDouble(8, 8, 0, 1), 255.0 * std::max(shade, 0.0), 1.0)
+        << azimuth << ' ' << altitude;
+    }
+  }
 }
 
 TEST(OpenGLTerrainMapperColors, AllTogether)
