@@ -14,6 +14,9 @@ namespace
 {
 /// Part of the way to the point under the pointer that a click of the wheel goes.
 constexpr double kWheelShare = 0.15;
+/// Degrees from the vertical that are left: the cosine is 0.9986, and from 0.999 on the marker of
+/// directions (vtkRenderer::ResetCamera) takes another view-up, with a warning.
+constexpr double kFromVertical = 3.0;
 }
 
 vtkStandardNewMacro(TerrainStyle);
@@ -51,6 +54,28 @@ void TerrainStyle::OnMouseWheelForward()
 void TerrainStyle::OnMouseWheelBackward()
 {
   this->GoTowardsPointer(-kWheelShare / (1.0 - kWheelShare));
+}
+
+//------------------------------------------------------------------------------
+void TerrainStyle::Rotate()
+{
+  if (!this->CurrentRenderer)
+  {
+    return;
+  }
+  vtkCamera* camera = this->CurrentRenderer->GetActiveCamera();
+  const int* now = this->Interactor->GetEventPosition();
+  const int* last = this->Interactor->GetLastEventPosition();
+  // as the superclass turns it
+  const double up = 180.0 * (last[1] - now[1]) / this->CurrentRenderer->GetSize()[1];
+  const double angle = up +
+    vtkMath::DegreesFromRadians(
+      vtkMath::AngleBetweenVectors(camera->GetDirectionOfProjection(), camera->GetViewUp()));
+  if (angle < kFromVertical || angle > 180.0 - kFromVertical)
+  {
+    this->Interactor->SetEventPosition(now[0], last[1]);
+  }
+  this->Superclass::Rotate();
 }
 
 //------------------------------------------------------------------------------

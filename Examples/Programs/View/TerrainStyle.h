@@ -14,7 +14,8 @@
 #include <functional>
 
 /// Left drags turn the view about the point that was pressed on, middle drags move it, right drags
-/// and the wheel go towards the point under the pointer. Keys are handed on.
+/// and the wheel go towards the point under the pointer. Turns end 3 degrees before the vertical.
+/// Keys are handed on.
 class TerrainStyle : public vtkInteractorStyleTerrain
 {
 public:
@@ -32,6 +33,7 @@ public:
   void OnMiddleButtonDown() override;
   void OnMouseWheelForward() override;
   void OnMouseWheelBackward() override;
+  void Rotate() override;
 
 protected:
   TerrainStyle() = default;
