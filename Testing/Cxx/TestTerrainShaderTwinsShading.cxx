@@ -110,6 +110,10 @@ TEST_P(TerrainShaderTwinsShading, DepthsAndNormals)
         terrain::ShiftedDepth(rays, points.Pixels[k], point, 100.0, 65.0),
         terrain::PixelCells(rays, points.Distances[k]));
     });
+  // VTK's unit of offsets is 1/65000 of the range of depths (vtkOpenGLPolyDataMapper).
+  this->Compare(points, rays, "result.x = terrainShiftedDepth(pixel, point, 0.0, 6500.0);", 1e-4f,
+    [&](std::size_t k)
+    { return glm::vec4(terrain::Depth(rays, points.Items[k].PositionVC) + 0.1, 0.0, 0.0, 0.0); });
   this->Compare(points, rays, "result.xyz = terrainNormalVC(point.gradient);", 2e-6f,
     [&](std::size_t k)
     { return glm::vec4(terrain::NormalVC(rays, points.Items[k].Gradient), 0.0f); });
