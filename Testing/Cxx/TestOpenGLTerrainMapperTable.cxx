@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What is coloured by a table although VTK's own mappers would leave it alone.
+#include "vtkTerrainActor.h"
+#include "vtkTerrainTesting.h"
 #include "vtkTerrainTestingScene.h"
 
+#include "vtkCamera.h"
 #include "vtkDoubleArray.h"
+#include "vtkImageData.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -97,5 +102,49 @@ TEST(OpenGLTerrainMapperTable, LinesAndPointsOfAMeshHaveTheColorsOfTheSurface)
     const auto picture = draw(representation);
     // The fine mesh has a line or a point in most pixels.
     EXPECT_LE(CountDifferentPixels(picture, surface, 30), 200 * 150 / 4) << representation;
+  }
+}
+
+// Heights beside the edges of a table's colours, by 1/10000 of the range, as the table has them.
+TEST(OpenGLTerrainMapperTable, ColorsBeginWhereTheTableHasThem)
+{
+  constexpr int side = 9;
+  constexpr int colors = 8;
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(colors);
+  table->SetTableRange(0.0, 100.0);
+  table->Build();
+  const auto scene = vtkTerrainTesting::MakeScene(16, 16);
+  vtkNew<vtkTerrainActor> terrain;
+  terrain->SetLookupTable(table);
+  terrain->GetProperty()->LightingOff();
+  scene.Renderer->AddActor(terrain);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(4.0, 4.0, 50.0);
+  camera->SetPosition(4.0, 4.0, 300.0);
+  camera->SetViewAngle(0.2);
+  for (int edge = 1; edge < colors; ++edge)
+  {
+    for (const double beside : { -0.01, 0.01 })
+    {
+      const double height = 100.0 * edge / colors + beside;
+      const auto heights = vtkSmartPointer<vtkImageData>::New();
+      heights->SetDimensions(side, side, 1);
+      heights->AllocateScalars(VTK_DOUBLE, 1);
+      for (int k = 0; k < side * side; ++k)
+      {
+        static_cast<double*>(heights->GetScalarPointer())[k] = k == 0 ? 0.0
+          : k + 1 == side * side                                      ? 100.0
+                                                                      : height;
+      }
+      terrain->SetInputData(heights);
+      scene.Renderer->ResetCameraClippingRange();
+      const auto picture = vtkTerrainTesting::Render(scene.Window);
+      const unsigned char* expected = table->MapValue(height);
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_NEAR(picture->GetScalarComponentAsDouble(8, 8, 0, c), expected[c], 1.0) << height;
+      }
+    }
   }
 }

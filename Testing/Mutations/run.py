@@ -86,7 +86,7 @@ def targets_of(tests, build_dir):
 
 
 def judge(mutation, build_dir):
-    """What becomes of a mutation: noticed, unnoticed, does not build, or no such text or tests."""
+    """What becomes of a mutation: noticed, unnoticed, does not build, took too long, or no such text or tests."""
     mutated = mutate(mutation)
     targets = targets_of(mutation["tests"], build_dir)
     if mutated is None or not targets:
@@ -97,7 +97,9 @@ def judge(mutation, build_dir):
         path.write_text(mutated, encoding="utf-8")
         if run(["cmake", "--build", str(build_dir), "--target", *targets], ROOT, 1200)[0] != 0:
             return "does not build"
-        status = run(["ctest", "--stop-on-failure", "-R", mutation["tests"]], build_dir, 1200)[0]
+        status, words = run(["ctest", "--stop-on-failure", "-R", mutation["tests"]], build_dir, 1200)
+        if status == 124 or "***Timeout" in words:
+            return "took too long"
         return "noticed" if status != 0 else "**unnoticed**"
     finally:
         path.write_text(original, encoding="utf-8")
