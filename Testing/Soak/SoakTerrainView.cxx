@@ -27,7 +27,7 @@ namespace
 {
 constexpr int kWidth = 240;
 constexpr int kHeight = 160;
-constexpr int kStepsBetweenRests = 40;
+constexpr int kStepsBetweenRests = 12;
 constexpr int kTries = 5; // of a minute each
 constexpr std::array<const char*, 4> kFiles{ "small.img", "middle.img", "prepared.hierarchy",
   "large.img" };
@@ -54,10 +54,11 @@ public:
         this->Wait([&] { return this->Screen.Find("terrain-view"); }));
   }
 
-  /// Shows another file of the folder; false if it does not appear.
+  /// Shows a file of the folder other than that which is shown (a window is known by its title);
+  /// false if it does not appear.
   bool Show(const std::string& file)
   {
-    this->IsLarge = file == "large.img";
+    this->Shown = file;
     return this->Wait([&] { return this->Screen.WaitForRest(); }) &&
       this->Screen.Drop(this->Folder + "/" + file) &&
       this->Wait([&] { return this->Screen.Find(file); });
@@ -87,7 +88,7 @@ public:
     }
     else
     {
-      const std::string keys = this->IsLarge ? kKeysOfTiles : kKeys;
+      const std::string keys = this->Shown == kFiles[3] ? kKeysOfTiles : kKeys;
       const char key = keys[static_cast<std::size_t>(this->Choose(static_cast<int>(keys.size())))];
       std::cout << " key " << key << std::flush;
       this->Screen.Type(key, x, y);
@@ -99,7 +100,8 @@ public:
   long Rest()
   {
     this->Resize(kWidth, kHeight);
-    if (!this->Show("small.img") || !this->Wait([&] { return this->Screen.WaitForRest(); }))
+    if ((this->Shown == kFiles[0] && !this->Show(kFiles[1])) || !this->Show(kFiles[0]) ||
+      !this->Wait([&] { return this->Screen.WaitForRest(); }))
     {
       return 0;
     }
@@ -141,7 +143,11 @@ private:
 
   std::string PrintedFile()
   {
-    const std::string file = kFiles[static_cast<std::size_t>(this->Choose(4))];
+    std::string file = this->Shown;
+    while (file == this->Shown)
+    {
+      file = kFiles[static_cast<std::size_t>(this->Choose(4))];
+    }
     std::cout << " file " << file << std::flush;
     return file;
   }
@@ -177,7 +183,7 @@ private:
   VirtualDisplay Screen;
   int Width = kWidth;
   int Height = kHeight;
-  bool IsLarge = false;
+  std::string Shown = kFiles[0];
 };
 }
 

@@ -31,7 +31,7 @@ from vtkterrain import (
     vtkTerrainPicker,
 )
 
-STEPS_BETWEEN_RESTS = 60
+STEPS_BETWEEN_RESTS = 20
 SMALL = (160, 120)
 TECHNIQUES = [getattr(vtkTerrainLook.Techniques, name)
               for name in ("Mesh", "Linear", "Exponential", "Equidistant", "Pyramid", "Strips")]

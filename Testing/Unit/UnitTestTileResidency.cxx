@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <set>
 #include <thread>
 #include <vector>
@@ -274,6 +275,26 @@ TEST(TilePool, KeepsItsBudget)
 }
 
 // A pool that goes away while its threads read.
+// Nobody catches what its threads throw.
+TEST(TilePool, TellsOfMemoryThatIsNotThere)
+{
+  const auto source = MakeSource();
+  source->Fails = [](const TileKey& key) -> bool
+  {
+    if (key.Level == 0)
+    {
+      throw std::bad_alloc();
+    }
+    return false;
+  };
+  TilePool pool(source, kPlenty, 2, nullptr);
+  pool.Want({ { 0, 0, 0 }, { 1, 0, 0 } });
+  pool.Wait();
+  EXPECT_TRUE(pool.HasFailed({ 0, 0, 0 }));
+  EXPECT_TRUE(pool.Find({ 1, 0, 0 }));
+  EXPECT_NE(pool.TakeMessage().find("not enough memory"), std::string::npos);
+}
+
 TEST(TilePool, StopsAtOnce)
 {
   for (int trial = 0; trial < 20; ++trial)

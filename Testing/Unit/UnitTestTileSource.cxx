@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -244,6 +246,43 @@ TEST(TileSource, AveragesOfAPlaneLieOnIt)
         plane.View().At(4 * x, 4 * y), 1e-2);
     }
   }
+}
+
+// Of whole numbers, the nearest to a sixteenth of (1 2 1) in both directions; few are brought into
+// the bounds of their cells.
+TEST(TileSource, AveragesOfWholeNumbersAreTheNearest)
+{
+  constexpr int side = 33;
+  std::vector<short> samples(static_cast<std::size_t>(side) * side);
+  std::uint32_t state = 1;
+  for (short& sample : samples)
+  {
+    state = state * 1664525U + 1013904223U;
+    sample = static_cast<short>(static_cast<int>(state >> 20U) - 2048);
+  }
+  terrain::HeightfieldView<short> view;
+  view.Samples = samples.data();
+  view.Width = side;
+  view.Height = side;
+  const auto source = terrain::MakeMemoryTiles(view, 4, terrain::SerialFor);
+  Tile tile;
+  ASSERT_EQ(source->Read({ 1, 0, 0 }, tile), "");
+  int different = 0;
+  for (int y = 1; y < 16; ++y)
+  {
+    for (int x = 1; x < 16; ++x)
+    {
+      int sum = 0;
+      for (int k = 0; k < 9; ++k)
+      {
+        const int weight = (k % 3 == 1 ? 2 : 1) * (k / 3 == 1 ? 2 : 1);
+        sum += weight * view.At(2 * x + k % 3 - 1, 2 * y + k / 3 - 1);
+      }
+      const double average = source->GetCodes().ToHeight(static_cast<double>(SampleAt(tile, x, y)));
+      different += std::abs(16.0 * average - sum) <= 8.0 ? 0 : 1;
+    }
+  }
+  EXPECT_LE(different, 2);
 }
 
 TEST(TileSource, RefusesTilesThatAreNot)

@@ -3,10 +3,29 @@
 #include "core/surface/TilePool.h"
 
 #include <algorithm>
+#include <new>
+#include <string>
 #include <utility>
 
 namespace terrain
 {
+namespace
+{
+/// Reads a tile. Memory that is not there is an error as any other: nobody catches what a thread
+/// throws.
+std::string ReadTile(const TileSource& source, const TileKey& key, Tile& tile)
+{
+  try
+  {
+    return source.Read(key, tile);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return "there is not enough memory for a tile: lower HostMemoryBudget";
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 TilePool::TilePool(std::shared_ptr<const TileSource> source, std::size_t budget, int threads,
   std::function<void()> arrived)
@@ -125,7 +144,7 @@ void TilePool::Work()
     this->InHand[key] = true;
     lock.unlock();
     auto tile = std::make_shared<Tile>();
-    const std::string error = this->Source->Read(key, *tile);
+    const std::string error = ReadTile(*this->Source, key, *tile);
     lock.lock();
     this->InHand.erase(key);
     if (error.empty())
