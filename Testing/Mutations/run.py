@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Breaks shaders/ and src/ on purpose, one line at a time, and sees whether the tests notice.
 
-    python3 Testing/Mutations/run.py BUILD_DIR [--only WORD] [--check]
+    python3 Testing/Mutations/run.py BUILD_DIR [--only REGEX] [--check]
 
 mutations.ini beside this file names the mutations and the tests that have to notice each. Files are changed in
 place and restored, so the tree must be clean; BUILD_DIR is a configured build with tests, which pass there without
@@ -121,10 +121,10 @@ def main():
     """Runs the mutations that the command line asks for."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("build_dir", type=pathlib.Path)
-    parser.add_argument("--only", default="", help="mutations whose name contains this word")
+    parser.add_argument("--only", default="", help="mutations whose name this regular expression finds")
     parser.add_argument("--check", action="store_true", help="look for the texts, build nothing")
     options = parser.parse_args()
-    mutations = [mutation for mutation in read_mutations() if options.only in mutation["name"]]
+    mutations = [mutation for mutation in read_mutations() if re.search(options.only, mutation["name"])]
     if options.check:
         lost = [mutation["name"] for mutation in mutations if mutate(mutation) is None]
         for name in lost:
