@@ -3,8 +3,8 @@
 //
 // A session of terrain-view on an X server of its own: random keys, drags, sizes and files.
 //   SoakTerrainView PROGRAM FOLDER MINUTES SEED       FOLDER has the files of files.py
-// The seed decides all but the number of steps. A line a step on standard output; `rest N` is the
-// viewer's resident memory in kB while it shows a small terrain. What the viewer says on standard
+// The seed decides all but the number of steps. A line a step on standard output; `rest N W` is the
+// viewer's resident memory in kB while it shows a small terrain, in the window of number W. What the viewer says on standard
 // error is a finding.
 #include "VirtualDisplay.h"
 
@@ -59,6 +59,7 @@ public:
   bool Show(const std::string& file)
   {
     this->Shown = file;
+    ++this->Windows;
     return this->Wait([&] { return this->Screen.WaitForRest(); }) &&
       this->Screen.Drop(this->Folder + "/" + file) &&
       this->Wait([&] { return this->Screen.Find(file); });
@@ -109,6 +110,12 @@ public:
     std::ifstream("/proc/" + std::to_string(this->Screen.GetProgram()) + "/statm") >> pages >>
       pages;
     return pages * (sysconf(_SC_PAGESIZE) / 1024);
+  }
+
+  /// Windows that the viewer has opened: one a file.
+  int GetWindows() const
+  {
+    return this->Windows;
   }
 
   int Quit()
@@ -184,6 +191,7 @@ private:
   int Width = kWidth;
   int Height = kHeight;
   std::string Shown = kFiles[0];
+  int Windows = 1;
 };
 }
 
@@ -216,7 +224,7 @@ int main(int argc, char* argv[])
     }
     if (rests)
     {
-      std::cout << "\nrest " << memory << std::endl;
+      std::cout << "\nrest " << memory << ' ' << session.GetWindows() << std::endl;
     }
   }
   return session.Quit();

@@ -9,7 +9,8 @@ MINUTES, 30 by default, are those of each. DIR is a build with examples, `build`
 by default. Fails on any word that a session says on its standard error, errors of OpenGL among them
 (Mesa tells them there), on an exit status other than 0, and on memory that grows: sessions rest now and then, with
 nothing but a small terrain open, and say their resident memory. After the first quarter of the time its median in the
-first third of the rests and in the last one may differ by 5 %.
+first third of the rests and in the last one may differ by 5 %, and by 2 MB for each window that the viewer has opened
+between: a window of VTK 9.1 on an X server leaves 0.9 MB behind with a cone alone in it.
 """
 
 import argparse
@@ -25,6 +26,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 WARM_UP = 0.25
 MOST_GROWTH = 0.05
+MOST_OF_A_WINDOW = 2048  # kB
 
 
 def python_of(build):
@@ -60,18 +62,17 @@ def has_positive_control(python, environment):
 
 
 def growth_of(rests, minutes):
-    """What the resident memory in kB at times in minutes says: words, and whether it is flat."""
+    """What times in minutes, resident memory in kB and windows at rests say: words, and whether it is flat."""
     settled = [rest for rest in rests if rest[0] >= WARM_UP * minutes]
     if len(settled) < 6:
         return f"only {len(settled)} rests after {WARM_UP * minutes:.1f} minutes: give it more minutes", False
     third = len(settled) // 3
-    first = statistics.median(kilobytes for _, kilobytes in settled[:third])
-    last = statistics.median(kilobytes for _, kilobytes in settled[-third:])
-    slope = statistics.linear_regression(*zip(*settled)).slope
-    allowed = MOST_GROWTH * first
+    _, first, opened = (statistics.median(column) for column in zip(*settled[:third]))
+    _, last, opened_last = (statistics.median(column) for column in zip(*settled[-third:]))
+    allowed = MOST_GROWTH * first + MOST_OF_A_WINDOW * (opened_last - opened)
     words = (
         f"{len(settled)} rests after the warm-up: {first / 1024:.1f} MB, then {last / 1024:.1f} MB "
-        f"({allowed / 1024:.1f} MB more are allowed), {slope:+.0f} kB a minute"
+        f"({allowed / 1024:.1f} MB more are allowed)"
     )
     return words, last - first <= allowed
 
@@ -88,9 +89,9 @@ def soak(name, command, environment, folder, minutes):
             for line in session.stdout:
                 log.write(line)
                 log.flush()
-                rest = re.match(r"rest (\d+)$", line)
+                rest = re.match(r"rest (\d+)(?: (\d+))?$", line)
                 if rest:
-                    rests.append(((time.monotonic() - began) / 60.0, int(rest[1])))
+                    rests.append(((time.monotonic() - began) / 60.0, int(rest[1]), int(rest[2] or 0)))
                 if errors.stat().st_size:
                     session.kill()
         status = session.returncode
