@@ -4,8 +4,8 @@
 // A session of terrain-view on an X server of its own: random keys, drags, sizes and files.
 //   SoakTerrainView PROGRAM FOLDER MINUTES SEED       FOLDER has the files of files.py
 // The seed decides all but the number of steps. A line a step on standard output; `rest N W` is the
-// viewer's resident memory in kB while it shows a small terrain, in the window of number W. What the viewer says on standard
-// error is a finding.
+// viewer's resident memory in kB while it shows a small terrain, in the window of number W. What
+// the viewer says on standard error is a finding.
 #include "VirtualDisplay.h"
 
 #include <array>
