@@ -173,7 +173,7 @@ std::vector<Vector> OutlineOnGlobe(const PlacedHeights& heights)
 }
 
 /// Degrees from which on heights lie around a pole that they have.
-constexpr double kAround = 180.0;
+constexpr double kAllRound = 180.0;
 
 /// The pole that heights have, -90 or 90; 0 for none.
 double PoleOf(const std::array<double, 4>& degrees)
@@ -191,7 +191,7 @@ double ReachOf(const std::array<double, 4>& degrees)
   if (PoleOf(degrees) != 0.0)
   {
     const double reach = 90.0 - (PoleOf(degrees) > 0.0 ? south : -north);
-    return width > kAround ? 2.0 * reach : std::max(width, reach);
+    return width > kAllRound ? 2.0 * reach : std::max(width, reach);
   }
   const double nearest = std::clamp(0.0, south, north);
   return std::max(width * std::cos(vtkMath::RadiansFromDegrees(nearest)), north - south);
@@ -200,7 +200,7 @@ double ReachOf(const std::array<double, 4>& degrees)
 /// The longitude and latitude in the middle of heights.
 Vector MiddleOf(const std::array<double, 4>& degrees)
 {
-  const bool isCap = degrees[1] - degrees[0] > kAround && PoleOf(degrees) != 0.0;
+  const bool isCap = degrees[1] - degrees[0] > kAllRound && PoleOf(degrees) != 0.0;
   return { 0.5 * (degrees[0] + degrees[1]),
     isCap ? PoleOf(degrees) : 0.5 * (degrees[2] + degrees[3]), 0.0 };
 }
