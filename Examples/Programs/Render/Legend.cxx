@@ -43,7 +43,7 @@ constexpr double kBarTextSize = 0.029;
 /// In pixels.
 constexpr int kSmallestBarText = 8;
 /// Most of the picture's width that a title takes before it goes on in another line.
-constexpr double kWidestTitle = 0.16;
+constexpr double kWidestTitle = 0.22;
 /// Of the names of classes.
 constexpr double kWidestName = 0.25;
 /// Height of the row of a class, in sizes of its text.

@@ -493,7 +493,7 @@ std::string Viewer::DescribeShown() const
 void Viewer::PrintPosition()
 {
   this->PointerMoved();
-  this->TimePassed();
+  this->TellPosition();
   std::cout << this->Position->GetInput() << std::endl;
   if (!this->Measuring->Describe().empty())
   {
@@ -559,11 +559,21 @@ void Viewer::PointerMoved()
 }
 
 //------------------------------------------------------------------------------
-void Viewer::TimePassed()
+void Viewer::TimePassed(vtkObject* /*caller*/, unsigned long /*event*/, void* timer)
 {
+  if (*static_cast<const int*>(timer) == this->FlightTimer)
+  {
+    this->FlyOn();
+    return;
+  }
   this->Board.Serve();
   this->PollDialog();
-  this->FlyOn();
+  this->TellPosition();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::TellPosition()
+{
   if (!this->PointerHasMoved)
   {
     return;

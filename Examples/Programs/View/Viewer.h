@@ -177,7 +177,6 @@ private:
   bool HasFlight();
   /// Plays the flight, or stops it.
   void SwitchFlight();
-  void EndFlight();
   void FlyOn();
   /// The flight as a table that `terrain-render --flight` reads.
   std::string DescribeFlight() const;
@@ -186,7 +185,9 @@ private:
   /// Brings texts, bar and mesh up to date with the terrain, and draws.
   void Refresh();
   void PointerMoved();
-  void TimePassed();
+  void TimePassed(vtkObject* caller, unsigned long event, void* timer);
+  /// Shows the position under the pointer, if it has moved.
+  void TellPosition();
 
   /// A terrain beside the first, and what its places are.
   struct Site

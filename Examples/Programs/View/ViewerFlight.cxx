@@ -81,7 +81,7 @@ void Viewer::SwitchFlight()
 {
   if (this->Flight.IsPlaying())
   {
-    this->EndFlight();
+    this->Flight.Stop();
     return;
   }
   if (!this->HasFlight())
@@ -96,14 +96,7 @@ void Viewer::SwitchFlight()
     way, [&ground](double x, double y) { return ground->GetGround(x, y); },
     kClearance * this->Terrain->GetLength(), static_cast<std::size_t>(kFlightRate));
   this->Flight.Play(std::move(way));
-  this->FlightTimer = this->Interactor->CreateRepeatingTimer(kFlightInterval);
-}
-
-//------------------------------------------------------------------------------
-void Viewer::EndFlight()
-{
-  this->Flight.Stop();
-  this->Interactor->DestroyTimer(this->FlightTimer);
+  this->FlightTimer = this->Interactor->CreateOneShotTimer(kFlightInterval);
 }
 
 //------------------------------------------------------------------------------
@@ -112,11 +105,9 @@ void Viewer::FlyOn()
   if (this->Flight.IsPlaying())
   {
     this->SetView(this->Flight.GetNow());
-    if (!this->Flight.IsPlaying())
-    {
-      this->EndFlight();
-    }
     this->Refresh();
+    // a timer for each picture: VTK 9.1 loops for ever where one is destroyed in its own event
+    this->FlightTimer = this->Interactor->CreateOneShotTimer(kFlightInterval);
   }
 }
 

@@ -267,7 +267,7 @@ void Viewer::SaveText(const std::string& name, const std::string& text, const st
 void Viewer::CopyPlace()
 {
   this->PointerHasMoved = true;
-  this->TimePassed();
+  this->TellPosition();
   const std::string text = this->Position->GetInput();
   const bool isThere = !text.empty();
   const bool isCopied = isThere && this->Board.Offer(text);
