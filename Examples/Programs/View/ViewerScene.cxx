@@ -58,7 +58,8 @@ std::string Viewer::FreeName(const std::string& name, const std::string& extensi
   std::string free = name + extension;
   for (int number = 2; std::filesystem::exists(free); ++number)
   {
-    free = name + "-" + std::to_string(number) + extension;
+    free = name;
+    free.append("-").append(std::to_string(number)).append(extension);
   }
   return free;
 }
