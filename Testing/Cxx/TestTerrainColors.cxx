@@ -106,7 +106,8 @@ TEST(TerrainColors, LaysSchemesOverRangesAndSeas)
   for (int k = 0; k < vtkTerrainColors::GetNumberOfSchemes(); ++k)
   {
     ASSERT_TRUE(colors->SetScheme(vtkTerrainColors::GetSchemeName(k)));
-    const double* range = colors->MakeTable(-3000.0, 1500.0)->GetRange();
+    const auto table = colors->MakeTable(-3000.0, 1500.0);
+    const double* range = table->GetRange();
     EXPECT_EQ(range[0], -3000.0);
     EXPECT_EQ(range[1], 1500.0);
   }
