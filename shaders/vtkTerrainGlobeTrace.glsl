@@ -402,7 +402,7 @@ TerrainGlobeMeeting terrainGlobeMeetCell(
   return TerrainGlobeMeeting(at.t, length, a, b, values[0], valid ? t : -1.0, between, above);
 }
 
-// Differences that are looked at for a root at most.
+// Differences that are looked at for a root at most, and parts that a path is followed in.
 const int terrainGlobeSteps = 16;
 
 // The hit where a path meets a cell, its root, 0 or more, refined: twice by the parabola, then,

@@ -19,7 +19,7 @@
 
 namespace terrain
 {
-/// Differences that are looked at for a root at most.
+/// Differences that are looked at for a root at most, and parts that a path is followed in.
 constexpr int kGlobeSteps = 16;
 
 /// How a path meets a cell: the first root of a parabola through its differences in height.
@@ -35,22 +35,6 @@ struct GlobeMeeting
   bool Between = false; ///< on the line where the path comes in
   bool Front = true;    ///< seen from above
 };
-
-/// FirstRoot() of PyramidTraversal.h for any type.
-template <typename Real>
-Real FirstGlobeRoot(Real c, Real e, Real a)
-{
-  const Real side = c < 0 ? Real(-1) : Real(1);
-  c *= side;
-  e *= side;
-  a *= side;
-  const Real b = e - c - a;
-  const Real discriminant = b * b - 4 * a * c;
-  const bool dips = b < 0 && b > -2 * a && discriminant >= 0;
-  const Real root = std::sqrt(std::max(discriminant, Real(0)));
-  const Real t = b <= 0 ? 2 * c / (root - b) : (b + root) / (-2 * a);
-  return c == 0 || e <= 0 || dips ? (c > 0 ? std::clamp(t, Real(0), Real(1)) : Real(0)) : Real(-1);
-}
 
 /// Difference at a root, in metres, that is near enough.
 template <typename Real>

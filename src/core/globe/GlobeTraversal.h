@@ -465,7 +465,7 @@ GlobeMeeting<Real> GlobeTraversal<Real, Texel>::MeetCell(
   meeting.B = last - first - meeting.A;
   meeting.C = first;
   meeting.Front = side != 0 ? side > 0 : first > 0 || (first == 0 && meeting.B <= 0);
-  meeting.Part = meeting.Between ? Real(0) : FirstGlobeRoot(first, last, meeting.A);
+  meeting.Part = meeting.Between ? Real(0) : FirstRoot(first, last, meeting.A);
   side = last > 0 ? Real(1) : (last < 0 ? Real(-1) : Real(0));
   return meeting;
 }

@@ -49,19 +49,20 @@ namespace terrain
 {
 /// First t in 0..1 with c + b t + a t^2 = 0, where c and e are the values at 0 and 1; -1 if there
 /// is none. There is one if c and e differ in sign.
-inline float FirstRoot(float c, float e, float a)
+template <typename Real>
+Real FirstRoot(Real c, Real e, Real a)
 {
-  const float side = c < 0.0f ? -1.0f : 1.0f;
+  const Real side = c < 0 ? Real(-1) : Real(1);
   c *= side;
   e *= side;
   a *= side;
-  const float b = e - c - a;
-  const float discriminant = b * b - 4.0f * a * c;
-  const bool dips = b < 0.0f && b > -2.0f * a && discriminant >= 0.0f;
-  const float root = std::sqrt(std::max(discriminant, 0.0f));
-  float t = b <= 0.0f ? 2.0f * c / (root - b) : (b + root) / (-2.0f * a);
-  t = c > 0.0f ? std::min(std::max(t, 0.0f), 1.0f) : 0.0f;
-  return c == 0.0f || e <= 0.0f || dips ? t : -1.0f;
+  const Real b = e - c - a;
+  const Real discriminant = b * b - 4 * a * c;
+  const bool dips = b < 0 && b > -2 * a && discriminant >= 0;
+  const Real root = std::sqrt(std::max(discriminant, Real(0)));
+  Real t = b <= 0 ? 2 * c / (root - b) : (b + root) / (-2 * a);
+  t = c > 0 ? std::min(std::max(t, Real(0)), Real(1)) : Real(0);
+  return c == 0 || e <= 0 || dips ? t : Real(-1);
 }
 
 /// Where the segment from one position in a cell to another first meets the cell's patch, as a
