@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Child.h"
 
+#include "Spawn.h"
+
 #include <array>
 #include <cerrno>
 #include <sstream>
+#include <utility>
 
 #include <csignal>
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace
 {
@@ -39,27 +39,6 @@ std::string ReadAll(int descriptor)
   close(descriptor);
   return text;
 }
-
-/// Starts a program with these ends of pipes as stdin and stderr; -1 if there is none.
-pid_t Start(std::vector<std::string>& words, int input, int errors)
-{
-  std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (std::string& word : words)
-  {
-    pointers.push_back(word.data());
-  }
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t process = -1;
-  const int error = posix_spawnp(&process, pointers[0], &files, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  return error == 0 ? process : -1;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -76,7 +55,8 @@ Child::Child(std::vector<std::string> words)
   if (pipe2(errors.data(), O_CLOEXEC) == 0)
   {
     setsockopt(input[1], SOL_SOCKET, SO_SNDBUF, &kWaitingBytes, sizeof(kWaitingBytes));
-    this->Process = Start(words, input[0], errors[1]);
+    this->Process =
+      Spawn(std::move(words), { { input[0], STDIN_FILENO }, { errors[1], STDERR_FILENO } });
     close(errors[1]);
     this->Said = std::async(std::launch::async, ReadAll, errors[0]);
   }

@@ -2,41 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileDialog.h"
 
+#include "Spawn.h"
+
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <initializer_list>
 #include <vector>
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace
 {
 using Words = std::vector<std::string>;
-
-/// Starts a program with an end of a pipe as stdout; -1 if there is none.
-pid_t Start(Words words, int output)
-{
-  std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (std::string& word : words)
-  {
-    pointers.push_back(word.data());
-  }
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
-  // toolkits have much to say that is no concern of the terrain
-  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t process = -1;
-  const int error = posix_spawnp(&process, pointers[0], &files, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  return error == 0 ? process : -1;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -62,7 +41,8 @@ bool FileDialog::Open()
   for (const Words& words : { Words{ "zenity", "--file-selection", "--title", title },
          Words{ "kdialog", "--title", title, "--getopenfilename", "." } })
   {
-    this->Process = this->IsOpen() ? this->Process : Start(words, ends[1]);
+    // toolkits have much to say on stderr that is no concern of the terrain
+    this->Process = this->IsOpen() ? this->Process : Spawn(words, { { ends[1], STDOUT_FILENO } });
   }
   close(ends[1]);
   if (!this->IsOpen())
