@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlightPath.h"
 
+#include "vtkCamera.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -150,6 +152,17 @@ private:
   std::vector<double> WayOfPoints;
   std::vector<double> Times;
 };
+}
+
+//------------------------------------------------------------------------------
+void LookAlong(vtkCamera* camera, const FlightView& view)
+{
+  camera->SetPosition(view.Eye.data());
+  camera->SetFocalPoint(view.Focus.data());
+  constexpr double kSteepView = 1e-3;
+  const bool isSteep =
+    Flat(view.Eye, view.Focus) < kSteepView * std::abs(view.Eye[2] - view.Focus[2]);
+  camera->SetViewUp(0.0, isSteep ? 1.0 : 0.0, isSteep ? 0.0 : 1.0);
 }
 
 //------------------------------------------------------------------------------

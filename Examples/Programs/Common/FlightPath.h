@@ -12,6 +12,8 @@
 #include <functional>
 #include <vector>
 
+class vtkCamera;
+
 using Place3 = std::array<double, 3>;
 
 /// Eye and focal point, in the scene.
@@ -20,6 +22,9 @@ struct FlightView
   Place3 Eye{};
   Place3 Focus{};
 };
+
+/// Places a camera, upright; with north on top where it looks straight down.
+void LookAlong(vtkCamera* camera, const FlightView& view);
 
 /// A view at a time, in seconds.
 struct FlightKey

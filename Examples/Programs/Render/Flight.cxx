@@ -215,12 +215,7 @@ void WriteViews(const std::string& folder, const std::vector<FlightView>& views,
 void SetView(const FlightStage& stage, const FlightView& view, const Options& options)
 {
   vtkCamera* camera = stage.Renderer->GetActiveCamera();
-  camera->SetPosition(view.Eye.data());
-  camera->SetFocalPoint(view.Focus.data());
-  constexpr double kSteepView = 1e-3;
-  const double aside = std::hypot(view.Eye[0] - view.Focus[0], view.Eye[1] - view.Focus[1]);
-  const bool isSteep = aside < kSteepView * std::abs(view.Eye[2] - view.Focus[2]);
-  camera->SetViewUp(0.0, isSteep ? 1.0 : 0.0, isSteep ? 0.0 : 1.0);
+  LookAlong(camera, view);
   SetClippingRange(camera, stage.Ground.Bounds, stage.Heights);
   SetBackground(stage.Renderer, options);
 }

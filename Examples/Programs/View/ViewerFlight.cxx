@@ -6,7 +6,6 @@
 #include "vtkCamera.h"
 #include "vtkTerrainViewpoint.h"
 
-#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -40,13 +39,7 @@ FlightView Viewer::GetView() const
 //------------------------------------------------------------------------------
 void Viewer::SetView(const FlightView& view)
 {
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetPosition(view.Eye.data());
-  camera->SetFocalPoint(view.Focus.data());
-  constexpr double kSteepView = 1e-3;
-  const double aside = std::hypot(view.Eye[0] - view.Focus[0], view.Eye[1] - view.Focus[1]);
-  const bool isSteep = aside < kSteepView * std::abs(view.Eye[2] - view.Focus[2]);
-  camera->SetViewUp(0.0, isSteep ? 1.0 : 0.0, isSteep ? 0.0 : 1.0);
+  LookAlong(this->Renderer->GetActiveCamera(), view);
 }
 
 //------------------------------------------------------------------------------
