@@ -108,6 +108,14 @@ void MakeScene(vtkTerrainReproject* scene, Frame frame)
   scene->Update();
 }
 
+/// Gives values the heights and places of a scene, and a raster.
+void LayOver(vtkTerrainValues* values, vtkTerrainReproject* scene, const std::string& path)
+{
+  values->SetInputConnection(scene->GetOutputPort());
+  values->SetGeoreference(scene->GetGeoreference());
+  values->SetFileName(path);
+}
+
 /// Column and row of the raster at a point of a scene of degrees, centres at whole numbers, by OGR.
 class PixelsByGDAL
 {
@@ -210,9 +218,7 @@ TEST(TerrainValues, EverySampleHasTheValueOfItsPlace)
     for (const int band : { 1, 2 })
     {
       vtkNew<vtkTerrainValues> values;
-      values->SetInputConnection(scene->GetOutputPort());
-      values->SetGeoreference(scene->GetGeoreference());
-      values->SetFileName(path);
+      LayOver(values, scene, path);
       values->SetBand(band);
       values->Update();
       ASSERT_EQ(values->GetErrorMessage(), "");
@@ -256,9 +262,7 @@ TEST(TerrainValues, ClassesAreNotMixed)
   MakeScene(scene, Frame::Plane);
   const PixelsByGDAL pixels(scene->GetGeoreference());
   vtkNew<vtkTerrainValues> values;
-  values->SetInputConnection(scene->GetOutputPort());
-  values->SetGeoreference(scene->GetGeoreference());
-  values->SetFileName(WriteClasses("values-classes.tif"));
+  LayOver(values, scene, WriteClasses("values-classes.tif"));
   values->Update();
   ASSERT_EQ(values->GetErrorMessage(), "");
   EXPECT_TRUE(values->AreClasses());
@@ -400,9 +404,7 @@ void ExpectHalfShown(const std::string& path, Kind kind)
   MakeScene(scene, Frame::Plane);
   const PixelsByGDAL pixels(scene->GetGeoreference());
   vtkNew<vtkTerrainValues> values;
-  values->SetInputConnection(scene->GetOutputPort());
-  values->SetGeoreference(scene->GetGeoreference());
-  values->SetFileName(path);
+  LayOver(values, scene, path);
   values->SetKind(kind);
   values->Update();
   ASSERT_EQ(values->GetErrorMessage(), "");

@@ -197,14 +197,6 @@ double ReachOf(const std::array<double, 4>& degrees)
   return std::max(width * std::cos(vtkMath::RadiansFromDegrees(nearest)), north - south);
 }
 
-/// The longitude and latitude in the middle of heights.
-Vector MiddleOf(const std::array<double, 4>& degrees)
-{
-  const bool isCap = degrees[1] - degrees[0] > kAllRound && PoleOf(degrees) != 0.0;
-  return { 0.5 * (degrees[0] + degrees[1]),
-    isCap ? PoleOf(degrees) : 0.5 * (degrees[2] + degrees[3]), 0.0 };
-}
-
 /// What lies before an eye on a globe: from the shell of the heights to the highest's horizon.
 std::array<double, 2> ReachOnGlobe(vtkCamera* camera, const PlacedHeights& heights)
 {
@@ -237,17 +229,20 @@ void LookAtAll(vtkCamera* camera, const vtkBoundingBox& box, const PlacedHeights
     return;
   }
   const std::array<double, 4> degrees = DegreesOf(heights);
-  Vector middle = MiddleOf(degrees);
+  Vector middle{ 0.5 * (degrees[0] + degrees[1]), 0.5 * (degrees[2] + degrees[3]), 0.0 };
   Vector centre{};
   const double reach = ReachOf(degrees);
   constexpr double kPlanet = 120.0;
   if (reach > kPlanet)
   {
-    middle[1] = 0.5 * (degrees[2] + degrees[3]);
     const Vector highest{ 0.0, 0.0, std::max(DrawnRange(heights)[1], 0.0) };
     heights.Georeference->PlacesToScene(highest.data(), centre.data(), 1);
     LookAtPlanet(camera, vtkMath::Norm(centre.data()), middle, aspect);
     return;
+  }
+  if (degrees[1] - degrees[0] > kAllRound && PoleOf(degrees) != 0.0)
+  {
+    middle[1] = PoleOf(degrees); // of a cap
   }
   Axes axes;
   heights.Georeference->PlacesToScene(middle.data(), centre.data(), 1);
