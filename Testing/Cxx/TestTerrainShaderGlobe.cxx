@@ -147,6 +147,54 @@ TEST(TerrainShaderGlobe, HasTheDistancesOfTheReference)
   }
 }
 
+// Where meridians meet, hits still lie on the surface, but for what float rounds of a place.
+TEST(TerrainShaderGlobe, HitsLieOnTheSurfaceAtThePole)
+{
+  const vtkTerrainTesting::Scene scene = vtkTerrainTesting::MakeScene(8, 8);
+  scene.Window->Render();
+  const terrain::TestGlobe globe = terrain::RoughPole(1.0);
+  const terrain::World<Texel> world(globe.Grid, globe.Field());
+  const terrain::GlobeReference reference = world.Reference();
+  FieldTextures<Texel> field(scene.Window, world.Field, true);
+  const terrain::WorldTracer<float, Texel> tracer(world, MiddleOf(globe.Grid, 6000.0));
+  const GlobeTexture lines(scene.Window, tracer);
+  vtkTerrainTesting::Numbers number;
+  std::vector<terrain::GlobeRay<float>> rays;
+  std::vector<glm::dvec3> ways;
+  for (int k = 0; k < 40000; ++k)
+  {
+    const glm::dvec2 cells(number(0.0, 23.0), number(0.0, 5.0));
+    const glm::dvec3 target = PositionOn(globe.Grid, cells, number(0.0, 4000.0));
+    ways.push_back(glm::normalize(target - tracer.Anchor.Position));
+    terrain::GlobeRay<float> ray;
+    ray.Direction = glm::vec3(tracer.Anchor.ToAxes(ways.back()));
+    ray.End = 1e7f;
+    rays.push_back(ray);
+  }
+  const std::vector<float> drawn = CastOnCard(scene.Window, field, lines, rays);
+  int hits = 0;
+  for (std::size_t k = 0; k < rays.size(); ++k)
+  {
+    if (drawn[4 * k] == 0.0f)
+    {
+      continue;
+    }
+    ++hits;
+    const double t = drawn[4 * k + 1];
+    const int code = static_cast<int>(drawn[4 * k + 2]);
+    glm::ivec2 cell(code % 4096, code / 4096);
+    const glm::dvec3 position = tracer.Anchor.Position + t * ways[k];
+    glm::dvec2 fraction;
+    const double steepness =
+      terrain::HeightErrorAt(world, cell, globe.Grid.Body.ToPlace(position).y) /
+      terrain::kGlobeError;
+    EXPECT_NEAR(reference.Above(position, cell, fraction, true), 0.0,
+      (terrain::kGlobeFloatError + terrain::kGlobeFloatPartError * t) * steepness)
+      << k << " " << t << " " << cell.x << " " << cell.y;
+  }
+  EXPECT_GT(hits, 10000);
+}
+
 // Rays at points on the lines between cells, and at flat ground along the parallel of an anchor:
 // all of them end there, and see the surface from above.
 TEST(TerrainShaderGlobe, IsWatertight)

@@ -247,11 +247,7 @@ TEST(Globe, HitsLieOnTheSurfaceAtThePoles)
 {
   for (const double step : { 1.0, 0.25, 1.0 / 120.0 })
   {
-    const int rows = 6;
-    const terrain::TestGlobe globe{ "spokes",
-      terrain::MakeGrid(terrain::Ellipsoid{}, 20.0, step, 24,
-        terrain::Parallels(90.0 - step * (rows - 1), step, rows)),
-      [](int i, int j) { return 16.0 * ((i * 97 + j * 31) % 256); } };
+    const terrain::TestGlobe globe = terrain::RoughPole(step);
     const terrain::World<std::uint16_t> world(globe.Grid, globe.Field());
     const terrain::GlobeReference reference = world.Reference();
     GlobeRays rays(globe, 5);

@@ -176,6 +176,15 @@ inline std::vector<TestGlobe> TestGlobes()
   };
 }
 
+/// A sector at the north pole, of samples that differ there as well.
+inline TestGlobe RoughPole(double step)
+{
+  constexpr int rows = 6;
+  return { "spokes",
+    MakeGrid(Ellipsoid{}, 20.0, step, 24, Parallels(90.0 - step * (rows - 1), step, rows)),
+    [](int i, int j) { return 16.0 * ((i * 97 + j * 31) % 256); } };
+}
+
 /// Rays at a world from everywhere.
 class GlobeRays
 {
